@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "geometry/assembly.h"
+
+/// From the description to bricks: every block with its material, and the law of any two that touch.
+namespace voussoir::cases {
+
+/// What a block is in a house; decides which law its joints get.
+enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam };
+
+/// One element to be, in the order of its element number.
+struct Block {
+  std::string name;                    // of a free [[block]]; empty in houses
+  std::string tag;                     // "front wall", "roof beam 12", "lintel 0", ...; for output
+  std::int32_t material = 0;           // into Model::materials
+  geometry::Polyhedron shape;          // global axes, m
+  double segment_size = 0.0;           // m
+  PartKind kind = PartKind::block;
+  std::int32_t house = -1;             // copy number of the house, −1: a free block
+  std::int32_t member = -1;            // timber member in its house (elements of one beam share it), −1: none
+  bool whole = true;                   // false: a cut brick
+  bool fixed = false, free = false;
+  Vec3 velocity, angular_velocity;     // initial, m/s and rad/s
+  std::int32_t support_motion = -1;    // into Model::support_motions
+};
+
+/// Displacement of a fixed block as a function of time, piecewise linear, held after its end. Displacement 0 before t[0].
+/// With two samples and `open_ended`, the last slope goes on for ever (constant velocity).
+struct SupportHistory {
+  std::vector<double> time;            // s, ascending
+  std::vector<Vec3> displacement;      // m
+  bool open_ended = false;
+};
+
+struct NamedMaterial {
+  std::string name;
+  Material value;
+};
+struct NamedLaw {
+  std::string name;                    // "dry" is always law 0: no bond
+  JointLaw value;
+};
+
+struct Model {
+  std::vector<Block> blocks;
+  std::vector<NamedMaterial> materials;
+  std::vector<NamedLaw> laws;          // laws[0] is "dry"
+  std::vector<SupportHistory> support_motions;
+  geometry::Assembly assembly;         // of the blocks, in order
+  std::vector<std::int32_t> joint_law; // by assembly joint, into laws
+};
+
+/// Builds blocks (house first, then free blocks), assembles them and picks the law of every joint.
+/// The law: the first that applies of the house's own keys, joints.between, joints.default.
+/// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
+Model build_model(const Case& c);
+
+}  // namespace voussoir::cases

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/polyhedron.h"
+
+/// From shapes to faces, segments and joints (paper 2.1, Fig. 1c; choices in the theory manual).
+namespace voussoir::geometry {
+
+/// Element index that stands for the base, the fixed half-space below z = base_z.
+inline constexpr std::int32_t kBase = -1;
+
+/// One segment: its contact point (s, t) [m] in the frame of its patch, and its area [m2].
+struct Segment {
+  double s = 0.0, t = 0.0, area = 0.0;
+};
+
+/// A plane frame in the reference configuration, global axes. `normal` = axis_s × axis_t, the outward normal of the master's face.
+struct Frame {
+  Vec3 centre;  // m
+  Vec3 axis_s, axis_t, normal;
+};
+
+/// All segments that two faces share from the start. `element_b` may be kBase (then side_b is empty, face_b = −1).
+/// The frame belongs to face_a; `centre` is the area centroid of the segments of side_a, so that Σ s dA = Σ t dA = 0 over side_a.
+struct Joint {
+  std::int32_t element_a = 0, face_a = 0;
+  std::int32_t element_b = 0, face_b = 0;
+  Frame frame;
+  double area = 0.0;            // m2, of the overlap
+  bool merged = false;          // both grids coincide: side_a stands for both, side_b is empty
+  std::vector<Segment> side_a;  // segments mastered by face_a
+  std::vector<Segment> side_b;  // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
+};
+
+/// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
+struct FreePatch {
+  std::int32_t element = 0, face = 0;
+  Frame frame;
+  std::vector<Segment> segments;
+};
+
+/// A plane face of an element.
+struct Face {
+  Vec3 normal;            // outward, unit
+  double offset = 0.0;    // m, normal · x = offset on the plane (global axes)
+  double distance = 0.0;  // m, ℓ: from the element's centroid to the plane (Eqs. 1-3, 9, 10, 19)
+  double area = 0.0;      // m2
+};
+
+struct Element {
+  std::int32_t first_face = 0, face_count = 0;  // into Assembly::faces
+  MassProperties mass;                          // for unit density
+};
+
+struct Assembly {
+  std::vector<Element> elements;
+  std::vector<Face> faces;         // by element, in the polyhedron's face order
+  std::vector<Joint> joints;       // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
+  std::vector<FreePatch> patches;  // sorted by (element, face)
+};
+
+struct Part {
+  const Polyhedron* shape = nullptr;
+  double segment_size = 0.0;  // m, > 0
+  bool anchored = false;      // fixed, or allowed to float: may touch nothing
+};
+
+/// Validates every shape, finds overlaps, touching faces and what they share.
+///
+/// A face has a grid of n = max(1, round(edge/size)) cells a direction over its bounding rectangle; a joint takes
+/// cell ∩ overlap as a segment, pieces under 1 % of a cell go to their largest neighbour in the same joint, the rest of a cell is free.
+/// \throw ModelError naming: a bad shape (see validate), two blocks that overlap, a block below the base, a block that touches nothing and is not anchored.
+/// \param base_z  height of the base plane [m]; absent: no base.
+Assembly assemble(std::span<const Part> parts, std::optional<double> base_z);
+
+}  // namespace voussoir::geometry
