@@ -1,2 +1,84 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/house.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/house_parts.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+/// Exact: coordinates are swapped and negated, never multiplied by a rounded cosine.
+Vec3 turned(Vec3 v, int quarter_turns) {
+  for (int i = 0; i < quarter_turns; ++i) v = {-v.y, v.x, v.z};
+  return v;
+}
+
+std::vector<Block> placed_copies(const House& house, const HousePlan& plan, const HouseParts& parts) {
+  std::vector<Block> all;
+  all.reserve(parts.blocks.size() * static_cast<std::size_t>(house.copies[0]) * static_cast<std::size_t>(house.copies[1]));
+  for (int j = 0; j < house.copies[1]; ++j) {
+    for (int i = 0; i < house.copies[0]; ++i) {
+      const Vec3 by{house.origin[0] + i * house.spacing[0], house.origin[1] + j * house.spacing[1], 0.0};
+      for (const Block& block : parts.blocks) {
+        all.push_back(block);
+        all.back().house = i + j * house.copies[0];
+        for (Vec3& v : all.back().shape.vertices) v = turned(v, plan.quarter_turns) + by;
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept {
+  const auto from_far_side = [&](Tick outer) { return Interval{outer - depth.high, outer - depth.low}; };
+  switch (wall.side) {
+    case Side::front:
+      return {along, depth, height};
+    case Side::right:
+      return {from_far_side(plan.outer[0]), along, height};
+    case Side::rear:
+      return {along, from_far_side(plan.outer[1]), height};
+    case Side::left:
+      break;
+  }
+  return {depth, along, height};
+}
+
+double segment_size_of(Tick a, Tick b, Tick c) noexcept { return metres(std::min({a, b, c})) / 4.0; }
+
+Block box_block(const HouseBox& box, const Block& prototype) {
+  Block block = prototype;
+  block.shape = geometry::make_box({metres(box.x.low), metres(box.y.low), metres(box.z.low)},
+                                   {metres(box.x.high), metres(box.y.high), metres(box.z.high)});
+  return block;
+}
+
+bool has_timber(const House& house) noexcept {
+  return house.roof.kind == RoofKind::flat || house.reinforcement ||
+         std::any_of(house.openings.begin(), house.openings.end(), [](const Opening& o) { return o.lintel.has_value(); });
+}
+
+std::vector<Block> build_house(const House& house, std::span<const NamedMaterial> materials) {
+  const HousePlan plan = plan_house(house);
+  HouseParts parts;
+  parts.masonry = find_material(materials, house.material, "house.material");
+  if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
+  build_walls(house, plan, parts);
+  switch (house.roof.kind) {
+    case RoofKind::flat:
+      build_flat_roof(house, plan, parts);
+      break;
+    case RoofKind::vault:  // refused by plan_house
+    case RoofKind::none:
+      break;
+  }
+  return placed_copies(house, plan, parts);
+}
+
+}  // namespace voussoir::cases

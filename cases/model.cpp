@@ -1,2 +1,144 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/model.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "cases/blocks.h"
+#include "cases/house.h"
+#include "cases/joint_rules.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+void name_materials_and_laws(const Case& c, Model& model) {
+  for (const auto& [name, value] : c.materials) {
+    const std::string key = "materials." + name;
+    if (name == "base") throw InputError(key, "\"base\" is the ground under the model; give the material another name");
+    if (!(value.density > 0.0)) throw InputError(key + ".density", text(value.density) + " kg/m3; must be above 0");
+    if (!(value.young > 0.0)) throw InputError(key + ".young", text(value.young) + " Pa; must be above 0");
+    if (!(value.poisson >= 0.0 && value.poisson < 0.5)) {
+      throw InputError(key + ".poisson", text(value.poisson) + "; allowed: 0 to below 0.5");
+    }
+    model.materials.push_back({name, value});
+  }
+  model.laws.push_back({"dry", {}});
+  for (const auto& [name, value] : c.joint_laws) {
+    const std::string key = "joint_laws." + name;
+    if (name == "dry") throw InputError(key, "\"dry\" is always there and means no bond; give the law another name");
+    if (value.thickness > 0.0 && !(value.young > 0.0)) {
+      throw InputError(key + ".young",
+                       text(value.young) + " Pa; a joint with mortar (thickness = " + text(value.thickness) + " m) needs its modulus");
+    }
+    model.laws.push_back({name, value});
+  }
+}
+
+void add_house(const Case& c, Model& model) {
+  const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
+  if (!c.base && !on_fixed_block)
+    throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
+  model.blocks = build_house(*c.house, model.materials);
+  const double z = c.base ? c.base->z : 0.0;
+  if (z == 0.0) return;
+  for (Block& block : model.blocks) {
+    for (Vec3& v : block.shape.vertices) v.z += z;
+  }
+}
+
+/// The key at fault when geometry refuses an element: a free block by its place in the case, else the house.
+std::string key_of(const Model& model, int element) {
+  if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
+  if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
+  std::size_t index = static_cast<std::size_t>(element);
+  for (const Block& block : model.blocks) {
+    if (block.house >= 0) --index;  // the house's blocks come first
+  }
+  return indexed_key("block", index, "");
+}
+
+/// Geometry knows blocks by number ("block 12"); the user knows them by name.
+std::string with_names(const Model& model, const geometry::ModelError& error) {
+  std::string message = error.what();
+  for (const int element : {error.subject(), error.other()}) {
+    if (element < 0) continue;
+    const auto index = static_cast<std::size_t>(element);
+    const std::string number = "block " + std::to_string(index);
+    const std::string known = describe(model.blocks.at(index), index);
+    const std::size_t at = message.find(number);
+    if (at == std::string::npos) {
+      message = known + ": " + message;
+    } else {
+      message.replace(at, number.size(), known);
+    }
+  }
+  return message;
+}
+
+[[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
+  // Of two, the one that stands later in the case: the first was there already.
+  throw InputError(key_of(model, std::max(error.subject(), error.other())), with_names(model, error));
+}
+
+void assemble(const Case& c, Model& model) {
+  std::vector<geometry::Part> parts;
+  parts.reserve(model.blocks.size());
+  for (const Block& block : model.blocks) parts.push_back({&block.shape, block.segment_size, block.fixed || block.free});
+  try {
+    model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt);
+  } catch (const geometry::ModelError& error) {
+    refuse(model, error);
+  }
+}
+
+void pick_laws(const JointRules& rules, Model& model) {
+  model.joint_law.reserve(model.assembly.joints.size());
+  for (const geometry::Joint& joint : model.assembly.joints) {
+    const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
+    const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
+    model.joint_law.push_back(rules.law(a, b));
+  }
+}
+
+}  // namespace
+
+Model build_model(const Case& c) {
+  Model model;
+  name_materials_and_laws(c, model);
+  if (!c.house && c.blocks.empty()) throw InputError("", "describes nothing to simulate; give [house], [[block]], or both");
+  const JointRules rules(c, model);
+  check_loads(c);
+  if (c.house) add_house(c, model);
+  add_free_blocks(c, model);
+  if (c.segment_size) {
+    if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
+    for (Block& block : model.blocks) block.segment_size = *c.segment_size;
+  }
+  assemble(c, model);
+  pick_laws(rules, model);
+  return model;
+}
+
+std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
+  // Points often lie midway between two bricks; without a tolerance round-off would choose.
+  constexpr double kTie = 1e-9;  // m
+  double least = std::numeric_limits<double>::infinity();
+  std::int32_t nearest = 0;
+  for (std::size_t i = 0; i < model.assembly.elements.size(); ++i) {
+    const double distance = norm(model.assembly.elements[i].mass.centroid - point);
+    if (distance >= least - kTie) continue;
+    least = distance;
+    nearest = static_cast<std::int32_t>(i);
+  }
+  return nearest;
+}
+
+std::string describe(const Block& block, std::size_t element) {
+  const std::string number = "element " + std::to_string(element);
+  if (block.house < 0) return "block " + quoted(block.name) + " (" + number + ")";
+  return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
+}
+
+}  // namespace voussoir::cases

@@ -17,26 +17,28 @@ enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, colum
 
 /// One element to be, in the order of its element number.
 struct Block {
-  std::string name;                    // of a free [[block]]; empty in houses
-  std::string tag;                     // "front wall", "roof beam 12", "lintel 0", ...; for output
-  std::int32_t material = 0;           // into Model::materials
-  geometry::Polyhedron shape;          // global axes, m
-  double segment_size = 0.0;           // m
+  std::string name;            // of a free [[block]]; empty in houses
+  std::string tag;             // "front wall", "roof beam 12", "lintel 0", ...; for output
+  std::int32_t material = 0;   // into Model::materials
+  geometry::Polyhedron shape;  // global axes, m
+  double segment_size = 0.0;   // m
   PartKind kind = PartKind::block;
-  std::int32_t house = -1;             // copy number of the house, −1: a free block
-  std::int32_t member = -1;            // timber member in its house (elements of one beam share it), −1: none
-  bool whole = true;                   // false: a cut brick
+  std::int32_t house = -1;   // copy number of the house, −1: a free block
+  std::int32_t member = -1;  // timber member in its house (elements of one beam share it), −1: none
+  bool whole = true;         // false: a cut brick
   bool fixed = false, free = false;
-  Vec3 velocity, angular_velocity;     // initial, m/s and rad/s
-  std::int32_t support_motion = -1;    // into Model::support_motions
+  Vec3 velocity, angular_velocity;   // initial, m/s and rad/s
+  std::int32_t support_motion = -1;  // into Model::support_motions
 };
 
 /// Displacement of a fixed block as a function of time, piecewise linear, held after its end. Displacement 0 before t[0].
 /// With two samples and `open_ended`, the last slope goes on for ever (constant velocity).
 struct SupportHistory {
-  std::vector<double> time;            // s, ascending
-  std::vector<Vec3> displacement;      // m
+  std::vector<double> time;        // s, ascending
+  std::vector<Vec3> displacement;  // m
   bool open_ended = false;
+  std::string file;  // not empty: still to be read from here (t, x, y, z); relative to Case::folder
+  std::string key;   // of the motion in the case file, for messages
 };
 
 struct NamedMaterial {
@@ -44,22 +46,31 @@ struct NamedMaterial {
   Material value;
 };
 struct NamedLaw {
-  std::string name;                    // "dry" is always law 0: no bond
+  std::string name;  // "dry" is always law 0: no bond
   JointLaw value;
 };
 
 struct Model {
   std::vector<Block> blocks;
   std::vector<NamedMaterial> materials;
-  std::vector<NamedLaw> laws;          // laws[0] is "dry"
+  std::vector<NamedLaw> laws;  // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;
-  geometry::Assembly assembly;         // of the blocks, in order
-  std::vector<std::int32_t> joint_law; // by assembly joint, into laws
+  geometry::Assembly assembly;          // of the blocks, in order
+  std::vector<std::int32_t> joint_law;  // by assembly joint, into laws
 };
 
 /// Builds blocks (house first, then free blocks), assembles them and picks the law of every joint.
+/// A house stands on the base, so its walls begin at Case::base's height (0 without one, on fixed blocks).
+/// Motions of supports given as files stay empty, with the file's name: io reads them.
 /// The law: the first that applies of the house's own keys, joints.between, joints.default.
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
 Model build_model(const Case& c);
+
+/// The element whose centroid is nearest to `point` [m, global]; the lowest number among those equally near (to 1 nm).
+/// \pre the model has an element
+std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;
+
+/// How a message calls an element: `front wall (element 12)`, with the house if there are several; `block "slider" (element 3)`.
+std::string describe(const Block& block, std::size_t element);
 
 }  // namespace voussoir::cases

@@ -60,8 +60,8 @@ struct Element {
 
 struct Assembly {
   std::vector<Element> elements;
-  std::vector<Face> faces;         // by element, in the polyhedron's face order
-  std::vector<Joint> joints;       // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
+  std::vector<Face> faces;    // by element, in the polyhedron's face order
+  std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
   std::vector<FreePatch> patches;  // sorted by (element, face)
 };
 
@@ -74,9 +74,17 @@ struct Part {
 /// Validates every shape, finds overlaps, touching faces and what they share.
 ///
 /// A face has a grid of n = max(1, round(edge/size)) cells a direction over its bounding rectangle; a joint takes
-/// cell ∩ overlap as a segment, pieces under 1 % of a cell go to their largest neighbour in the same joint, the rest of a cell is free.
-/// \throw ModelError naming: a bad shape (see validate), two blocks that overlap, a block below the base, a block that touches nothing and is not anchored.
+/// cell ∩ overlap as a segment, pieces under 1 % of a cell go to their largest neighbour in the same joint, the rest of a cell is free
+/// (dropped where under 1 % of the cell).
+///
+/// Faces touch where their outward normals are opposite (1e-6), their planes closer than 1e-6 m and their overlap larger than 1e-8 m2; a
+/// face with the normal −z at base_z touches the base all over. Segments stand row by row in the grid of the face that masters them; (s, t)
+/// are multiples of 2^-40 m, so that equal patches are equal bit by bit.
+///
 /// \param base_z  height of the base plane [m]; absent: no base.
+/// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the
+/// base, a block that touches nothing and is not anchored. what() starts with "block <index>: ".
+/// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer.
 Assembly assemble(std::span<const Part> parts, std::optional<double> base_z);
 
 }  // namespace voussoir::geometry

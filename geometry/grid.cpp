@@ -1,2 +1,140 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace voussoir::geometry {
+
+namespace {
+
+/// A box over more cells than this goes to the list of large ones: a beam among bricks stays far below.
+constexpr double kMostCells = 512.0;
+
+/// Cell edge over the median extent of a box. Measured on walls of 4 000 and 70 000 bricks: 1.25 to 2 are alike, 0.6 takes three times as
+/// long. slower.
+constexpr double kCellFactor = 1.25;
+
+bool intersect(const Box3& a, const Box3& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
+         b.low.z <= a.high.z;
+}
+
+bool is_ordered(const Box3& b) { return b.low.x <= b.high.x && b.low.y <= b.high.y && b.low.z <= b.high.z; }
+
+double extent(const Box3& b) { return std::max({b.high.x - b.low.x, b.high.y - b.low.y, b.high.z - b.low.z}); }
+
+/// As a double: the product of three counts may pass any integer.
+template <class Range>
+double cell_count(const Range& r) {
+  return (static_cast<double>(r.high.x) - r.low.x + 1.0) * (static_cast<double>(r.high.y) - r.low.y + 1.0) *
+         (static_cast<double>(r.high.z) - r.low.z + 1.0);
+}
+
+template <class Range, class Visit>
+void for_each_cell(const Range& r, Visit visit) {
+  for (std::int32_t z = r.low.z; z <= r.high.z; ++z) {
+    for (std::int32_t y = r.low.y; y <= r.high.y; ++y) {
+      for (std::int32_t x = r.low.x; x <= r.high.x; ++x) visit(decltype(r.low){x, y, z});
+    }
+  }
+}
+
+std::int32_t cell_coordinate(double scaled) {
+  // Beyond the clamp all share the last cell: slower there, but floor and clamp are monotone, so nothing is missed.
+  constexpr double kLimit = 1e9;
+  return static_cast<std::int32_t>(std::clamp(std::floor(scaled), -kLimit, kLimit));
+}
+
+}  // namespace
+
+double UniformGrid::median_extent() {
+  extents_.clear();
+  for (const Box3& b : boxes_) {
+    const double e = extent(b);
+    if (e > 0.0 && e < std::numeric_limits<double>::infinity()) extents_.push_back(e);
+  }
+  if (extents_.empty()) return 1.0;
+  const auto middle = extents_.begin() + static_cast<std::ptrdiff_t>(extents_.size() / 2);
+  std::nth_element(extents_.begin(), middle, extents_.end());
+  return *middle;
+}
+
+UniformGrid::Cell UniformGrid::cell_of(Vec3 point) const noexcept {
+  return {cell_coordinate(point.x * per_cell_), cell_coordinate(point.y * per_cell_), cell_coordinate(point.z * per_cell_)};
+}
+
+UniformGrid::CellRange UniformGrid::cells_of(const Box3& box) const noexcept { return {cell_of(box.low), cell_of(box.high)}; }
+
+std::uint32_t UniformGrid::bucket_of(Cell cell) const noexcept {
+  auto h = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) * 0x9E3779B97F4A7C15ULL;
+  h ^= static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y)) * 0xC2B2AE3D27D4EB4FULL;
+  h ^= static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.z)) * 0x165667B19E3779F9ULL;
+  return static_cast<std::uint32_t>(h >> 32) & mask_;  // the high half has mixed best
+}
+
+void UniformGrid::build(std::span<const Box3> boxes) {
+  boxes_.assign(boxes.begin(), boxes.end());
+  large_.clear();
+  per_cell_ = 1.0 / (kCellFactor * median_extent());
+  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(16, 2 * boxes_.size()));
+  mask_ = static_cast<std::uint32_t>(buckets - 1);
+
+  // Counting sort. start_ is shifted by two while counting and by one while filling, so that it ends in place.
+  start_.assign(buckets + 2, 0);
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    if (!is_ordered(boxes_[i])) continue;
+    const CellRange cells = cells_of(boxes_[i]);
+    if (cell_count(cells) > kMostCells) {
+      large_.push_back(static_cast<std::int32_t>(i));
+    } else {
+      for_each_cell(cells, [&](Cell c) { ++start_[bucket_of(c) + 2]; });
+    }
+  }
+  for (std::size_t k = 2; k < start_.size(); ++k) start_[k] += start_[k - 1];
+  items_.resize(static_cast<std::size_t>(start_.back()));
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    if (!is_ordered(boxes_[i])) continue;
+    const CellRange cells = cells_of(boxes_[i]);
+    if (cell_count(cells) > kMostCells) continue;
+    for_each_cell(cells, [&](Cell c) { items_[static_cast<std::size_t>(start_[bucket_of(c) + 1]++)] = static_cast<std::int32_t>(i); });
+  }
+}
+
+void UniformGrid::query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const {
+  const std::uint32_t bucket = bucket_of(cell);
+  std::int32_t previous = -1;
+  for (std::int32_t k = start_[bucket]; k < start_[bucket + 1]; ++k) {
+    const std::int32_t item = items_[static_cast<std::size_t>(k)];
+    // Two cells of one box may share a bucket; then it stands there twice, side by side.
+    if (item == previous) continue;
+    previous = item;
+    const Box3& box = boxes_[static_cast<std::size_t>(item)];
+    if (!intersect(query, box)) continue;
+    // Reported only from the first cell that query and box share: no doubles, and no marks that threads would fight over.
+    const Cell low = cell_of(box.low);
+    const Cell first{std::max(low.x, query_low.x), std::max(low.y, query_low.y), std::max(low.z, query_low.z)};
+    if (first == cell) out.push_back(item);
+  }
+}
+
+void UniformGrid::query(const Box3& query, std::vector<std::int32_t>& out) const {
+  if (boxes_.empty() || !is_ordered(query)) return;
+  const auto old_size = static_cast<std::ptrdiff_t>(out.size());
+  const CellRange cells = cells_of(query);
+  if (cell_count(cells) > static_cast<double>(boxes_.size())) {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (is_ordered(boxes_[i]) && intersect(query, boxes_[i])) out.push_back(static_cast<std::int32_t>(i));
+    }
+    return;
+  }
+  for_each_cell(cells, [&](Cell c) { query_cell(c, cells.low, query, out); });
+  for (const std::int32_t i : large_) {
+    if (intersect(query, boxes_[static_cast<std::size_t>(i)])) out.push_back(i);
+  }
+  std::sort(out.begin() + old_size, out.end());
+}
+
+}  // namespace voussoir::geometry

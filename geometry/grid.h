@@ -10,21 +10,39 @@
 
 namespace voussoir::geometry {
 
-/// A uniform grid over axis-aligned boxes: which boxes may touch a given box. Cells are as large as the largest usual box, so a box lies in few cells.
-/// Memory is O(number of boxes): cells are hashed, so a brick thrown 1 km away costs nothing.
+/// A uniform grid over axis-aligned boxes: which boxes may touch a given box. Cells follow the median box, so a usual box lies in few
+/// cells; a box that would fill hundreds of them is kept in a list of its own. Memory is O(number of boxes): cells are hashed, so a brick
+/// thrown 1 km away costs nothing.
 class UniformGrid {
  public:
-  /// Re-fills the grid. Boxes are copied; their indices are their order.
+  /// Re-fills the grid. Boxes are copied; their indices are their order. A box with a NaN, or with low > high, is never found.
+  /// Allocates only when there are more boxes, or more cells filled, than ever before.
   void build(std::span<const Box3> boxes);
 
   /// Appends to `out`, in ascending order and without doubles, all boxes that intersect `query` (closed intersection).
+  /// Touches no state: any number of threads may query at once.
   void query(const Box3& query, std::vector<std::int32_t>& out) const;
 
  private:
+  struct Cell {
+    std::int32_t x, y, z;
+    friend bool operator==(const Cell&, const Cell&) = default;
+  };
+  struct CellRange {
+    Cell low, high;
+  };
+  [[nodiscard]] double median_extent();
+  [[nodiscard]] Cell cell_of(Vec3 point) const noexcept;
+  [[nodiscard]] CellRange cells_of(const Box3& box) const noexcept;
+  [[nodiscard]] std::uint32_t bucket_of(Cell cell) const noexcept;
+  void query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const;
+
   std::vector<Box3> boxes_;
-  double cell_ = 1.0;                 // m
-  std::vector<std::int32_t> start_;   // by hash bucket, into items_
-  std::vector<std::int32_t> items_;   // box indices, ascending in a bucket
+  std::vector<std::int32_t> large_;  // boxes that are in no cell: tried by every query
+  double per_cell_ = 1.0;            // 1/m
+  std::vector<std::int32_t> start_;  // by hash bucket, into items_
+  std::vector<std::int32_t> items_;  // box indices, ascending in a bucket
+  std::vector<double> extents_;      // m, scratch of build
   std::uint32_t mask_ = 0;
 };
 

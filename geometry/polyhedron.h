@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec3.h"
@@ -17,8 +18,7 @@ namespace voussoir::geometry {
 /// `other` a second one (an overlap) or −1.
 class ModelError : public std::runtime_error {
  public:
-  ModelError(std::string what, int subject, int other = -1)
-      : std::runtime_error(std::move(what)), subject_(subject), other_(other) {}
+  ModelError(std::string what, int subject, int other = -1) : std::runtime_error(std::move(what)), subject_(subject), other_(other) {}
   [[nodiscard]] int subject() const noexcept { return subject_; }
   [[nodiscard]] int other() const noexcept { return other_; }
 
@@ -27,7 +27,8 @@ class ModelError : public std::runtime_error {
 };
 
 /// A convex polyhedron: vertices [m] in global axes, faces as loops of vertex indices, counter-clockwise seen from outside.
-/// Boxes, hexahedra (VTK vertex order) and prisms (all bottom vertices, then all top vertices) keep that vertex order, so output can write cells.
+/// Boxes, hexahedra (VTK vertex order) and prisms (all bottom vertices, then all top vertices) keep that vertex order, so output can write
+/// cells.
 struct Polyhedron {
   std::vector<Vec3> vertices;
   std::vector<std::vector<std::int32_t>> faces;
@@ -42,21 +43,28 @@ Polyhedron make_box(Vec3 low, Vec3 high);
 Polyhedron make_hexahedron(std::span<const Vec3, 8> vertices);
 
 /// Prism: a convex polygon (3 or more corners, either winding) in the y-z plane extruded from x0 to x1 (x0 < x1).
-/// Four corners give a hexahedron. \throw ModelError if the polygon is degenerate or x0 >= x1.
+/// Vertices: the polygon at x0 counter-clockwise seen from +x and from its first corner, then the same at x1. Four corners give a
+/// hexahedron (faces as in make_hexahedron); else the sides in the order of the polygon's edges, then the faces at x0 and x1.
+/// Convexity is left to validate().
+///
+/// \throw ModelError if the polygon is degenerate or x0 >= x1.
 Polyhedron make_prism(std::span<const std::array<double, 2>> polygon_yz, double x0, double x1);
 
-/// Rotates about an axis through `about` by `angle` [rad] (right-hand rule).
+/// Rotates about an axis (any length but zero) through `about` by `angle` [rad] (right-hand rule). Quarter turns are exact.
 Polyhedron rotated(const Polyhedron& p, Vec3 axis, double angle, Vec3 about);
 Polyhedron moved(const Polyhedron& p, Vec3 by);
-/// Mirror at the plane through `at` with unit normal n (face loops are turned so they stay counter-clockwise from outside).
+/// Mirror at the plane through `at` with unit normal n. Faces keep their order; loops are turned so they stay counter-clockwise from
+/// outside, and the two halves of an even number of vertices change places, so that boxes, hexahedra and prisms stay valid cells.
 Polyhedron mirrored(const Polyhedron& p, Vec3 n, Vec3 at);
 
+/// Tolerance: 1e-9 of the diagonal of the bounding box.
 /// \throw ModelError "not convex", "inside out", "a face is not plane", "zero volume", "a vertex is used by no face" ...,
-/// with the offending figures in the message.
+/// with the offending figures in the message, after "block <subject>: " where the subject is known.
 void validate(const Polyhedron& p, int subject = -1);
 
 /// Volume [m3], centroid [m], inertia tensor about the centroid for unit density [m5] in global axes, and its
-/// principal moments (ascending) with axes as rows (right-handed).
+/// principal moments (ascending) with axes as rows (right-handed). For an axis-aligned box the axes are the global ones, exactly.
+/// \pre the polyhedron is valid. Digits do not depend on the distance to the global origin.
 struct MassProperties {
   double volume = 0.0;
   Vec3 centroid;

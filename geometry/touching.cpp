@@ -1,2 +1,137 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/touching.h"
+
+#include <algorithm>
+
+#include "geometry/grid.h"
+#include "geometry/message.h"
+
+namespace voussoir::geometry {
+
+namespace {
+
+constexpr double kNormalTolerance = 1e-6;  // of n_a + n_b
+constexpr double kGapTolerance = 1e-6;     // m, between planes; deeper is an overlap of two blocks
+constexpr double kLeastArea = 1e-8;        // m2
+
+/// Distance of the plane of b from the plane of a at a point of the overlap [m].
+double gap_at(const FaceGrid& a, const FaceGrid& b, Point2 at) {
+  const Vec3 point = (a.origin - b.origin) + at.s * a.axis_s + at.t * a.axis_t;
+  return std::abs(dot(point, b.normal));
+}
+
+/// The reach of a face from its origin [m].
+double reach(const FaceGrid& g) { return g.width + g.height; }
+
+std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
+  const Vec3 tilt = a.normal + b.normal;
+  if (dot(tilt, tilt) > kNormalTolerance * kNormalTolerance) return std::nullopt;
+  const double slack = kNormalTolerance * (reach(a) + reach(b));
+  if (std::abs(dot(b.origin - a.origin, a.normal)) > kGapTolerance + slack) return std::nullopt;
+
+  Contact contact;
+  contact.map = plane_map(a, b);
+  Polygon other;
+  other.reserve(b.polygon.size());
+  // The reflection turns the loop round.
+  for (auto p = b.polygon.rbegin(); p != b.polygon.rend(); ++p) other.push_back(contact.map.to_a(*p));
+  contact.overlap = intersection(a.polygon, other);
+  if (contact.overlap.empty()) return std::nullopt;
+  // Back on the raster, where clipping moved corners off it by round-off: so a rectangle is known as one again.
+  const double quantum = std::min(a.quantum, b.quantum);
+  for (Point2& p : contact.overlap) p = {snapped(p.s, quantum), snapped(p.t, quantum)};
+  const Region shared = region(contact.overlap);
+  if (!(shared.area > kLeastArea) || gap_at(a, b, shared.centroid) > kGapTolerance) return std::nullopt;
+  contact.area = shared.area;
+  return contact;
+}
+
+std::span<const FaceGrid> grids_of(const Scene& scene, std::int32_t element) {
+  const Element& e = scene.elements[static_cast<std::size_t>(element)];
+  return scene.grids.subspan(static_cast<std::size_t>(e.first_face), static_cast<std::size_t>(e.face_count));
+}
+
+void touch_elements(const Scene& scene, std::int32_t i, std::int32_t j, std::vector<Contact>& out) {
+  const auto faces_i = grids_of(scene, i), faces_j = grids_of(scene, j);
+  for (std::size_t fi = 0; fi < faces_i.size(); ++fi) {
+    for (std::size_t fj = 0; fj < faces_j.size(); ++fj) {
+      auto contact = touch(faces_i[fi], faces_j[fj]);
+      if (!contact) continue;
+      contact->element_a = i, contact->face_a = static_cast<std::int32_t>(fi);
+      contact->element_b = j, contact->face_b = static_cast<std::int32_t>(fj);
+      out.push_back(*std::move(contact));
+    }
+  }
+}
+
+void check_overlap(const Scene& scene, std::int32_t i, std::int32_t j) {
+  const double depth = penetration(scene, i, j, kGapTolerance);
+  if (depth <= kGapTolerance) return;
+  throw ModelError(
+      block_prefix(i) + "overlaps block " + std::to_string(j) + " by " + figure(depth) + " m (allowed " + figure(kGapTolerance) + " m)", i,
+      j);
+}
+
+void touch_base(const Scene& scene, std::int32_t i, double base_z, std::vector<Contact>& out) {
+  const double low = scene.boxes[static_cast<std::size_t>(i)].low.z;
+  if (low < base_z - kGapTolerance) {
+    throw ModelError(block_prefix(i) + "reaches " + figure(base_z - low) + " m below the base (its lowest point is at z = " + figure(low) +
+                         " m, the base at " + figure(base_z) + " m)",
+                     i);
+  }
+  if (low > base_z + kGapTolerance) return;
+  const auto faces = grids_of(scene, i);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const FaceGrid& g = faces[f];
+    const Region whole = region(g.polygon);
+    const double z = g.origin.z + whole.centroid.s * g.axis_s.z + whole.centroid.t * g.axis_t.z;
+    if (norm(g.normal + Vec3{0, 0, 1}) > kNormalTolerance || std::abs(z - base_z) > kGapTolerance) continue;
+    out.push_back({i, static_cast<std::int32_t>(f), kBase, -1, {}, g.polygon, whole.area});
+  }
+}
+
+bool in_order(const Contact& x, const Contact& y) {
+  const auto key = [](const Contact& c) { return std::array{c.element_a, c.face_a, c.element_b, c.face_b}; };
+  return key(x) < key(y);
+}
+
+}  // namespace
+
+PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b) {
+  constexpr double kAligned = 1e-13;
+  PlaneMap m;
+  m.c = dot(b.axis_s, a.axis_s), m.s = dot(b.axis_s, a.axis_t);
+  if (std::abs(m.c) < kAligned) m.c = 0.0;
+  if (std::abs(m.s) < kAligned) m.s = 0.0;
+  const double length = std::hypot(m.c, m.s);
+  m.c /= length, m.s /= length;
+  const Vec3 between = b.origin - a.origin;
+  const double quantum = std::min(a.quantum, b.quantum);
+  m.shift = {snapped(dot(between, a.axis_s), quantum), snapped(dot(between, a.axis_t), quantum)};
+  return m;
+}
+
+std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> base_z) {
+  UniformGrid grid;
+  grid.build(scene.boxes);
+  std::vector<Contact> out;
+  std::vector<std::int32_t> near;
+  const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.elements.size()); ++i) {
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    if (base_z) touch_base(scene, i, *base_z, out);
+    const Box3& box = scene.boxes[static_cast<std::size_t>(i)];
+    near.clear();
+    grid.query({box.low - margin, box.high + margin}, near);
+    for (const std::int32_t j : near) {
+      if (j <= i) continue;
+      check_overlap(scene, i, j);
+      touch_elements(scene, i, j, out);
+    }
+    std::sort(out.begin() + first, out.end(), in_order);
+  }
+  return out;
+}
+
+}  // namespace voussoir::geometry

@@ -34,36 +34,28 @@ constexpr Vec3 operator*(Vec3 a, double f) noexcept { return f * a; }
 constexpr Vec3 operator/(Vec3 a, double f) noexcept { return (1.0 / f) * a; }
 
 constexpr double dot(Vec3 a, Vec3 b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double norm(Vec3 a) noexcept { return std::sqrt(dot(a, a)); }
-inline Vec3 normalised(Vec3 a) noexcept { return a / norm(a); }
+/// Divides by the length (not by its reciprocal), so a vector along a global axis becomes that axis exactly.
+inline Vec3 normalised(Vec3 a) noexcept {
+  const double length = norm(a);
+  return {a.x / length, a.y / length, a.z / length};
+}
 
 /// A 3×3 matrix by rows: (M v)_i = dot(row_i, v).
 struct Mat3 {
   Vec3 r0{1, 0, 0}, r1{0, 1, 0}, r2{0, 0, 1};
 
   static constexpr Mat3 zero() noexcept { return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; }
-  static constexpr Mat3 diagonal(double a, double b, double c) noexcept {
-    return {{a, 0, 0}, {0, b, 0}, {0, 0, c}};
-  }
+  static constexpr Mat3 diagonal(double a, double b, double c) noexcept { return {{a, 0, 0}, {0, b, 0}, {0, 0, c}}; }
   friend constexpr bool operator==(const Mat3&, const Mat3&) = default;
 };
 
-constexpr Vec3 operator*(const Mat3& m, Vec3 v) noexcept {
-  return {dot(m.r0, v), dot(m.r1, v), dot(m.r2, v)};
-}
-constexpr Mat3 operator+(const Mat3& a, const Mat3& b) noexcept {
-  return {a.r0 + b.r0, a.r1 + b.r1, a.r2 + b.r2};
-}
-constexpr Mat3 operator-(const Mat3& a, const Mat3& b) noexcept {
-  return {a.r0 - b.r0, a.r1 - b.r1, a.r2 - b.r2};
-}
+constexpr Vec3 operator*(const Mat3& m, Vec3 v) noexcept { return {dot(m.r0, v), dot(m.r1, v), dot(m.r2, v)}; }
+constexpr Mat3 operator+(const Mat3& a, const Mat3& b) noexcept { return {a.r0 + b.r0, a.r1 + b.r1, a.r2 + b.r2}; }
+constexpr Mat3 operator-(const Mat3& a, const Mat3& b) noexcept { return {a.r0 - b.r0, a.r1 - b.r1, a.r2 - b.r2}; }
 constexpr Mat3 operator*(double f, const Mat3& a) noexcept { return {f * a.r0, f * a.r1, f * a.r2}; }
-constexpr Mat3 transposed(const Mat3& m) noexcept {
-  return {{m.r0.x, m.r1.x, m.r2.x}, {m.r0.y, m.r1.y, m.r2.y}, {m.r0.z, m.r1.z, m.r2.z}};
-}
+constexpr Mat3 transposed(const Mat3& m) noexcept { return {{m.r0.x, m.r1.x, m.r2.x}, {m.r0.y, m.r1.y, m.r2.y}, {m.r0.z, m.r1.z, m.r2.z}}; }
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) noexcept {
   const Mat3 t = transposed(b);
   return {t * a.r0, t * a.r1, t * a.r2};

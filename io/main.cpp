@@ -1,1 +1,143 @@
-int main() { return 0; }
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include "io/case_file.h"
+#include "io/errors.h"
+#include "io/motion_command.h"
+#include "io/run_command.h"
+
+namespace {
+
+using namespace voussoir;
+
+/// The words of the command line, before they mean anything.
+struct Words {
+  std::string name;                      // CASE
+  std::vector<std::string> set;          // --set key=value
+  std::vector<std::string> motion;       // --motion axis=file
+  std::string direction, record, scale, duration, dt, frames, kernels = "fast";
+  std::vector<std::string> files;        // of `motion`
+  io::RunOptions run;
+  io::MotionOptions motion_options;
+};
+
+/// A path given on the command line starts at the working folder, not at the case's.
+std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+/// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
+std::vector<std::string> overrides(const Words& w) {
+  std::vector<std::string> all;
+  if (!w.direction.empty()) all.push_back("motion.direction=" + quoted(w.direction));
+  if (!w.record.empty()) {
+    const bool folder = std::filesystem::is_directory(w.record);
+    all.push_back("motion.record=" + quoted(folder ? from_here(w.record) : w.record));
+  }
+  if (!w.motion.empty()) all.push_back("motion.record=");
+  for (const std::string& m : w.motion) {
+    const std::size_t equals = m.find('=');
+    if (equals == std::string::npos) throw cases::InputError("--motion", quoted(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
+    all.push_back("motion." + m.substr(0, equals) + "=" + quoted(from_here(m.substr(equals + 1))));
+  }
+  if (!w.scale.empty()) all.push_back("motion.scale=" + w.scale);
+  if (!w.duration.empty()) all.push_back("time.duration=" + w.duration);
+  if (!w.dt.empty()) all.push_back("time.step=" + (w.dt == "auto" ? quoted(w.dt) : w.dt));
+  if (!w.frames.empty()) all.push_back("output.frame_interval=" + w.frames);
+  all.insert(all.end(), w.set.begin(), w.set.end());
+  return all;
+}
+
+void add_case(CLI::App* command, Words& w) {
+  command->add_option("CASE", w.name, "a name of the catalogue (see `voussoir cases`), or the path of a .toml file")->required();
+  command->add_option("--set", w.set, "override a key of the case: a.b[0].c=value (may be repeated)");
+  command->add_option("-j,--threads", w.run.threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+}
+
+void add_run(CLI::App& app, Words& w) {
+  CLI::App* run = app.add_subcommand("run", "build, settle under gravity, shake, write results");
+  add_case(run, w);
+  run->add_option("-o,--output", w.run.folder, "folder of the results (default: results/CASE)");
+  run->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
+  run->add_option("--record", w.record, "name of a built-in record, or a folder that holds record.toml");
+  run->add_option("--motion", w.motion, "AXIS=FILE: ground motion of one axis (x, y, z, or L, T, V; may be repeated)");
+  run->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
+  run->add_option("--duration", w.duration, "of shaking, s");
+  run->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
+  run->add_option("--frames", w.frames, "interval of frames, s");
+  run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")->check(CLI::IsMember({"fast", "reference"}));
+  run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
+  run->add_flag("--quiet", w.run.quiet, "no progress");
+  run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
+}
+
+void add_motion(CLI::App& app, Words& w) {
+  CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
+  motion->add_option("FILE", w.files, "AT2 or CSV files, folders with a record.toml, or bam-like")->required();
+  motion->add_option("--spectra", w.motion_options.spectra, "write response spectra to this CSV file");
+  motion->add_option("--damping", w.motion_options.damping, "damping ratios of the spectra (default 0.02)");
+  motion->add_option("--until", w.motion_options.until, "use the first seconds only");
+  motion->add_option("--unit", w.motion_options.unit, "g, m/s2 or cm/s2, where a format does not say");
+  motion->add_option("--write", w.motion_options.write, "write the record as CSV files into this folder");
+  motion->add_flag("--overwrite", w.motion_options.overwrite, "replace existing files");
+  motion->footer("example: voussoir motion bam-like --spectra spectra.csv");
+}
+
+int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
+  const io::LoadedCase c = io::load_case(w.name, overrides(w));
+  try {
+    return use(c);
+  } catch (const cases::InputError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
+    return io::kInputFault;
+  }
+}
+
+int dispatch(const CLI::App& app, Words& w) {
+  if (app.got_subcommand("cases")) return io::cases_command();
+  if (app.got_subcommand("keys")) {
+    std::fputs(io::key_reference().c_str(), stdout);
+    return io::kDone;
+  }
+  if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
+  if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
+  w.run.reference_kernels = w.kernels == "reference";
+  if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.name).stem().string();
+  return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
+  app.set_version_flag("--version", "voussoir " VOUSSOIR_VERSION);
+  app.require_subcommand(1);
+  app.footer("example: voussoir run flat20n --direction LTV --duration 6");
+  Words w;
+  add_run(app, w);
+  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
+  add_case(check, w);
+  check->footer("example: voussoir check my-house.toml");
+  add_motion(app, w);
+  app.add_subcommand("cases", "the catalogue, one line a case");
+  app.add_subcommand("keys", "all keys of the case file");
+  try {
+    app.parse(argc, argv);
+    return dispatch(app, w);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? io::kDone : io::kInputFault;
+  } catch (const io::FileError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return io::kFileFault;
+  } catch (const cases::InputError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return io::kInputFault;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return io::kFileFault;
+  }
+}

@@ -1,2 +1,157 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "io/motion_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+#include <system_error>
+
+#include "cases/names.h"
+#include "io/errors.h"
+#include "io/motion_files.h"
+#include "io/text_file.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// One line of the table.
+struct Component {
+  std::string record, name;
+  cases::Accelerogram motion;
+};
+
+/// One argument: a record of three components, or a single file in `single`.
+struct Source {
+  Record record;
+  std::optional<Component> single;
+};
+
+/// "228" of "Northridge-01, 1/17/1994, Rinaldi Receiving Sta, 228": the last field, as station names hold commas too.
+std::string component_of(const std::string& name) {
+  const std::size_t comma = name.rfind(',');
+  return comma == std::string::npos ? "-" : std::string(trimmed(std::string_view(name).substr(comma + 1)));
+}
+
+Source read_source(const std::string& argument, const std::optional<std::string>& unit) {
+  std::error_code error;
+  if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
+  if (fs::is_directory(argument, error)) return {read_record_folder(argument, unit), {}};
+  if (!fs::exists(argument, error)) {
+    throw FileError(argument, "no such file; allowed: a file, a folder that holds record.toml, or bam-like");
+  }
+  cases::Accelerogram motion = read_accelerogram(argument, unit);
+  const std::string component = component_of(motion.name);
+  return {{}, Component{fs::path(argument).filename().string(), component, std::move(motion)}};
+}
+
+void cut(cases::Accelerogram& a, double until) {
+  if (a.acceleration.empty()) return;
+  const double samples = std::floor(until / a.dt * (1.0 + 1e-12)) + 1.0;
+  if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
+}
+
+void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
+  if (arguments.empty()) throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like");
+  if (o.unit && !acceleration_unit(*o.unit)) throw cases::InputError("--unit", shown(*o.unit) + "; allowed: " + kUnitNames);
+  if (o.until && !(*o.until > 0.0)) throw cases::InputError("--until", cases::text(*o.until) + " s; allowed: above 0");
+  for (const double z : o.damping) {
+    if (!(z >= 0.0 && z < 1.0)) throw cases::InputError("--damping", cases::text(z) + "; allowed: from 0 to below 1 (of critical)");
+  }
+  if (o.spectra && o.damping.empty()) throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
+  std::error_code error;
+  if (o.spectra && !o.overwrite && fs::exists(*o.spectra, error)) throw FileError(*o.spectra, "exists; --overwrite replaces it");
+  if (o.write && arguments.size() != 1) {
+    throw cases::InputError("--write", std::to_string(arguments.size()) + " records named; allowed: one");
+  }
+}
+
+std::vector<Component> components_of(std::vector<Source>& sources) {
+  std::vector<Component> all;
+  for (Source& s : sources) {
+    if (s.single) all.push_back(*s.single);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!s.record.ltv[i].acceleration.empty()) all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i]});
+    }
+  }
+  return all;
+}
+
+void print_table(const std::vector<Component>& components, std::ostream& out) {
+  std::size_t width = 6;
+  for (const Component& c : components) width = std::max(width, c.record.size());
+  const auto name_column = [width](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+  char line[256];
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s\n", "component", "dt", "samples", "duration", "PGA",
+                "PGA", "at", "PGV", "PGD", "Arias", "D5-75", "D5-95");
+  out << name_column("record") << line;
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s\n", "", "s", "", "s", "m/s2", "g", "s", "m/s", "m",
+                "m/s", "s", "s");
+  out << name_column("") << line;
+  for (const Component& c : components) {
+    const cases::MotionFigures f = cases::figures(c.motion);
+    std::snprintf(line, sizeof line, "  %-9s %8.6g %8zu %8.3f %9.4f %8.5f %8.3f %8.4f %8.4f %8.4f %7.3f %7.3f\n", c.name.c_str(),
+                  c.motion.dt, c.motion.acceleration.size(), f.duration, f.peak_acceleration, f.peak_acceleration / cases::kStandardGravity,
+                  f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95);
+    out << name_column(c.record) << line;
+  }
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void write_spectra(const std::vector<Component>& components, const MotionOptions& o) {
+  constexpr int kFrequencies = 271;
+  constexpr double kLowest = 0.1, kHighest = 50.0;  // Hz
+  std::ofstream out(*o.spectra, std::ios::binary | std::ios::trunc);
+  out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
+  for (const Component& c : components) {
+    for (const double z : o.damping) {
+      for (int i = 0; i < kFrequencies; ++i) {
+        const double f = kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)), w = 2.0 * std::numbers::pi * f;
+        const double sd = cases::spectral_displacement(c.motion, f, z);
+        char line[160];
+        std::snprintf(line, sizeof line, ",%.6g,%.6g,%.6g,%.8g,%.8g,%.8g\n", z, f, 1.0 / f, sd, w * sd, w * w * sd);
+        out << csv_field(c.record) << ',' << csv_field(c.name) << line;
+      }
+    }
+  }
+  out.close();
+  if (!out) throw FileError(*o.spectra, "cannot be written");
+}
+
+}  // namespace
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
+  check(arguments, o);
+  std::vector<Source> sources;
+  for (const std::string& argument : arguments) {
+    Source s = read_source(argument, o.unit);
+    if (o.until) {
+      for (auto& a : s.record.ltv) cut(a, *o.until);
+      if (s.single) cut(s.single->motion, *o.until);
+    }
+    sources.push_back(std::move(s));
+  }
+  if (o.write) {
+    if (sources[0].single) throw cases::InputError("--write", shown(arguments[0]) + " is a single file; allowed: bam-like, or a folder");
+    write_record_folder(sources[0].record, *o.write, o.overwrite);
+  }
+  const std::vector<Component> components = components_of(sources);
+  if (o.spectra) write_spectra(components, o);
+  print_table(components, out);
+  return 0;
+}
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o) { return motion_command(arguments, o, std::cout); }
+
+}  // namespace voussoir::io

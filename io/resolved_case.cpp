@@ -1,2 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "io/case_file.h"
+#include "io/case_tables.h"
+
+namespace voussoir::io {
+
+std::string resolved_toml(const cases::Case& value) {
+  Lines lines;
+  lines.out = "# All keys of the case with their values, as used. \"none\": the key has no value.\n\n";
+  write_table(case_table(), value, lines, "");
+  return std::move(lines.out);
+}
+
+std::string key_reference() {
+  Lines lines;
+  lines.out = "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
+}  // namespace voussoir::io

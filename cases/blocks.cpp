@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/blocks.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+using geometry::Polyhedron;
+
+Polyhedron shape_as_given(const BlockSpec& spec, const std::string& key) {
+  const bool prism = !spec.polygon.empty() || spec.extrude.has_value();
+  const int shapes = (spec.box ? 1 : 0) + (spec.vertices ? 1 : 0) + (prism ? 1 : 0);
+  if (shapes != 1) {
+    throw InputError(key, (shapes == 0 ? "has no shape" : "has more than one shape") +
+                              std::string("; give exactly one of: box, vertices, polygon with extrude"));
+  }
+  if (spec.box) {
+    const auto& [a, b] = *spec.box;  // any two opposite corners
+    return geometry::make_box({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                              {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
+  }
+  if (spec.vertices) return geometry::make_hexahedron(*spec.vertices);
+  if (spec.polygon.empty()) throw InputError(key + ".polygon", "is missing; extrude needs a polygon of three corners or more");
+  if (!spec.extrude) throw InputError(key + ".extrude", "is missing; a polygon needs extrude = [x0, x1]");
+  return geometry::make_prism(spec.polygon, (*spec.extrude)[0], (*spec.extrude)[1]);
+}
+
+Polyhedron shape_of(const BlockSpec& spec, const std::string& key) {
+  try {
+    Polyhedron shape = shape_as_given(spec, key);
+    geometry::validate(shape);
+    if (!spec.rotate) return shape;
+    if (norm(spec.rotate->axis) == 0.0) throw InputError(key + ".rotate.axis", "has no direction; give a vector other than [0, 0, 0]");
+    const double angle = spec.rotate->angle * std::numbers::pi / 180.0;
+    return geometry::rotated(shape, spec.rotate->axis, angle, spec.rotate->about);
+  } catch (const geometry::ModelError& e) {
+    throw InputError(key, e.what());
+  }
+}
+
+double shortest_edge(const Polyhedron& shape) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& face : shape.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec3 a = shape.vertices[static_cast<std::size_t>(face[i])];
+      const Vec3 b = shape.vertices[static_cast<std::size_t>(face[(i + 1) % face.size()])];
+      shortest = std::min(shortest, norm(b - a));
+    }
+  }
+  return shortest;
+}
+
+void check_support(const BlockSpec& spec, const std::string& key) {
+  if (spec.fixed && spec.free) throw InputError(key + ".free", "a block cannot be both fixed and free");
+  if (spec.fixed && !(spec.velocity == Vec3{} && spec.angular_velocity == Vec3{})) {
+    throw InputError(key + (spec.velocity == Vec3{} ? ".angular_velocity" : ".velocity"),
+                     "a fixed block has no initial velocity; [block.motion] moves it");
+  }
+  if (!spec.motion) return;
+  if (!spec.fixed) throw InputError(key + ".motion", "only a fixed block can be moved; set fixed = true");
+  if (spec.motion->velocity.has_value() == spec.motion->file.has_value()) {
+    throw InputError(key + ".motion", "give exactly one of: velocity, file");
+  }
+}
+
+SupportHistory support_history(const SupportMotion& motion, const std::string& key) {
+  SupportHistory history;
+  history.key = key;
+  if (motion.file) {
+    history.file = *motion.file;
+  } else {
+    history.time = {0.0, 1.0};
+    history.displacement = {Vec3{}, *motion.velocity};
+    history.open_ended = true;
+  }
+  return history;
+}
+
+}  // namespace
+
+void add_free_blocks(const Case& c, Model& model) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < c.blocks.size(); ++i) {
+    const BlockSpec& spec = c.blocks[i];
+    const std::string key = indexed_key("block", i, "");
+    if (spec.name.empty()) throw InputError(key + ".name", "is missing; every block has a name of its own");
+    if (const auto [at, added] = first.emplace(spec.name, i); !added) {
+      throw InputError(key + ".name", quoted(spec.name) + " is already the name of " + indexed_key("block", at->second, ""));
+    }
+    check_support(spec, key);
+    Block block;
+    block.name = spec.name;
+    block.tag = spec.name;
+    block.material = find_material(model.materials, spec.material, key + ".material");
+    block.shape = shape_of(spec, key);
+    block.segment_size = shortest_edge(block.shape) / 4.0;
+    block.fixed = spec.fixed;
+    block.free = spec.free;
+    block.velocity = spec.velocity;
+    block.angular_velocity = spec.angular_velocity;
+    if (spec.motion) {
+      block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
+      model.support_motions.push_back(support_history(*spec.motion, key + ".motion"));
+    }
+    model.blocks.push_back(std::move(block));
+  }
+}
+
+void check_loads(const Case& c) {
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    const Load& load = c.loads[i];
+    const auto named = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const BlockSpec& b) { return b.name == load.block; });
+    if (named == c.blocks.end()) {
+      throw InputError(indexed_key("load", i, "block"), "there is no [[block]] named " + quoted(load.block));
+    }
+    if (named->fixed) throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
+    if (!(load.ramp[0] <= load.ramp[1])) {
+      throw InputError(indexed_key("load", i, "ramp"),
+                       "begins at " + text(load.ramp[0]) + " s, after its end at " + text(load.ramp[1]) + " s");
+    }
+  }
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/model.h"
+
+/// The free blocks of a case. Internal to cases/.
+namespace voussoir::cases {
+
+/// Appends the blocks of `c.blocks` and the motions of their supports to the model, whose materials are there.
+/// \throw InputError with the key at fault.
+void add_free_blocks(const Case& c, Model& model);
+
+/// Checks that every load names a free-standing block that can move. \throw InputError with the key at fault.
+void check_loads(const Case& c);
+
+}  // namespace voussoir::cases

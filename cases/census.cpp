@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/census.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace voussoir::cases {
+namespace {
+
+/// "roof beam 12" and "roof beam 3" are one group.
+std::string group_name(const Model& model, const Block& block) {
+  if (block.house < 0) return "blocks of " + model.materials[static_cast<std::size_t>(block.material)].name;
+  const std::size_t last = block.tag.find_last_not_of("0123456789");
+  const bool numbered = last != std::string::npos && last + 1 < block.tag.size() && block.tag[last] == ' ';
+  return numbered ? block.tag.substr(0, last) : block.tag;
+}
+
+void count_blocks(const Model& model, Census& result) {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const std::string name = group_name(model, block);
+    const auto [at, added] = index.emplace(name, result.groups.size());
+    if (added) result.groups.push_back({name});
+    CensusGroup& group = result.groups[at->second];
+    const double volume = model.assembly.elements[i].mass.volume;
+    const double mass = volume * model.materials[static_cast<std::size_t>(block.material)].value.density;
+    ++(block.whole ? group.whole : group.cut);
+    group.volume += volume;
+    group.mass += mass;
+    if (block.fixed) {
+      result.fixed_mass += mass;
+    } else {
+      result.volume += volume;
+      result.mass += mass;
+    }
+  }
+}
+
+void count_segments(const geometry::Assembly& assembly, Census& result) {
+  for (const geometry::Joint& joint : assembly.joints) {
+    const auto side_a = static_cast<std::int64_t>(joint.side_a.size());
+    const auto side_b = static_cast<std::int64_t>(joint.side_b.size());
+    const bool base = joint.element_b == geometry::kBase;
+    ++(base ? result.base_joints : result.joints);
+    if (joint.merged && !base) ++result.merged_joints;
+    result.joint_sides += joint.merged && !base ? 2 * side_a : side_a + side_b;
+    result.joint_area += joint.area;
+  }
+  for (const geometry::FreePatch& patch : assembly.patches) result.free_segments += static_cast<std::int64_t>(patch.segments.size());
+}
+
+void find_step_bound(const Model& model, Census& result) {
+  result.step_bound = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (model.blocks[i].fixed) continue;
+    const geometry::Element& element = model.assembly.elements[i];
+    const Material& material = model.materials[static_cast<std::size_t>(model.blocks[i].material)].value;
+    for (std::int32_t f = 0; f < element.face_count; ++f) {
+      const double bound = step_bound(material, model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].distance);
+      // Round-off must not make one of many equal bricks the slowest.
+      if (bound >= result.step_bound * (1.0 - 1e-9)) continue;
+      result.step_bound = bound;
+      result.step_element = static_cast<std::int32_t>(i);
+      result.step_face = f;
+    }
+  }
+}
+
+}  // namespace
+
+Census census(const Model& model) {
+  Census result;
+  result.elements = static_cast<std::int64_t>(model.blocks.size());
+  result.faces = static_cast<std::int64_t>(model.assembly.faces.size());
+  count_blocks(model, result);
+  count_segments(model.assembly, result);
+  find_step_bound(model, result);
+  return result;
+}
+
+double step_bound(const Material& material, double distance) noexcept {
+  return distance / std::sqrt(material.young / (1.0 - material.poisson * material.poisson) / material.density);
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cases/model.h"
+
+/// What a model consists of, for `voussoir check`.
+namespace voussoir::cases {
+
+/// Blocks of one kind: a wall, all lintels, all roof beams, or all free blocks of a material.
+struct CensusGroup {
+  std::string name;
+  std::int64_t whole = 0, cut = 0;
+  double volume = 0.0;  // m3
+  double mass = 0.0;    // kg
+};
+
+struct Census {
+  std::int64_t elements = 0, faces = 0;
+  std::int64_t joints = 0;          // of two elements
+  std::int64_t base_joints = 0;     // of an element and the base
+  std::int64_t merged_joints = 0;   // of `joints`, those with one spring for both sides
+  std::int64_t joint_sides = 0;     // segment sides in all joints; a merged segment counts two, one against the base one
+  std::int64_t free_segments = 0;   // segments in no joint
+  double joint_area = 0.0;          // m2, with the base
+  double volume = 0.0, mass = 0.0;  // m3, kg; without fixed blocks
+  double fixed_mass = 0.0;          // kg
+  std::vector<CensusGroup> groups;  // in order of their first element
+
+  double step_bound = 0.0;  // s, Eq. 19: least l / sqrt(E / (1 - nu^2) / rho) of all faces of elements that move; infinite if none does
+  std::int32_t step_element = -1;  // the first that has it
+  std::int32_t step_face = -1;     // its face, counted from the element's first
+};
+
+Census census(const Model& model);
+
+/// Bound on the time step from one face (Eq. 19), s. \param distance  from the centroid to the face, m.
+double step_bound(const Material& material, double distance) noexcept;
+
+}  // namespace voussoir::cases

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+
+/// The checked plan of a house in exact lengths, shared by the rooms that build its parts (house_wall, house_roof). Internal to cases/.
+namespace voussoir::cases {
+
+/// A length in whole nanometres. Planes that should coincide do so exactly, and "fits the grid" is a remainder, not a tolerance.
+using Tick = std::int64_t;
+
+Tick ticks(double metres) noexcept;
+/// The double nearest to the decimal length, the same bits wherever the same plane is written.
+double metres(Tick t) noexcept;
+
+struct Interval {
+  Tick low = 0, high = 0;
+  [[nodiscard]] constexpr Tick length() const noexcept { return high - low; }
+  [[nodiscard]] constexpr bool overlaps(Interval o) const noexcept { return low < o.high && o.low < high; }
+  friend constexpr bool operator==(Interval, Interval) = default;
+};
+
+/// Walls in the order in which a course goes round the house.
+enum class Side : std::uint8_t { front, right, rear, left };
+const char* name(Side side) noexcept;
+
+/// A place in a wall without bricks: an opening or the seat of its lintel. `opening` indexes House::openings.
+struct Hole {
+  Interval along, height;
+  std::size_t opening = 0;
+  bool lintel = false;
+};
+
+/// One wall. Its own coordinates: along (x or y of the house), depth (from the outer face), height.
+struct WallPlan {
+  Side side = Side::front;
+  bool bearing = false;
+  Tick length = 0;  // outer
+  Tick thickness = 0;
+  Tick corner = 0;  // thickness of the walls it meets
+  std::vector<Hole> holes;
+};
+
+struct HousePlan {
+  Tick brick_length = 0, brick_width = 0, brick_height = 0;
+  Bond bond = Bond::english;
+  Tick height = 0;
+  int courses = 0;
+  std::array<Tick, 2> outer{};    // along x and y
+  std::array<WallPlan, 4> walls;  // by Side
+  int quarter_turns = 0;          // 0 to 3
+
+  /// No piece of a wall is shorter than half a brick.
+  [[nodiscard]] Tick shortest_piece() const noexcept { return brick_length / 2; }
+};
+
+/// Checks everything a house can get wrong in itself, and lays out walls and holes.
+/// \throw InputError with the key at fault.
+HousePlan plan_house(const House& house);
+
+/// The parts of a wall that a course fills with bricks, ascending. In even courses the bearing walls run through the corners, in odd
+/// courses the others.
+std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course);
+
+/// A positive length of the case as ticks. \throw InputError at `key` if it is not above zero, or beyond 10 km.
+Tick positive_length(double value, const std::string& key);
+
+/// A positive length that must be a multiple of `unit`. \throw InputError at `key` with the nearest length that fits.
+Tick multiple_of(double value, Tick unit, const std::string& key, const char* unit_name);
+
+/// The length of the elements of a member `member` long. \throw InputError at `key` if it is not above zero, or would make more than a
+/// thousand of them.
+Tick element_length(double value, Tick member, const std::string& key);
+
+/// Divides a timber member into elements of the length `element` from its low end. A rest of half an element or more is an element of its
+/// own; a shorter one shares its length with the last whole element, so that no sliver limits the time step.
+std::vector<Interval> cut_member(Interval member, Tick element);
+
+}  // namespace voussoir::cases

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cases/model.h"
+
+/// Which law a joint has. Internal to cases/.
+namespace voussoir::cases {
+
+/// The joint keys of a case with every name resolved.
+class JointRules {
+ public:
+  /// \throw InputError with the key of a name that is not known.
+  JointRules(const Case& c, const Model& model);
+
+  /// Index into Model::laws for the joint of two blocks; `b` is null for the base.
+  [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
+
+ private:
+  struct Rule {
+    std::array<std::int32_t, 2> materials;  // kBase: the base
+    std::int32_t law;
+  };
+  [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
+
+  std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, between_beams_ = 0;  // of the house
+  std::vector<Rule> between_;
+  std::int32_t default_ = 0;
+};
+
+}  // namespace voussoir::cases

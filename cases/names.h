@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "cases/model.h"
+
+/// Looking up what the user named, and writing figures into messages.
+namespace voussoir::cases {
+
+/// Index of the material `name`. \throw InputError at `key` that lists the known names.
+std::int32_t find_material(std::span<const NamedMaterial> materials, const std::string& name, const std::string& key);
+
+/// Index of the joint law `name`; "dry" is 0. \throw InputError at `key` that lists the known names.
+std::int32_t find_law(std::span<const NamedLaw> laws, const std::string& name, const std::string& key);
+
+/// A number as a person writes it: at most nine digits, no trailing zeros.
+std::string text(double value);
+
+/// `name` in double quotes.
+std::string quoted(std::string_view name);
+
+/// "house.opening[1].width" from ("house.opening", 1, "width"); an empty `field` gives the entry itself.
+std::string indexed_key(std::string_view list, std::size_t index, std::string_view field);
+
+}  // namespace voussoir::cases

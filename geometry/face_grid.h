@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/polygon.h"
+#include "geometry/polyhedron.h"
+
+namespace voussoir::geometry {
+
+/// The cells of one face. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs along the longest edge
+/// (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than any wall is built, so that faces
+/// that are equal but for round-off have equal bits.
+struct FaceGrid {
+  Vec3 origin;  // m, the corner of the rectangle, global axes
+  Vec3 axis_s, axis_t, normal;
+  Polygon polygon;  // the face itself
+  bool is_rectangle = false;
+  double width = 0.0, height = 0.0;            // m, of the rectangle
+  std::int32_t columns = 1, rows = 1;          // n = max(1, round(edge / size))
+  double cell_width = 0.0, cell_height = 0.0;  // m
+  double quantum = 0.0;                        // m, a power of two, at most 2^-40 and 2^-35 of a cell
+
+  [[nodiscard]] double cell_area() const noexcept { return cell_width * cell_height; }
+  [[nodiscard]] std::int32_t cell_count() const noexcept { return columns * rows; }
+};
+
+/// Rounds to a multiple of `quantum`, a power of two.
+double snapped(double value, double quantum) noexcept;
+
+/// \pre p is valid, segment_size > 0. \throw ModelError if the face would have more than 1e8 cells.
+FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject = -1);
+
+/// What a cell and a polygon share: area [m2] and its centroid [m] in the coordinates of the face.
+struct Piece {
+  std::int32_t cell = 0;  // column + row × columns
+  double area = 0.0;
+  Point2 centroid;
+};
+
+/// Cuts convex polygons of a face into the face's cells. Keeps its scratch memory: one for many cuts.
+class Cutter {
+ public:
+  /// Overwrites `out` with the pieces, row by row. Their areas sum to the polygon's (1e-10 relative).
+  void cut(const FaceGrid& grid, const Polygon& polygon, std::vector<Piece>& out);
+
+ private:
+  void cut_rectangle(const FaceGrid& grid, const Rectangle& r, std::vector<Piece>& out);
+  void cut_general(const FaceGrid& grid, const Polygon& polygon, std::vector<Piece>& out);
+
+  Polygon strip_, piece_, scratch_;
+};
+
+/// Adds every piece under 1 % of a cell to its largest neighbour (of eight); one that has no neighbour stays.
+void merge_small(const FaceGrid& grid, std::vector<Piece>& pieces);
+
+/// The share of a cell below which a piece is no segment of its own.
+inline constexpr double kSmallPiece = 0.01;
+
+}  // namespace voussoir::geometry

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/joints.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "geometry/message.h"
+
+namespace voussoir::geometry {
+
+namespace {
+
+constexpr double kAreaTolerance = 1e-9;   // relative
+constexpr double kPointTolerance = 1e-9;  // m
+constexpr double kRaster = 0x1p-40;       // m, of the segments' coordinates: equal patches get equal bits
+
+/// One side of one contact, listed under the face that masters it.
+struct Side {
+  std::int32_t contact = 0;
+  bool is_b = false;
+};
+
+/// Sides by face, in the order of the contacts.
+struct SidesByFace {
+  std::vector<std::int32_t> start;
+  std::vector<Side> sides;
+};
+
+std::size_t face_index(const Scene& scene, std::int32_t element, std::int32_t face) {
+  return static_cast<std::size_t>(scene.elements[static_cast<std::size_t>(element)].first_face + face);
+}
+
+SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
+  SidesByFace out;
+  out.start.assign(scene.grids.size() + 2, 0);
+  const auto for_each_side = [&](auto visit) {
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const Contact& c = contacts[k];
+      visit(face_index(scene, c.element_a, c.face_a), Side{static_cast<std::int32_t>(k), false});
+      if (c.element_b != kBase) visit(face_index(scene, c.element_b, c.face_b), Side{static_cast<std::int32_t>(k), true});
+    }
+  };
+  for_each_side([&](std::size_t f, Side) { ++out.start[f + 2]; });
+  for (std::size_t f = 2; f < out.start.size(); ++f) out.start[f] += out.start[f - 1];
+  out.sides.resize(static_cast<std::size_t>(out.start.back()));
+  for_each_side([&](std::size_t f, Side s) { out.sides[static_cast<std::size_t>(out.start[f + 1]++)] = s; });
+  return out;
+}
+
+/// Moves the segments, given from the corner of the face, to their area centroid, and onto the raster. Returns the frame there.
+Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<Segment>* others) {
+  double area = 0.0, s = 0.0, t = 0.0;
+  for (const Segment& x : segments) area += x.area, s += x.area * x.s, t += x.area * x.t;
+  s /= area, t /= area;
+  const auto move = [&](std::vector<Segment>& list) {
+    for (Segment& x : list) x.s = snapped(x.s - s, kRaster), x.t = snapped(x.t - t, kRaster);
+  };
+  move(segments);
+  if (others != nullptr) move(*others);
+  return {g.origin + s * g.axis_s + t * g.axis_t, g.axis_s, g.axis_t, g.normal};
+}
+
+void check_sum(const Contact& c, const std::vector<Segment>& side, const char* name) {
+  double sum = 0.0;
+  for (const Segment& x : side) sum += x.area;
+  if (std::abs(sum - c.area) <= kAreaTolerance * c.area) return;
+  throw std::logic_error(std::string("segments of side ") + name + " between block " + std::to_string(c.element_a) + " and block " +
+                         std::to_string(c.element_b) + " sum to " + figure(sum) + " m2, the overlap is " + figure(c.area) + " m2");
+}
+
+/// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
+class FaceCutter {
+ public:
+  FaceCutter(const Scene& scene, std::span<const Contact> contacts, Assembly& out) : scene_(scene), contacts_(contacts), out_(out) {}
+
+  void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    if (!sides.empty()) taken_.assign(static_cast<std::size_t>(g.cell_count()), {});
+    for (const Side& side : sides) cut_side(g, side);
+    cutter_.cut(g, g.polygon, pieces_);
+    if (!sides.empty()) subtract_taken(g);
+    merge_small(g, pieces_);  // slivers at a slanting edge
+    if (!pieces_.empty()) add_patch(element, face, g);
+  }
+
+ private:
+  void cut_side(const FaceGrid& g, const Side& side) {
+    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    Joint& joint = out_.joints[static_cast<std::size_t>(side.contact)];
+    const Polygon* overlap = &c.overlap;
+    if (side.is_b) {
+      mapped_.clear();
+      for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
+      overlap = &mapped_;
+    }
+    cutter_.cut(g, *overlap, pieces_);
+    for (const Piece& p : pieces_) {
+      Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
+    }
+    merge_small(g, pieces_);
+    auto& segments = side.is_b ? joint.side_b : joint.side_a;
+    segments.reserve(pieces_.size());
+    for (const Piece& p : pieces_) {
+      const Point2 at = side.is_b ? c.map.to_a(p.centroid) : p.centroid;
+      segments.push_back({at.s, at.t, p.area});
+    }
+  }
+
+  /// Leaves in pieces_ (the whole cells of the face) what no joint took. The rest of a convex cell need not be convex, so only its area and
+  /// first moment are kept.
+  void subtract_taken(const FaceGrid& g) {
+    const double least = kSmallPiece * g.cell_area();
+    for (Piece& p : pieces_) {
+      const Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      if (taken.area == 0.0) continue;
+      const double rest = p.area - taken.area;
+      if (rest >= least) {
+        p.centroid = {(p.area * p.centroid.s - taken.s) / rest, (p.area * p.centroid.t - taken.t) / rest};
+        p.area = rest;
+      } else {
+        p.area = 0.0;
+      }
+    }
+    std::erase_if(pieces_, [](const Piece& p) { return p.area == 0.0; });
+  }
+
+  void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
+    FreePatch patch{element, face, {}, {}};
+    patch.segments.reserve(pieces_.size());
+    for (const Piece& p : pieces_) patch.segments.push_back({p.centroid.s, p.centroid.t, p.area});
+    patch.frame = centre_on(g, patch.segments, nullptr);
+    out_.patches.push_back(std::move(patch));
+  }
+
+  const Scene& scene_;
+  std::span<const Contact> contacts_;
+  Assembly& out_;
+  Cutter cutter_;
+  std::vector<Piece> pieces_;
+  std::vector<Segment> taken_;  // by cell: area and first moments [m2, m3] that joints took
+  Polygon mapped_;
+};
+
+/// Finds out whether the grids of both sides coincide.
+class Matcher {
+ public:
+  /// Coordinates of both sides from the corner of face a, whose grid is `g`.
+  bool coincide(const FaceGrid& g, const std::vector<Segment>& side_a, const std::vector<Segment>& side_b) {
+    if (side_a.size() != side_b.size()) return false;
+    const auto cells = static_cast<std::size_t>(g.cell_count());
+    if (by_cell_.size() < cells) by_cell_.resize(cells, -1);
+    for (std::size_t k = 0; k < side_a.size(); ++k) by_cell_[cell_of(g, side_a[k])] = static_cast<std::int32_t>(k);
+    const bool all = std::all_of(side_b.begin(), side_b.end(), [&](const Segment& b) {
+      const std::int32_t k = by_cell_[cell_of(g, b)];
+      return k >= 0 && equal(side_a[static_cast<std::size_t>(k)], b);
+    });
+    for (const Segment& a : side_a) by_cell_[cell_of(g, a)] = -1;
+    return all;
+  }
+
+ private:
+  static std::size_t cell_of(const FaceGrid& g, const Segment& x) {
+    const auto column = std::clamp(static_cast<std::int32_t>(x.s / g.cell_width), 0, g.columns - 1);
+    const auto row = std::clamp(static_cast<std::int32_t>(x.t / g.cell_height), 0, g.rows - 1);
+    return static_cast<std::size_t>(row * g.columns + column);
+  }
+  static bool equal(const Segment& a, const Segment& b) {
+    return std::abs(a.s - b.s) <= kPointTolerance && std::abs(a.t - b.t) <= kPointTolerance &&
+           std::abs(a.area - b.area) <= kAreaTolerance * a.area;
+  }
+
+  std::vector<std::int32_t> by_cell_;  // segment of a, or −1
+};
+
+void finish_joint(const FaceGrid& g, const Contact& c, Matcher& matcher, Joint& joint) {
+  check_sum(c, joint.side_a, "a");
+  if (c.element_b != kBase) {
+    check_sum(c, joint.side_b, "b");
+    joint.merged = matcher.coincide(g, joint.side_a, joint.side_b);
+    if (joint.merged) std::vector<Segment>().swap(joint.side_b);
+  }
+  joint.frame = centre_on(g, joint.side_a, &joint.side_b);
+}
+
+}  // namespace
+
+void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly& out) {
+  out.joints.reserve(contacts.size());
+  for (const Contact& c : contacts) {
+    Joint& joint = out.joints.emplace_back();
+    joint.element_a = c.element_a, joint.face_a = c.face_a;
+    joint.element_b = c.element_b, joint.face_b = c.face_b;
+    joint.area = c.area;
+  }
+
+  const SidesByFace by_face = sort_sides(scene, contacts);
+  FaceCutter cutter(scene, contacts, out);
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    for (std::int32_t f = 0; f < scene.elements[e].face_count; ++f) {
+      const auto face = static_cast<std::size_t>(scene.elements[e].first_face + f);
+      const auto first = static_cast<std::size_t>(by_face.start[face]), end = static_cast<std::size_t>(by_face.start[face + 1]);
+      cutter.cut_face(static_cast<std::int32_t>(e), f, std::span(by_face.sides).subspan(first, end - first));
+    }
+  }
+
+  Matcher matcher;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact& c = contacts[k];
+    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, matcher, out.joints[k]);
+  }
+}
+
+}  // namespace voussoir::geometry

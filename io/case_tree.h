@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// A TOML document as a plain tree in file order: what the option tables read. Keeps the TOML library to one source.
+namespace voussoir::io {
+
+/// Where a node was written: line and column from 1 in the file, or, if set >= 0, the override of that index.
+struct Source {
+  int line = 0, column = 0;
+  int set = -1;
+
+  /// File order; overrides come after the file.
+  [[nodiscard]] bool before(const Source& o) const noexcept {
+    if ((set < 0) != (o.set < 0)) return set < 0;
+    if (set != o.set) return set < o.set;
+    return line != o.line ? line < o.line : column < o.column;
+  }
+};
+
+struct Entry;
+
+/// A value of the document. Its source is where its key stands (its own place inside an array).
+struct Node {
+  struct Removed {};  // taken away by an override
+  struct Date {};     // a TOML date or time: no key takes one
+  using Array = std::vector<Node>;
+  using Table = std::vector<Entry>;
+
+  std::variant<Removed, Date, bool, std::int64_t, double, std::string, Array, Table> value;
+  Source source;
+
+  template <class T>
+  [[nodiscard]] const T* as() const noexcept {
+    return std::get_if<T>(&value);
+  }
+  template <class T>
+  [[nodiscard]] T* as() noexcept {
+    return std::get_if<T>(&value);
+  }
+  [[nodiscard]] bool removed() const noexcept { return std::holds_alternative<Removed>(value); }
+};
+
+struct Entry {
+  std::string name;
+  Node node;
+};
+
+/// The entry of that name, or nullptr.
+const Entry* find_entry(const Node::Table& table, std::string_view name) noexcept;
+Entry* find_entry(Node::Table& table, std::string_view name) noexcept;
+
+/// A text that is not TOML.
+class SyntaxError : public std::runtime_error {
+ public:
+  SyntaxError(const std::string& reason, int line, int column) : std::runtime_error(reason), line_(line), column_(column) {}
+  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] int column() const noexcept { return column_; }
+
+ private:
+  int line_, column_;
+};
+
+/// Reads a whole document; the result is a table with its entries in file order.
+/// \throw SyntaxError also for more than 64 dots in one key (a document must not nest without bound).
+Node parse_document(std::string_view text);
+
+/// Reads the value of an override: a TOML value, else the text itself as a string.
+Node parse_value(const std::string& text);
+
+/// Applies overrides "a.b[0].c=value" to the document. A number may stand for an index (a.b.0.c); missing tables are made, an index one
+/// past the end appends, and an empty value takes the key away. \throw CaseFileError naming the override that cannot be applied.
+void apply_overrides(Node& document, const std::vector<std::string>& overrides);
+
+}  // namespace voussoir::io

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace voussoir::io {
+
+/// A file that cannot be read, written or understood. The message is "path: what", or "path:line: what".
+class FileError : public std::runtime_error {
+ public:
+  FileError(std::string path, const std::string& what) : std::runtime_error(path + ": " + what), path_(std::move(path)) {}
+  FileError(std::string path, long line, const std::string& what)
+      : std::runtime_error(path + ":" + std::to_string(line) + ": " + what), path_(std::move(path)) {}
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace voussoir::io

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The one place that calls HDF5. Every fault becomes a FileError with the file, the object and HDF5's or the system's reason.
+namespace voussoir::io {
+
+enum class Hdf5Type : std::uint8_t { f64, f32, i8, u8, i32, i64 };
+
+/// Bytes of one value.
+[[nodiscard]] std::size_t size_of(Hdf5Type type) noexcept;
+
+template <class T>
+struct Hdf5TypeOf;
+template <>
+struct Hdf5TypeOf<double> {
+  static constexpr Hdf5Type value = Hdf5Type::f64;
+};
+template <>
+struct Hdf5TypeOf<float> {
+  static constexpr Hdf5Type value = Hdf5Type::f32;
+};
+template <>
+struct Hdf5TypeOf<std::int8_t> {
+  static constexpr Hdf5Type value = Hdf5Type::i8;
+};
+template <>
+struct Hdf5TypeOf<std::uint8_t> {
+  static constexpr Hdf5Type value = Hdf5Type::u8;
+};
+template <>
+struct Hdf5TypeOf<std::int32_t> {
+  static constexpr Hdf5Type value = Hdf5Type::i32;
+};
+template <>
+struct Hdf5TypeOf<std::int64_t> {
+  static constexpr Hdf5Type value = Hdf5Type::i64;
+};
+
+/// Extents, slowest first. The first is the number of rows.
+using Shape = std::vector<std::uint64_t>;
+
+/// How a dataset lies in the file. chunk_rows = 0: contiguous. A checksum or compression needs chunks; both are left out without them.
+struct Hdf5Layout {
+  std::uint64_t chunk_rows = 0;
+  bool checksum = false;  // Fletcher-32
+  int deflate = 0;        // 1-9 with byte shuffle; 0: none
+};
+
+/// Rows [0, rows) of `dataset` in another file; `file` is relative to the folder of the file that refers to it.
+/// `dataset_rows` is the extent of that dataset.
+struct VirtualSource {
+  std::string file, dataset;
+  std::uint64_t rows = 0, dataset_rows = 0;
+};
+
+/// An open HDF5 file. Object names are paths from the root, "/a/b"; groups on the way are made when needed.
+/// Files are opened without HDF5's file locks: a file under its final name is never written to.
+class Hdf5File {
+ public:
+  /// Makes a new file, replacing what is there. \throw FileError
+  static Hdf5File create(const std::string& path);
+  /// Opens for reading. \throw FileError (also when it is no HDF5 file)
+  static Hdf5File open(const std::string& path);
+
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&& other) noexcept;
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+  /// Closes; a fault of the last write is lost here, so writers call close().
+  ~Hdf5File();
+
+  /// Writes what is buffered and closes. A second call does nothing. \throw FileError
+  void close();
+  /// Hands what is buffered to the system. \throw FileError
+  void flush();
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+  void make_group(const std::string& name);
+  [[nodiscard]] bool exists(const std::string& name) const;
+  /// Names in a group, in order of the alphabet.
+  [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
+
+  void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {});
+  /// Rows [first, first + rows) of a dataset; `data` holds them row by row in the given type.
+  void write_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data);
+  void read_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, void* data) const;
+  /// Creates and fills a dataset. \pre values.size() is the product of the shape
+  template <class T>
+  void write(const std::string& name, std::span<const T> values, const Shape& shape, const Hdf5Layout& layout = {}) {
+    create_dataset(name, Hdf5TypeOf<T>::value, shape, layout);
+    write_rows(name, Hdf5TypeOf<T>::value, 0, shape.empty() ? 1 : shape[0], values.data());
+  }
+  /// The whole dataset, converted to T.
+  template <class T>
+  [[nodiscard]] std::vector<T> read(const std::string& name) const {
+    const Shape extent = shape(name);
+    std::uint64_t count = 1;
+    for (const std::uint64_t n : extent) count *= n;
+    std::vector<T> values(count);
+    read_rows(name, Hdf5TypeOf<T>::value, 0, extent.empty() ? 1 : extent[0], values.data());
+    return values;
+  }
+  /// One string a row, of fixed length in the file (UTF-8, padded with zeros).
+  void write_strings(const std::string& name, std::span<const std::string> values);
+  [[nodiscard]] std::vector<std::string> read_strings(const std::string& name) const;
+
+  /// A dataset whose rows are those of the sources, one after the other. What a missing source should have held reads as NaN, or as −1 (all
+  /// bits set) in integers. Without a row it is an ordinary empty dataset. \param row  shape of a row, empty for a scalar
+  void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources);
+
+  [[nodiscard]] Shape shape(const std::string& name) const;
+  /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
+  [[nodiscard]] Hdf5Type type(const std::string& name) const;
+
+  /// Attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
+  void set_attribute(const std::string& object, const std::string& name, const std::string& text);
+  void set_attribute(const std::string& object, const std::string& name, double value);
+  void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void set_attribute(const std::string& object, const std::string& name, std::span<const std::string> texts);
+  /// The attributes `unit` and `description`, which each of our datasets has.
+  void describe(const std::string& name, const std::string& unit, const std::string& description);
+  [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> attribute_texts(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::string attribute_text(const std::string& object, const std::string& name) const;
+  [[nodiscard]] double attribute_double(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::int64_t attribute_int(const std::string& object, const std::string& name) const;
+
+ private:
+  Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}
+
+  std::string path_;
+  std::int64_t handle_ = -1;
+};
+
+}  // namespace voussoir::io

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// `voussoir motion FILE...`: what engineers ask of a record.
+namespace voussoir::io {
+
+struct MotionOptions {
+  std::optional<std::string> spectra;  // CSV file of response spectra to write
+  std::vector<double> damping{0.02};   // of critical, for the spectra
+  std::optional<double> until;         // s; only the first seconds count, in the table, the spectra and what is written
+  std::optional<std::string> unit;     // "g", "m/s2", "cm/s2": where a format does not say
+  std::optional<std::string> write;    // folder to write the record to, as CSV files with record.toml; takes a single record
+  bool overwrite = false;              // of existing files
+};
+
+/// Prints a table with one line per component. Each argument is "bam-like", a folder that holds record.toml, or a file.
+/// Spectra: relative displacement, pseudo-velocity and pseudo-acceleration at 271 frequencies from 0.1 to 50 Hz, 100 a decade.
+/// \return 0. \throw cases::InputError, FileError; before anything is printed or written if it is a fault of the input.
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out);
+
+/// The same, to standard output.
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o);
+
+}  // namespace voussoir::io

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/errors.h"
+#include "io/results_parts.h"
+
+/// Going on with the results of an earlier run: which parts stay, and up to which row.
+namespace voussoir::io {
+namespace {
+
+std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
+
+void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
+  for (const ColumnSpec& c : columns) {
+    Shape expected{rows};
+    expected.insert(expected.end(), c.row.begin(), c.row.end());
+    if (!file.exists(c.name)) throw FileError(file.path(), c.name + " is missing: the run had other histories");
+    if (file.shape(c.name) != expected || file.type(c.name) != c.type)
+      throw FileError(file.path(), c.name + " has another shape: the run had another model");
+  }
+}
+
+Part read_part(const std::string& folder, const std::string& name, const RowSchema& schema) {
+  const Hdf5File file = Hdf5File::open(folder + "/" + name);
+  if (!file.has_attribute("/", "schema_version")) throw FileError(file.path(), "holds no results of voussoir");
+  if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema)
+    throw FileError(file.path(), "has version " + std::to_string(version) + " of the results' layout; this program goes on with version " +
+                                     std::to_string(kResultsSchema) + " only");
+  Part part;
+  part.file = name;
+  part.first_time = file.attribute_double("/", "time_first");
+  part.last_time = file.attribute_double("/", "time_last");
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    part.rows[t] = static_cast<std::uint64_t>(file.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
+    if (part.rows[t] > 0) check_columns(file, schema[t], part.rows[t]);
+  }
+  return part;
+}
+
+// A part that goes on after the time is written anew without the later rows.
+Part cut_part(const std::string& folder, Part part, const RowSchema& schema, double until) {
+  part.last_time = part.first_time;
+  {
+    const Hdf5File file = Hdf5File::open(folder + "/" + part.file);
+    for (std::size_t t = 0; t < kRowTables; ++t) {
+      if (part.rows[t] == 0) continue;
+      const std::vector<double> time = file.read<double>(time_column(t));
+      part.rows[t] = static_cast<std::uint64_t>(std::ranges::upper_bound(time, until) - time.begin());
+      if (part.rows[t] > 0) part.last_time = std::max(part.last_time, time[part.rows[t] - 1]);
+    }
+  }
+  write_file(folder + "/" + part.file, [&](Hdf5File& out) { copy_rows(out, folder, schema, {&part, 1}); });
+  return part;
+}
+
+// A finished run has its rows in run.h5 itself. Parts that a kill left beside it hold the same rows once more.
+void take_merged(const std::string& folder) {
+  namespace fs = std::filesystem;
+  const std::string run = folder + "/run.h5";
+  if (!fs::exists(run)) return;
+  const Hdf5File file = Hdf5File::open(run);
+  if (!file.has_attribute("/", "parts") || file.attribute_int("/", "parts") != 0) return;
+  remove_parts(folder, 0);
+  fs::create_directory(folder + "/parts");
+  if (std::rename(run.c_str(), (folder + "/" + part_name(0)).c_str()) != 0) throw FileError(run, "cannot become the first part");
+}
+
+}  // namespace
+
+std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, double until) {
+  take_merged(folder);
+  std::vector<Part> parts;
+  for (std::size_t i = 0; std::filesystem::exists(folder + "/" + part_name(i)); ++i) {
+    Part part = read_part(folder, part_name(i), schema);
+    if (part.first_time > until) break;
+    const bool last = part.last_time > until;
+    parts.push_back(last ? cut_part(folder, std::move(part), schema, until) : std::move(part));
+    if (last) break;
+  }
+  return parts;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+/// The folder of one run, held by one process.
+namespace voussoir::io {
+
+/// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
+/// file or the new one, never a part. \throw FileError; then `temporary` is gone
+void replace_file(const std::string& temporary, const std::string& path);
+/// Writes a text under `path` as replace_file does. \throw FileError
+void write_text_file(const std::string& path, const std::string& text);
+
+/// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.
+class RunFolder {
+ public:
+  /// Makes the folder (and those above it) and locks it, for a new run.
+  /// \param overwrite  remove the results of an earlier run: run.h5, parts/, checkpoint-*.h5, case.toml, log; nothing else
+  /// \throw FileError if another process holds the folder (with its number), it holds results and `overwrite` is false, it is a file,
+  /// or it cannot be written to
+  static RunFolder create(const std::string& path, bool overwrite);
+  /// Locks a folder that holds an earlier run, to go on with it. \throw FileError
+  static RunFolder open(const std::string& path);
+
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&& other) = delete;
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+  ~RunFolder();
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Path of a file in the folder.
+  [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+  /// Writes the resolved case as case.toml. \throw FileError
+  void write_case(const std::string& toml) const { write_text_file(file("case.toml"), toml); }
+
+ private:
+  explicit RunFolder(std::string path);
+
+  std::string path_;
+  int lock_ = -1;
+};
+
+}  // namespace voussoir::io

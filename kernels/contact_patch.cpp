@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/contact_patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::kernels {
+
+namespace {
+
+/// The patch in the body frame of a candidate: y(s,t) = y0 + s·ys + t·yt, from the candidate's centroid.
+struct InSlave {
+  Vec3 y0, ys, yt, normal;
+};
+
+struct Master {
+  Pose pose;
+  Twist twist;
+  Vec3 ref, centre, es, et, normal;  // centre: from the reference centroid, displaced; current axes
+};
+
+Vec3 apply(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
+Vec3 apply_transposed(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
+Vec3 reference(const Bodies& b, std::int32_t e) noexcept { return {b.ref_x[e], b.ref_y[e], b.ref_z[e]}; }
+
+Master master_of(const Patch& p, const Bodies& b) noexcept {
+  Master m;
+  m.pose = load_pose(b.pose, p.element);
+  m.twist = load_twist(b.twist, p.element);
+  m.ref = reference(b, p.element);
+  m.centre = m.pose.u + apply(m.pose, p.centre);
+  m.es = apply(m.pose, p.es);
+  m.et = apply(m.pose, p.et);
+  m.normal = p.normal_sign * cross(m.es, m.et);
+  return m;
+}
+
+InSlave in_slave(const Master& m, const Pose& slave, Vec3 slave_ref) noexcept {
+  const Vec3 from = (m.ref - slave_ref) + (m.centre - slave.u);
+  return {apply_transposed(slave, from), apply_transposed(slave, m.es), apply_transposed(slave, m.et), apply_transposed(slave, m.normal)};
+}
+
+/// Signed distance to a plane over the patch: g(s,t) = g0 + s·gs + t·gt, negative inside.
+struct PlaneField {
+  double g0, gs, gt;
+  [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
+};
+PlaneField plane_field(const InSlave& y, const FaceTable& faces, int face) noexcept {
+  const Vec3 n = faces.normal[face];
+  return {dot(n, y.y0) - faces.distance[face], dot(n, y.ys), dot(n, y.yt)};
+}
+
+bool separates(const Patch& p, PlaneField g) noexcept {
+  const double s = g.gs > 0.0 ? p.s_low : p.s_high, t = g.gt > 0.0 ? p.t_low : p.t_high;
+  return g.at(s, t) >= 0.0;
+}
+
+/// True if one face of the candidate has all points outside. Remembers it: next step it will most likely separate again.
+bool separated(const Patch& p, const InSlave& y, const FaceTable& faces, Candidate& c) noexcept {
+  if (separates(p, plane_field(y, faces, c.separating))) return true;
+  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
+    if (f == c.separating || !separates(p, plane_field(y, faces, f))) continue;
+    c.separating = f;
+    return true;
+  }
+  return false;
+}
+
+bool inside(double s, double t, const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
+    if (plane_field(y, faces, f).at(s, t) >= 0.0) return false;
+  }
+  return true;
+}
+
+/// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
+std::int32_t entry_face(double s, double t, const InSlave& y, const FaceTable& faces, const Candidate& c, double& depth) noexcept {
+  std::int32_t best = kNoFace;
+  depth = 1e300;
+  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
+    if (dot(y.normal, faces.normal[f]) >= kOpposing) continue;
+    const double d = -plane_field(y, faces, f).at(s, t);
+    if (d < depth) {
+      depth = d;
+      best = f;
+    }
+  }
+  return depth > kDeepest ? kNoFace : best;
+}
+
+void release(ContactPoints q, int i) noexcept {
+  q.partner[i] = kNobody;
+  q.face[i] = kNoFace;
+  q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
+  q.closure[i] = 0.0;
+}
+
+/// Springs and dashpots between the patch and one face (Eqs. 2, 9, 10).
+Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t, const ContactOptions& o) noexcept {
+  Stiffness k;
+  if (slave == p.origin) {
+    k.kn = p.origin_kn, k.ks = p.origin_ks;
+  } else {
+    k.kn = 1.0 / (t.compliance_n[p.face] + t.compliance_n[face]);
+    k.ks = 1.0 / (t.compliance_s[p.face] + t.compliance_s[face]);
+  }
+  const double mass = t.mass[p.face] + (slave == o.base ? t.mass[p.face] : t.mass[face]);
+  const double beta = b.beta[p.element] + (slave == o.base ? b.beta[p.element] : b.beta[slave]);
+  const double f = 2.0 * o.damping / (1.0 + o.step * beta);
+  k.cn = f * std::sqrt(mass * k.kn);
+  k.cs = f * std::sqrt(mass * k.ks);
+  return k;
+}
+
+/// The pair of a patch and one face, ready for its points.
+struct Facing {
+  Vec3 n;                        // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
+  PlaneField depth;              // u_n(s,t) [m], negative inside
+  Vec3 v0, vs, vt;               // rate of the slave relative to the master
+  Stiffness k;
+  double tan_phi = 0.0, factor = 0.5;
+};
+
+Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const FaceTable& faces,
+              const ContactOptions& o) noexcept {
+  const Pose slave = load_pose(b.pose, c.element);
+  const Twist twist = load_twist(b.twist, c.element);
+  const Vec3 nb = apply(slave, faces.normal[face]);
+  const PlaneField g = plane_field(y, faces, face);
+  Facing f;
+  // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
+  const double stretch = o.master_normal ? 1.0 / std::abs(dot(m.normal, nb)) : 1.0;
+  f.n = o.master_normal ? m.normal : -nb;
+  f.depth = {stretch * g.g0, stretch * g.gs, stretch * g.gt};
+  const Vec3 arm_a = m.centre - m.pose.u;
+  const Vec3 arm_b = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
+  const Vec3 w = twist.w - m.twist.w;
+  f.v0 = (twist.v + cross(twist.w, arm_b)) - (m.twist.v + cross(m.twist.w, arm_a));
+  f.vs = cross(w, m.es);
+  f.vt = cross(w, m.et);
+  f.k = stiffness(p, c.element, face, b, faces, o);
+  f.tan_phi = c.element == p.origin ? p.origin_tan_phi : o.tan_phi;
+  f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
+  return f;
+}
+
+/// Sums of tractions in global axes.
+struct GlobalSums {
+  Vec3 f, sf, tf;
+  void add(Vec3 v, double s, double t) noexcept {
+    f += v;
+    sf += s * v;
+    tf += t * v;
+  }
+};
+
+/// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
+void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
+           GlobalSums& dash, PatchResult& r) noexcept {
+  const double xn = f.depth.at(s, t) - q.closure[i];
+  if (xn >= 0.0) {  // inside, but not yet down on what crushing left
+    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
+    return;
+  }
+  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
+  const double vn = dot(v, f.n);
+  const Vec3 vt = v - vn * f.n;
+  const Vec3 body{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
+  const Vec3 carried = apply(master, body);
+  const Vec3 before = carried - dot(carried, f.n) * f.n;
+  Vec3 x = before + step * vt;
+  const double da = f.factor * area;
+  const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
+  const double limit = -(f.k.kn * xn + dn) * f.tan_phi;
+  const Vec3 d = f.k.cs * vt;
+  Vec3 tau = f.k.ks * x + d;
+  const double size = norm(tau);
+  if (size > limit) {
+    tau *= limit / size;
+    x = (tau - d) / f.k.ks;
+  }
+  total.add(da * (tau + (f.k.kn * xn + dn) * f.n), s, t);
+  dash.add(da * (d + dn * f.n), s, t);
+  const Vec3 kept = apply_transposed(master, x);
+  q.slip_x[i] = kept.x, q.slip_y[i] = kept.y, q.slip_z[i] = kept.z;
+  const double xn_before = std::min(0.0, xn - step * vn);
+  r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
+  r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));
+  r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
+}
+
+/// A point has left its face in this step: books what its springs still held (trapezoid rule, as in advance_segment).
+void leave(const Facing& f, double s, double t, double area, ContactPoints q, int i, double step, PatchResult& r) noexcept {
+  const double un = f.depth.at(s, t) - q.closure[i];
+  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
+  const double vn = dot(v, f.n);
+  const double before = std::min(0.0, un - step * vn);
+  const Vec3 slip{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
+  const double da = f.factor * area;
+  r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
+  r.friction += 0.5 * da * f.k.ks * dot(slip, slip);
+}
+
+void write_wrench(const Master& m, Vec3 arm_b, const GlobalSums& total, const GlobalSums& dash, PairWrench& w) noexcept {
+  const Vec3 arm_a = m.centre - m.pose.u;
+  const auto moment = [&](const GlobalSums& g) { return cross(m.es, g.sf) + cross(m.et, g.tf); };
+  const Vec3 mt = moment(total), md = moment(dash);
+  w.force = total.f;
+  w.torque_a = cross(arm_a, total.f) + mt;
+  w.torque_b = -(cross(arm_b, total.f) + mt);
+  w.dash_force = dash.f;
+  w.dash_torque_a = cross(arm_a, dash.f) + md;
+  w.dash_torque_b = -(cross(arm_b, dash.f) + md);
+}
+
+/// One advance_patch call: everything its passes share.
+struct Work {
+  const Patch& patch;
+  PointsView points;
+  ContactPoints q;
+  std::span<Candidate> candidates;
+  const Bodies& bodies;
+  const FaceTable& faces;
+  const ContactOptions& o;
+  PatchScratch scratch;
+  Master m;
+  PatchResult r;
+};
+
+InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
+  return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
+}
+
+/// Releases the points that have left candidate k, and notes where it is the deepest new partner of a free point.
+void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  for (int i = 0; i < w.points.n; ++i) {
+    const double s = w.points.s[i], t = w.points.t[i];
+    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
+    const bool in = !apart && inside(s, t, y, w.faces, c);
+    if (w.q.partner[i] == c.element) {
+      if (in) continue;
+      if (w.q.face[i] != kNoFace) {
+        leave(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), s, t, w.points.area[i], w.q, i, w.o.step, w.r);
+      }
+      release(w.q, i);
+    } else if (in) {
+      double depth = 0.0;
+      const std::int32_t face = entry_face(s, t, y, w.faces, c, depth);
+      if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) continue;
+      w.scratch.candidate[i] = k;
+      w.scratch.face[i] = face;
+      w.scratch.depth[i] = depth;
+    }
+  }
+}
+
+/// Forces of all points that touch candidate k. Returns whether any carries force.
+bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const InSlave y = slave_frame(w, c);
+  GlobalSums total, dash;
+  Facing f;
+  std::int32_t face = kNoFace;
+  for (int i = 0; i < w.points.n; ++i) {
+    if (w.q.partner[i] != c.element) continue;
+    ++w.r.touching;
+    if (w.q.face[i] == kNoFace) continue;
+    if (w.q.face[i] != face) {
+      face = w.q.face[i];
+      f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
+    }
+    touch(f, w.m.pose, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o.step, total, dash, w.r);
+  }
+  if (face == kNoFace) return false;
+  const Vec3 arm_b = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - load_pose(w.bodies.pose, c.element).u);
+  write_wrench(w.m, arm_b, total, dash, wrench);
+  return true;
+}
+
+}  // namespace
+
+// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
+PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
+                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                          std::uint8_t* active) noexcept {
+  Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
+  const auto count = static_cast<std::int32_t>(candidates.size());
+  bool near = had_partners;
+  if (near) std::fill_n(scratch.candidate, points.n, -1);
+  for (std::int32_t k = 0; k < count; ++k) {
+    active[k] = 0;
+    Candidate& c = candidates[static_cast<std::size_t>(k)];
+    const InSlave y = slave_frame(w, c);
+    const bool apart = separated(patch, y, faces, c);
+    if (apart && !had_partners) continue;
+    if (!near) std::fill_n(scratch.candidate, points.n, -1);
+    near = true;
+    look_at(w, k, y, apart);
+  }
+  if (!near) return w.r;
+  for (int i = 0; i < points.n; ++i) {
+    if (scratch.candidate[i] < 0 || q.partner[i] != kNobody) continue;
+    q.partner[i] = candidates[static_cast<std::size_t>(scratch.candidate[i])].element;
+    q.face[i] = scratch.face[i];
+  }
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;
+  return w.r;
+}
+
+}  // namespace voussoir::kernels

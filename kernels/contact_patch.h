@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "kernels/law.h"
+#include "kernels/rows.h"
+#include "kernels/side.h"
+
+/// Contact between a free patch (segments of one face that are in no joint) and other elements (paper 2.5).
+///
+/// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the face of B
+/// chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5). A point that came in through a side, or deeper than
+/// kDeepest, carries no force until it has left.
+namespace voussoir::kernels {
+
+inline constexpr double kDeepest = 3e-3;    // m, a point found deeper than this was not stopped by a face: it came in through a side
+inline constexpr double kOpposing = -0.5;   // cosine between the outward normals
+inline constexpr std::int32_t kNobody = -1;
+inline constexpr std::int32_t kNoFace = -1;
+
+/// Faces of all elements in their body frames, centred at the centroid; one entry more for the base (the plane z = 0 of the base row).
+struct FaceTable {
+  const Vec3* normal = nullptr;          // outward
+  const double* distance = nullptr;      // m, ℓ
+  const double* compliance_n = nullptr;  // m/Pa, ℓ (1 − ν²)/E; 0 for the base
+  const double* compliance_s = nullptr;  // m/Pa, 2 ℓ (1 + ν)/E
+  const double* mass = nullptr;          // kg/m2, ρ ℓ (Eq. 10)
+};
+
+/// Constants of a free patch. Reference axes, from the centroid of its element.
+struct Patch {
+  std::int32_t element = 0, face = 0;
+  std::int32_t origin = kNobody;         // the element it was joined to, if it comes from a broken joint
+  Vec3 centre, es, et;
+  double normal_sign = 1.0;              // outward normal = sign · es × et (−1 for a slave's share of a merged side)
+  double s_low = 0, s_high = 0, t_low = 0, t_high = 0;  // m, rectangle round its points
+  double origin_tan_phi = 0.0;           // friction against `origin`
+  double origin_kn = 0.0, origin_ks = 0.0;  // Pa/m, stiffness of the joint it comes from
+};
+
+/// History of the points of a patch.
+struct ContactPoints {
+  std::int32_t* partner = nullptr;       // element, kNobody: free
+  std::int32_t* face = nullptr;          // of the partner, in FaceTable; kNoFace: inside but carries no force
+  double *slip_x = nullptr, *slip_y = nullptr, *slip_z = nullptr;  // m, elongation of the shear spring in A's body frame
+  double* closure = nullptr;             // m, ≤ 0, crushing that the point brought along from its joint
+};
+
+/// An element that a patch may touch.
+struct Candidate {
+  std::int32_t element = 0;
+  std::int32_t first_face = 0, face_count = 0;  // into FaceTable
+  std::int32_t separating = 0;           // face that separated the two last time: tested first
+};
+
+struct ContactOptions {
+  double step = 0.0;                     // s
+  double damping = 1.0;                  // h_n = h_s
+  double tan_phi = 0.0;                  // friction of new pairs
+  bool master_normal = false;            // contact.normal = master
+  std::int32_t base = 0;                 // row of the base: against it a patch carries the full area
+};
+
+/// Everything about bodies that the kernel reads.
+struct Bodies {
+  const double* pose = nullptr;          // rows
+  const double* twist = nullptr;         // rows
+  const double *ref_x = nullptr, *ref_y = nullptr, *ref_z = nullptr;  // m, centroids in the reference configuration
+  const double* beta = nullptr;          // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+};
+
+struct PatchScratch {
+  double* depth = nullptr;               // room for one value a point
+  std::int32_t* candidate = nullptr;
+  std::int32_t* face = nullptr;
+};
+
+struct PatchResult {
+  double stored = 0.0, friction = 0.0, impact = 0.0;  // J
+  int touching = 0;                      // points with a partner after the step
+};
+
+/// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
+/// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)
+PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
+                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                          std::uint8_t* active) noexcept;
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+/// Strength and contact constants of a spring, and the choices the paper leaves open. Passed to kernels by value.
+namespace voussoir::kernels {
+
+/// Limits of Eqs. 5-7. All stresses in Pa, tension positive.
+struct Strength {
+  double tension = 0.0;      // f_t
+  double cohesion = 0.0;     // c
+  double tan_phi = 0.0;      // also the friction of the contact that a broken bond becomes (Eq. 8)
+  double compression = 0.0;  // f_m
+  double cap = 9.0;          // C_s
+};
+
+/// Springs and dashpots per area.
+struct Stiffness {
+  double kn = 0.0, ks = 0.0;  // Pa/m, Eqs. 1-3
+  double cn = 0.0, cs = 0.0;  // Pa s/m, Eq. 9, already divided by 1 + dt·beta (semi-implicit; see THEORY.md)
+};
+
+enum class ShearInTension : std::uint8_t { cohesion, none, coulomb };
+
+/// The options [failure] of the case file.
+struct FailureOptions {
+  bool shear = true;
+  bool brittle = false;
+  ShearInTension in_tension = ShearInTension::cohesion;
+};
+
+/// State of one segment of a joint. Bonded springs need no history but plastic slip; contact springs keep their elongation.
+enum class Bond : std::uint8_t {
+  bonded = 0,   // elastic
+  slipped = 1,  // bonded, has reached the shear limit: slip is plastic
+  crushed = 2,  // broken in compression, still closed: cap and friction, no tension
+  contact = 3   // broken or never bonded: friction contact while closed (Eq. 8)
+};
+constexpr bool holds(Bond b) noexcept { return b == Bond::bonded || b == Bond::slipped; }
+
+enum class Mode : std::uint8_t { none = 0, tension = 1, shear = 2, compression = 3 };
+
+}  // namespace voussoir::kernels

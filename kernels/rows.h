@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/vec3.h"
+
+/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs two loads,
+/// not twelve. Rows are derived from the state arrays (solver/elements.h) each step and never stored.
+namespace voussoir::kernels {
+
+inline constexpr int kPoseStride = 16;    // u (3) [m], R − I by rows (9), 4 spare
+inline constexpr int kTwistStride = 8;    // velocity (3) [m/s], angular velocity in space (3) [rad/s], 2 spare
+inline constexpr int kWrenchStride = 16;  // force (3) [N], torque about the centroid (3) [N m], the same of the dashpots alone (6), 4 spare
+
+/// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).
+struct Pose {
+  Vec3 u;
+  Mat3 d;
+};
+struct Twist {
+  Vec3 v, w;
+};
+
+inline Pose load_pose(const double* rows, std::int64_t e) noexcept {
+  const double* r = rows + e * kPoseStride;
+  return {{r[0], r[1], r[2]}, {{r[3], r[4], r[5]}, {r[6], r[7], r[8]}, {r[9], r[10], r[11]}}};
+}
+inline Twist load_twist(const double* rows, std::int64_t e) noexcept {
+  const double* r = rows + e * kTwistStride;
+  return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+}
+
+/// Force and torque of one interaction on both bodies, each about its own centroid; `dash_*` is the part of the dashpots (a ledger matter).
+struct PairWrench {
+  Vec3 force;  // on a; b gets the opposite
+  Vec3 torque_a, torque_b;
+  Vec3 dash_force, dash_torque_a, dash_torque_b;
+};
+
+inline void add_wrench(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
+  double* r = rows + e * kWrenchStride;
+  r[0] += f.x, r[1] += f.y, r[2] += f.z;
+  r[3] += t.x, r[4] += t.y, r[5] += t.z;
+}
+inline void add_dashpot(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
+  double* r = rows + e * kWrenchStride + 6;
+  r[0] += f.x, r[1] += f.y, r[2] += f.z;
+  r[3] += t.x, r[4] += t.y, r[5] += t.z;
+}
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/law.h"
+
+/// The constitutive law of one segment, literally: Eqs. 4-9 with the choices of physics.md. The plain twin of the vector kernels, and the place
+/// where every rare event (breaking, crushing) is decided for both.
+///
+/// Components (n, 1, 2): along the outward normal of the master, and two tangents. u = x_slave − x_master, so tension is positive.
+namespace voussoir::kernels {
+
+/// A vector in the frame of a side.
+struct Local {
+  double n = 0.0, s1 = 0.0, s2 = 0.0;
+};
+constexpr Local operator+(Local a, Local b) noexcept { return {a.n + b.n, a.s1 + b.s1, a.s2 + b.s2}; }
+constexpr Local operator-(Local a, Local b) noexcept { return {a.n - b.n, a.s1 - b.s1, a.s2 - b.s2}; }
+constexpr Local operator*(double f, Local a) noexcept { return {f * a.n, f * a.s1, f * a.s2}; }
+constexpr double dot(Local a, Local b) noexcept { return a.n * b.n + a.s1 * b.s1 + a.s2 * b.s2; }
+
+/// History of a segment. While bonded, slip is the plastic slip; in contact it is the elongation of the shear spring [m].
+/// closure ≤ 0 is the permanent normal shortening left by crushing [m].
+struct SegmentState {
+  Bond bond = Bond::bonded;
+  double slip1 = 0.0, slip2 = 0.0, closure = 0.0;
+};
+
+/// What a segment did in a step, per area: total traction on the master, its dashpot part, stored and lost energy.
+struct SegmentStep {
+  Local traction;          // Pa, springs and dashpots
+  Local dashpot;           // Pa
+  double stored = 0.0;     // J/m2, in the springs now
+  double friction = 0.0;   // J/m2, lost by slip in this step
+  double impact = 0.0;     // J/m2, lost or gained in the step in which a contact closes or opens (trapezoid rule over the kink)
+  double fracture = 0.0;   // J/m2, lost by breaking in this step
+  Mode reached = Mode::none;  // a limit reached for the first time in this step
+  Mode broke = Mode::none;    // the bond broke in this step, by this mode
+};
+
+/// Shear limit of a bonded segment (Eq. 6 and `shear_in_tension`).
+inline double shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
+  if (!o.shear) return std::numeric_limits<double>::infinity();
+  if (sigma < 0.0) return s.cohesion - sigma * s.tan_phi;
+  switch (o.in_tension) {
+    case ShearInTension::cohesion: return s.cohesion;
+    case ShearInTension::none: return std::numeric_limits<double>::infinity();
+    case ShearInTension::coulomb: return std::max(0.0, s.cohesion - sigma * s.tan_phi);
+  }
+  return s.cohesion;
+}
+
+namespace detail {
+
+/// Elongation of the springs of a closed or bonded segment before this step, from the rates: the state holds no old displacement.
+inline Local elongation_before(const SegmentState& q, Local u, Local du) noexcept {
+  const double n = u.n - du.n - q.closure;
+  if (holds(q.bond)) return {n, u.s1 - du.s1 - q.slip1, u.s2 - du.s2 - q.slip2};
+  return {std::min(n, 0.0), q.slip1, q.slip2};
+}
+
+inline double stored_energy(Local x, Stiffness k) noexcept {
+  return 0.5 * (k.kn * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2));
+}
+
+/// Scales the elastic elongation back to the compression cap (Eq. 7) and books the rest as closure and slip. Returns true if it had to.
+inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Strength s) noexcept {
+  const double sigma = k.kn * x.n;
+  const double tau2 = k.ks * k.ks * (x.s1 * x.s1 + x.s2 * x.s2);
+  const double f2 = sigma * sigma + s.cap * tau2;
+  if (sigma >= 0.0 || f2 <= s.compression * s.compression) return false;
+  x = (s.compression / std::sqrt(f2)) * x;
+  q.closure = u.n - x.n;
+  return true;
+}
+
+/// Friction contact, closed (x.n < 0): elongation and dashpot cut to Coulomb's limit (Eq. 8).
+inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, SegmentStep& out) noexcept {
+  // The normal total never pulls: the dashpot may at most cancel the spring.
+  const double dn = std::min(k.cn * rate.n, -k.kn * x.n);
+  const double limit = -(k.kn * x.n + dn) * tan_phi;
+  const double d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;
+  const double t1 = k.ks * x.s1 + d1, t2 = k.ks * x.s2 + d2;
+  const double t = std::sqrt(t1 * t1 + t2 * t2);
+  const double f = t > limit ? limit / t : 1.0;
+  if (f < 1.0) {
+    x.s1 = (f * t1 - d1) / k.ks;
+    x.s2 = (f * t2 - d2) / k.ks;
+  }
+  out.dashpot = {dn, d1, d2};
+  out.traction = {k.kn * x.n + dn, f * t1, f * t2};
+}
+
+}  // namespace detail
+
+/// One step of one segment. `u` displacement and `rate` velocity of the slave relative to the master at the contact point.
+inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double dt, Stiffness k, Strength s, FailureOptions o) noexcept {
+  SegmentStep out;
+  const Local du = dt * rate;
+  const Local before = detail::elongation_before(q, u, du);
+  const bool held = holds(q.bond);
+  Local x;            // elongation of the springs now
+  bool open = false;  // no force
+  if (held) {
+    x = {u.n - q.closure, u.s1 - q.slip1, u.s2 - q.slip2};
+    const double sigma = k.kn * x.n;
+    const double tau = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
+    const double limit = shear_limit(sigma, s, o);
+    if (sigma > s.tension) {  // Eq. 5
+      out.broke = Mode::tension;
+      open = true;
+    } else {
+      if (tau > limit) {  // Eq. 6
+        x.s1 *= limit / tau, x.s2 *= limit / tau;
+        q.slip1 = u.s1 - x.s1, q.slip2 = u.s2 - x.s2;  // only here: an elastic step must not touch the slip, or round-off would creep
+        if (o.brittle) {
+          out.broke = Mode::shear;
+          open = sigma >= 0.0;
+        } else if (q.bond == Bond::bonded) {
+          q.bond = Bond::slipped;
+          out.reached = Mode::shear;
+        }
+      }
+      if (detail::return_to_cap(x, q, u, k, s)) out.broke = Mode::compression;  // Eq. 7
+    }
+    if (out.broke == Mode::none) {
+      out.traction = {k.kn * x.n, k.ks * x.s1, k.ks * x.s2};
+    } else {
+      if (out.reached == Mode::none) out.reached = out.broke;
+      q.bond = out.broke == Mode::compression ? Bond::crushed : Bond::contact;
+      // Eq. 8 at once: what is left closed goes on as a contact, without a jump of its normal force.
+      if (!open) detail::contact_traction(x, rate, k, s.tan_phi, out);
+    }
+  } else {
+    x = {u.n - q.closure, q.slip1 + du.s1, q.slip2 + du.s2};
+    open = x.n >= 0.0;
+    if (!open) {
+      if (q.bond == Bond::crushed) detail::return_to_cap(x, q, u, k, s);
+      detail::contact_traction(x, rate, k, s.tan_phi, out);
+    }
+  }
+  if (open) {
+    x = {};
+    q.bond = Bond::contact;
+  }
+  if (!holds(q.bond)) q.slip1 = x.s1, q.slip2 = x.s2;
+  out.stored = detail::stored_energy(x, k);
+  // Loss of the springs in this step: U_before − U_now + ½ (f_before + f_now)·du, the trapezoid rule of the scheme; zero while elastic.
+  const double normal = 0.5 * k.kn * (before.n * before.n - x.n * x.n + (before.n + x.n) * du.n);
+  const double shear = 0.5 * k.ks *
+                       (before.s1 * before.s1 + before.s2 * before.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (before.s1 + x.s1) * du.s1 +
+                        (before.s2 + x.s2) * du.s2);
+  if (out.broke != Mode::none) {
+    out.fracture = normal + shear;
+  } else {
+    const bool crushing = q.bond == Bond::crushed;  // plastic closure is a loss of the material, not of an impact
+    out.friction = crushing ? shear + normal : shear;
+    out.impact = held || crushing ? 0.0 : normal;
+  }
+  return out;
+}
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "kernels/law.h"
+#include "kernels/rows.h"
+#include "kernels/segment_law.h"
+
+/// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side that
+/// stands for both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that the
+/// closed form of whole joints runs over lanes without gathers of parameters.
+namespace voussoir::kernels {
+
+inline constexpr int kLanes = 8;
+
+/// Constants of kLanes sides. Reference configuration: body frames and global axes coincide at the start.
+/// An unused lane has area = sss = sst = stt = 0 and both elements at the resting base row.
+struct alignas(64) SideBlock {
+  double ca[3][kLanes], cb[3][kLanes];  // m, from the centroid of master / slave to the centre of the side
+  double es[3][kLanes], et[3][kLanes];  // unit tangents; es × et is the outward normal of the master
+  double mean[kLanes];                  // 1/2: force acts at the midpoint along the mean normal (merged); 0: at the master point (Eq. 11)
+  double kn[kLanes], ks[kLanes];        // Pa/m
+  double area[kLanes];                  // m2, Σ dA with the factor of Eq. 11 (1 if merged or on the base, else 1/2)
+  double sss[kLanes], sst[kLanes], stt[kLanes];  // m4, Σ s² dA, Σ s t dA, Σ t² dA, same factor; Σ s dA = Σ t dA = 0
+  double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, rectangle round all contact points
+  double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
+  std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
+};
+
+/// One side, taken out of its block, for the segment-by-segment kernels.
+struct Side {
+  std::int32_t master = 0, slave = 0;
+  Vec3 ca, cb, es, et;
+  double mean = 0.0;
+  double factor = 0.0;  // of Eq. 11, on the segment areas
+  Stiffness k;
+  Strength strength;
+};
+
+/// Contact points of a side, in its frame; n entries.
+struct PointsView {
+  const double *s = nullptr, *t = nullptr, *area = nullptr;
+  int n = 0;
+};
+
+/// History of the segments of a side; n entries, in the order of its points.
+struct SegmentsView {
+  Bond* bond = nullptr;
+  Mode* first_mode = nullptr;
+  double* first_time = nullptr;  // s
+  double *slip1 = nullptr, *slip2 = nullptr, *closure = nullptr;
+};
+
+/// Current frame of a side and the affine fields over it: u(s,t) = d + s·ds + t·dt in (n, 1, 2), and likewise its rate.
+struct SideFrame {
+  Vec3 n, t1, t2;        // orthonormal
+  Vec3 es, et;           // tangents carried by the bodies (mean of both if merged)
+  Vec3 arm_a, arm_b;     // m, from the centroids to the point of action at the centre
+  Local d, ds, dt;       // m, -, -
+  Local v, vs, vt;       // m/s, 1/s, 1/s
+};
+SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept;
+
+/// What the segments of one side did in a step.
+struct SideResult {
+  PairWrench wrench;
+  double stored_bonds = 0.0, stored_contact = 0.0;           // J
+  double friction = 0.0, impact = 0.0, fracture = 0.0;       // J, lost in this step
+  int held = 0;                                              // bonded segments after the step
+  bool touching = false;                                     // some segment that is not bonded carries force
+  double gap = 0.0;                                          // m, least opening of the segments that are not bonded
+};
+
+/// One break or first yield of a segment.
+struct SegmentEvent {
+  std::int32_t side = 0, point = 0;
+  Mode reached = Mode::none, broke = Mode::none;
+};
+
+/// A bounded list that a kernel may append to without allocating; the owner reserves enough for one side.
+struct EventSink {
+  SegmentEvent* data = nullptr;
+  int count = 0;
+};
+
+/// Advances all segments of a side by one step, one by one (the plain twin, and the judge of every rare event).
+/// Writes `q`; appends events. \pre sink has room for points.n more.
+SideResult advance_side_reference(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
+                                  double time, FailureOptions o, EventSink& sink) noexcept;
+
+/// The same, vectorised over the segments; falls back to the reference in a step in which a bond breaks or a cap is reached.
+SideResult advance_side(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
+                        FailureOptions o, EventSink& sink) noexcept;
+
+/// Sums of tractions over a side, in its frame: Σ f dA, Σ s f dA, Σ t f dA.
+struct SideSums {
+  Local f, sf, tf;
+};
+/// Force on the master and torques about both centroids from the sums.
+void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
+
+/// Sides of a block: forces in closed form where the side is whole and a certificate at its corners proves that no segment yields.
+///
+/// \param whole     per lane: 1 if every segment of the side is bonded and has no slip
+/// \param wrench    rows; master and slave of every certified lane get their share. Elements from `free_rows` on are fixed at the base and take none.
+/// \return bit mask of the lanes that were evaluated; the other used lanes need their segments looked at.
+unsigned whole_sides(const SideBlock& block, const std::uint8_t* whole, const double* pose, double* wrench, std::int32_t free_rows,
+                     FailureOptions o) noexcept;
+
+/// Elastic energy of a whole side [J], same closed form.
+double whole_side_energy(const SideBlock& block, int lane, const double* pose) noexcept;
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/contact_forces.h"
+
+#include <omp.h>
+
+namespace voussoir::solver {
+
+namespace {
+
+/// One thread's room for the points of a patch.
+struct Scratch {
+  explicit Scratch(std::int32_t points)
+      : depth(static_cast<std::size_t>(points)), candidate(static_cast<std::size_t>(points)), face(static_cast<std::size_t>(points)) {}
+  std::vector<double> depth;
+  std::vector<std::int32_t> candidate, face;
+};
+
+void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, Scratch& scratch) {
+  Contacts& c = w.contacts;
+  Patches& p = w.patches;
+  const auto i = static_cast<std::size_t>(c.active[a]);
+  const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
+  const kernels::PatchResult r =
+      kernels::advance_patch(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0,
+                             {c.candidate.data() + first, count}, bodies, faces, w.contact,
+                             {scratch.depth.data(), scratch.candidate.data(), scratch.face.data()}, c.wrench.data() + first, c.on.data() + first);
+  p.touching[i] = r.touching;
+  p.stored[i] = r.stored;
+  p.friction[i] += r.friction;
+  p.impact[i] += r.impact;
+}
+
+void gather_one(World& w, std::size_t k) {
+  Contacts& c = w.contacts;
+  double* rows = w.elements.wrench.data();
+  const std::int32_t e = c.elements[k];
+  for (std::int64_t g = c.first_gather[k]; g < c.first_gather[k + 1]; ++g) {
+    const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
+    const auto slot = static_cast<std::size_t>(code / 2);
+    if (!c.on[slot]) continue;
+    const kernels::PairWrench& x = c.wrench[slot];
+    if (code % 2 == 0) {
+      kernels::add_wrench(rows, e, x.force, x.torque_a);
+      kernels::add_dashpot(rows, e, x.dash_force, x.dash_torque_a);
+    } else {
+      kernels::add_wrench(rows, e, -x.force, x.torque_b);
+      kernels::add_dashpot(rows, e, -x.dash_force, x.dash_torque_b);
+    }
+  }
+}
+
+}  // namespace
+
+void contact_forces(World& w) {
+  Contacts& c = w.contacts;
+  if (c.active.empty()) return;
+  const Elements& e = w.elements;
+  const kernels::Bodies bodies{e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data()};
+  const kernels::FaceTable faces = w.faces.table();
+  const auto patches = static_cast<std::int64_t>(c.active.size()), elements = static_cast<std::int64_t>(c.elements.size());
+#pragma omp parallel
+  {
+    Scratch scratch(c.largest_set);
+#pragma omp for schedule(dynamic, 16)
+    for (std::int64_t a = 0; a < patches; ++a) advance_one(w, static_cast<std::size_t>(a), bodies, faces, scratch);
+#pragma omp for schedule(static)
+    for (std::int64_t k = 0; k < elements; ++k) gather_one(w, static_cast<std::size_t>(k));
+  }
+}
+
+}  // namespace voussoir::solver

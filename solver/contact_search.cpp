@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/contact_forces.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+struct Body {
+  Vec3 x;   // centroid
+  Mat3 r;   // orientation
+};
+
+Body body(const World& w, std::int32_t e) {
+  const auto i = static_cast<std::size_t>(e);
+  const kernels::Pose p = kernels::load_pose(w.elements.pose.data(), e);
+  return {Vec3{w.elements.ref_x[i], w.elements.ref_y[i], w.elements.ref_z[i]} + p.u, Mat3{} + p.d};
+}
+
+Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
+/// Box round an element in its current pose.
+geometry::Box3 element_box(const World& w, std::int32_t e) {
+  const auto i = static_cast<std::size_t>(e);
+  const Body b = body(w, e);
+  const Vec3 h{w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
+  const Vec3 half{dot(absolute(b.r.r0), h), dot(absolute(b.r.r1), h), dot(absolute(b.r.r2), h)};
+  return {b.x - half, b.x + half};
+}
+
+bool overlap(const geometry::Box3& a, const geometry::Box3& b, double margin) {
+  return a.low.x <= b.high.x + margin && b.low.x <= a.high.x + margin && a.low.y <= b.high.y + margin && b.low.y <= a.high.y + margin &&
+         a.low.z <= b.high.z + margin && b.low.z <= a.high.z + margin;
+}
+
+/// A patch in its current pose.
+struct PlacedPatch {
+  Vec3 centre, es, et;  // of its rectangle; half edges
+  geometry::Box3 box;
+};
+PlacedPatch placed(const World& w, std::size_t p) {
+  const kernels::Patch& k = w.patches.patch[p];
+  const Body b = body(w, k.element);
+  const Vec3 middle = k.centre + 0.5 * (k.s_low + k.s_high) * k.es + 0.5 * (k.t_low + k.t_high) * k.et;
+  PlacedPatch r;
+  r.centre = b.x + b.r * middle;
+  r.es = 0.5 * (k.s_high - k.s_low) * (b.r * k.es);
+  r.et = 0.5 * (k.t_high - k.t_low) * (b.r * k.et);
+  const Vec3 half = absolute(r.es) + absolute(r.et);
+  r.box = {r.centre - half, r.centre + half};
+  return r;
+}
+
+/// True unless a face of the element has the whole patch farther out than the skin. Returns the face that is farthest from it.
+bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, std::int32_t& separating) {
+  const auto i = static_cast<std::size_t>(element);
+  const Body b = body(w, element);
+  double farthest = -1e300;
+  for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
+    const auto k = static_cast<std::size_t>(f);
+    const Vec3 n = b.r * w.faces.normal[k];
+    const double g = dot(n, p.centre - b.x) - w.faces.distance[k] - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et));
+    if (g <= farthest) continue;
+    farthest = g;
+    separating = f;
+  }
+  return farthest < w.contacts.skin;
+}
+
+/// Candidates of the patches of one element.
+struct Found {
+  std::vector<std::int32_t> patch;
+  std::vector<kernels::Candidate> candidate;
+};
+
+void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const std::vector<geometry::Box3>& boxes,
+                    std::vector<std::int32_t>& near, Found& found) {
+  near.clear();
+  geometry::Box3 box = boxes[static_cast<std::size_t>(e)];
+  const Vec3 skin{w.contacts.skin, w.contacts.skin, w.contacts.skin};
+  box = {box.low - skin, box.high + skin};
+  w.contacts.grid.query(box, near);
+  const Elements& el = w.elements;
+  const bool base = box.low.z <= el.ref_z[static_cast<std::size_t>(el.base)] && w.has_base;
+  for (const std::int32_t p : patches) {
+    const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
+    const auto consider = [&](std::int32_t other) {
+      std::int32_t separating = 0;
+      if (!near_element(w, placed_patch, other, separating)) return;
+      const auto o = static_cast<std::size_t>(other);
+      found.patch.push_back(p);
+      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating});
+    };
+    for (const std::int32_t other : near) {
+      if (other == e || !overlap(placed_patch.box, boxes[static_cast<std::size_t>(other)], w.contacts.skin)) continue;
+      if (el.fixed[static_cast<std::size_t>(e)] && el.fixed[static_cast<std::size_t>(other)]) continue;
+      consider(other);
+    }
+    if (base && !el.fixed[static_cast<std::size_t>(e)]) consider(el.base);
+  }
+}
+
+void remember_poses(World& w) {
+  Contacts& c = w.contacts;
+  const Elements& e = w.elements;
+  c.at_ux = e.ux, c.at_uy = e.uy, c.at_uz = e.uz;
+  c.at_qw = e.qw, c.at_qx = e.qx, c.at_qy = e.qy, c.at_qz = e.qz;
+}
+
+/// Lets go of partners that are no candidates any more: they are farther away than the skin.
+void release_lost(World& w, std::size_t p, std::span<const kernels::Candidate> candidates) {
+  if (w.patches.touching[p] == 0) return;
+  const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
+  const int n = w.points.count[static_cast<std::size_t>(w.patches.set[p])];
+  for (int i = 0; i < n; ++i) {
+    const std::int32_t partner = q.partner[i];
+    if (partner == kernels::kNobody) continue;
+    if (std::any_of(candidates.begin(), candidates.end(), [&](const auto& c) { return c.element == partner; })) continue;
+    q.partner[i] = kernels::kNobody;
+    q.face[i] = kernels::kNoFace;
+    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = q.closure[i] = 0.0;
+    --w.patches.touching[p];
+  }
+  if (candidates.empty()) w.patches.stored[p] = 0.0;
+}
+
+/// Strings the candidates of all patches together, patch by patch, and lists for every element the slots that push it.
+void build_slots(World& w, const std::vector<Found>& found) {
+  Contacts& c = w.contacts;
+  c.active.clear();
+  c.first_slot.clear();
+  c.candidate.clear();
+  for (const Found& f : found) {
+    for (std::size_t i = 0; i < f.patch.size(); ++i) {
+      if (c.active.empty() || c.active.back() != f.patch[i]) {
+        c.active.push_back(f.patch[i]);
+        c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
+      }
+      c.candidate.push_back(f.candidate[i]);
+    }
+  }
+  c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
+  c.wrench.assign(c.candidate.size(), {});
+  c.on.assign(c.candidate.size(), 0);
+}
+
+void build_gather(World& w) {
+  Contacts& c = w.contacts;
+  const auto rows = static_cast<std::size_t>(w.elements.rows);
+  std::vector<std::int64_t> count(rows + 1, 0);
+  const auto each = [&](auto&& use) {
+    for (std::size_t a = 0; a < c.active.size(); ++a) {
+      const std::int32_t master = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
+      for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
+        use(master, 2 * slot);
+        const std::int32_t slave = c.candidate[static_cast<std::size_t>(slot)].element;
+        if (slave != w.elements.base) use(slave, 2 * slot + 1);
+      }
+    }
+  };
+  each([&](std::int32_t e, std::int64_t) { ++count[static_cast<std::size_t>(e) + 1]; });
+  for (std::size_t e = 0; e < rows; ++e) count[e + 1] += count[e];
+  c.elements.clear();
+  c.first_gather.clear();
+  for (std::size_t e = 0; e < rows; ++e) {
+    if (count[e + 1] == count[e]) continue;
+    c.elements.push_back(static_cast<std::int32_t>(e));
+    c.first_gather.push_back(count[e]);
+  }
+  c.first_gather.push_back(count[rows]);
+  c.gather.resize(static_cast<std::size_t>(count[rows]));
+  each([&](std::int32_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(count[static_cast<std::size_t>(e)]++)] = code; });
+}
+
+/// Patches by element: first entries (count + 1) and the list.
+void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::vector<std::int32_t>& list) {
+  first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  for (const kernels::Patch& p : w.patches.patch) ++first[static_cast<std::size_t>(p.element) + 1];
+  for (std::size_t e = 1; e < first.size(); ++e) first[e] += first[e - 1];
+  list.resize(w.patches.patch.size());
+  std::vector<std::int64_t> at(first.begin(), first.end() - 1);
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
+  }
+}
+
+}  // namespace
+
+bool search_due(const World& w) {
+  const Contacts& c = w.contacts;
+  if (c.stale) return true;
+  const Elements& e = w.elements;
+  double worst = 0.0;  // a maximum is exact in any order
+#pragma omp parallel for schedule(static) reduction(max : worst)
+  for (std::int64_t i = 0; i < e.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double dx = e.ux[k] - c.at_ux[k], dy = e.uy[k] - c.at_uy[k], dz = e.uz[k] - c.at_uz[k];
+    const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
+    // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
+    const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
+    const double moved2 = 2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2);
+    worst = std::max(worst, moved2);
+  }
+  return worst > 0.25 * c.skin * c.skin;
+}
+
+void search_contacts(World& w) {
+  Contacts& c = w.contacts;
+  const std::int32_t n = w.elements.count;
+  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(n));
+  for (std::int32_t e = 0; e < n; ++e) boxes[static_cast<std::size_t>(e)] = element_box(w, e);
+  c.grid.build(boxes);
+  std::vector<std::int64_t> first;
+  std::vector<std::int32_t> list;
+  patches_by_element(w, first, list);
+  std::vector<Found> found(static_cast<std::size_t>(n));
+#pragma omp parallel
+  {
+    std::vector<std::int32_t> near;
+#pragma omp for schedule(dynamic, 64)
+    for (std::int32_t e = 0; e < n; ++e) {
+      const auto i = static_cast<std::size_t>(e);
+      const std::span<const std::int32_t> mine(list.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i]));
+      if (!mine.empty()) search_element(w, e, mine, boxes, near, found[i]);
+    }
+  }
+  build_slots(w, found);
+  build_gather(w);
+  std::vector<std::uint8_t> seen(w.patches.patch.size(), 0);
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    const auto p = static_cast<std::size_t>(c.active[a]);
+    seen[p] = 1;
+    const auto slot = static_cast<std::size_t>(c.first_slot[a]);
+    release_lost(w, p, {c.candidate.data() + slot, static_cast<std::size_t>(c.first_slot[a + 1]) - slot});
+  }
+  for (std::size_t p = 0; p < seen.size(); ++p) {
+    if (!seen[p]) release_lost(w, p, {});
+  }
+  remember_poses(w);
+  c.stale = false;
+  ++c.searches;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace voussoir::solver {
+
+/// The numbers have gone wrong: not-a-number, a speed no house reaches, a ledger that does not close. The state is as it was found.
+class NumericalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace voussoir::solver

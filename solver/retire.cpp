@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/contact_forces.h"
+#include "solver/setup.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+/// The free patch that one element keeps of a retired side. `mirrored`: the slave's, whose face sees the side from behind.
+kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s, bool mirrored) {
+  const auto i = static_cast<std::size_t>(id);
+  const kernels::SideBlock& b = w.sides.blocks[i / kernels::kLanes];
+  const int l = static_cast<int>(id % kernels::kLanes);
+  kernels::Patch p;
+  p.element = mirrored ? s.slave : s.master;
+  p.origin = mirrored ? s.master : s.slave;
+  p.face = mirrored ? w.sides.slave_face[i] : w.sides.master_face[i];
+  p.centre = mirrored ? s.cb : s.ca;
+  p.es = s.es;
+  // Points keep their (s, t); behind, one axis is not turned but the normal is: see kernels::Patch::normal_sign.
+  p.et = s.et;
+  p.normal_sign = mirrored ? -1.0 : 1.0;
+  p.s_low = b.s_low[l], p.s_high = b.s_high[l], p.t_low = b.t_low[l], p.t_high = b.t_high[l];
+  p.origin_tan_phi = s.strength.tan_phi;
+  p.origin_kn = s.k.kn, p.origin_ks = s.k.ks;
+  return p;
+}
+
+/// Hands the closed segments over: partner, face, elastic slip (into the body frame of the patch's element) and closure.
+void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f, bool mirrored) {
+  const auto i = static_cast<std::size_t>(id);
+  const std::size_t p = w.patches.patch.size() - 1;
+  const kernels::PointsView points = w.points.view(w.sides.set[i]);
+  const kernels::SegmentsView q = w.sides.segments(id);
+  const kernels::ContactPoints to = w.patches.points(static_cast<std::int64_t>(p));
+  const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), w.patches.patch[p].element);
+  for (int k = 0; k < points.n; ++k) {
+    const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
+    if (u.n - q.closure[k] >= 0.0) continue;
+    // Still bonded while it slid half a segment: only the elastic part of its shear lives on.
+    const bool held = kernels::holds(q.bond[k]);
+    const double x1 = held ? u.s1 - q.slip1[k] : q.slip1[k], x2 = held ? u.s2 - q.slip2[k] : q.slip2[k];
+    const Vec3 x = (mirrored ? -1.0 : 1.0) * (x1 * f.t1 + x2 * f.t2);
+    const Vec3 body = x + transposed(pose.d) * x;
+    to.partner[k] = mirrored ? s.master : s.slave;
+    to.face[k] = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
+    to.slip_x[k] = body.x, to.slip_y[k] = body.y, to.slip_z[k] = body.z;
+    to.closure[k] = q.closure[k];
+    ++w.patches.touching[p];
+  }
+}
+
+}  // namespace
+
+void retire_side(World& w, std::int32_t side) {
+  const std::int64_t id = side;
+  const auto i = static_cast<std::size_t>(id);
+  Sides& sides = w.sides;
+  const kernels::Side s = sides.side(id);
+  const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
+  const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
+                                                   kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
+  append_patch(w, patch_of(w, id, s, false), sides.set[i], side, true);
+  hand_over(w, id, s, f, false);
+  const bool stands_for_both = s.mean > 0.0;
+  if (stands_for_both) {
+    append_patch(w, patch_of(w, id, s, true), sides.set[i], side, false);
+    hand_over(w, id, s, f, true);
+  }
+  sides.retired[i] = 1;
+  sides.whole[i] = 0;
+  sides.stored_bonds[i] = sides.stored_contact[i] = 0.0;
+  w.contacts.stale = true;
+}
+
+void list_live_blocks(World& w) {
+  const Sides& s = w.sides;
+  w.sides.live.assign(s.colour_first.size() - 1, {});
+  for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
+    for (std::int32_t b = s.colour_first[c]; b < s.colour_first[c + 1]; ++b) {
+      bool any = false;
+      for (int l = 0; l < kernels::kLanes; ++l) any = any || !s.retired[static_cast<std::size_t>(b) * kernels::kLanes + static_cast<std::size_t>(l)];
+      if (any) w.sides.live[c].push_back(b);
+    }
+  }
+}
+
+}  // namespace voussoir::solver

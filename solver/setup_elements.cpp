@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/setup.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - m.poisson * m.poisson); }
+
+void size_arrays(Elements& e) {
+  const auto n = static_cast<std::size_t>(e.rows);
+  for (Array<double>* a : {&e.ux, &e.uy, &e.uz, &e.qx, &e.qy, &e.qz, &e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz,
+                           &e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot, &e.alpha, &e.ref_x, &e.ref_y, &e.ref_z, &e.mass,
+                           &e.inv_mass, &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.beta, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
+    a->assign(n, 0.0);
+  }
+  e.qw.assign(n, 1.0);
+  e.bonds.assign(n, 0);
+  e.bonds_at_start.assign(n, 0);
+  e.fixed.assign(n, 1);
+  e.first_face.assign(n, 0);
+  e.face_count.assign(n, 0);
+  e.pose.assign(n * kernels::kPoseStride, 0.0);
+  e.twist.assign(n * kernels::kTwistStride, 0.0);
+  e.wrench.assign(n * kernels::kWrenchStride, 0.0);
+}
+
+/// Inverse of the body inertia (reference axes), and the angular momentum of the initial spin.
+void set_inertia(Elements& e, std::size_t i, const Mat3& inertia, Vec3 spin) {
+  Eigen::Matrix3d j;
+  j << inertia.r0.x, inertia.r0.y, inertia.r0.z, inertia.r1.x, inertia.r1.y, inertia.r1.z, inertia.r2.x, inertia.r2.y, inertia.r2.z;
+  const Eigen::Matrix3d inverse = j.inverse();
+  e.ixx[i] = inverse(0, 0), e.iyy[i] = inverse(1, 1), e.izz[i] = inverse(2, 2);
+  e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
+  const Vec3 l = inertia * spin;
+  e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
+  e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
+}
+
+void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, Vec3 centroid) {
+  for (const Vec3& v : shape.vertices) {
+    const Vec3 r = v - centroid;
+    e.radius[i] = std::max(e.radius[i], norm(r));
+    e.half_x[i] = std::max(e.half_x[i], std::abs(r.x));
+    e.half_y[i] = std::max(e.half_y[i], std::abs(r.y));
+    e.half_z[i] = std::max(e.half_z[i], std::abs(r.z));
+  }
+}
+
+double mass_damping(const cases::Damping& d) {
+  if (d.alpha) return *d.alpha;
+  return d.frequency ? 2.0 * d.ratio * 2.0 * std::numbers::pi * *d.frequency : 0.0;  // Eq. 14
+}
+
+}  // namespace
+
+double choose_step(const cases::Case& c, const Options& o, double bound) {
+  if (o.step) return *o.step;
+  if (c.time.step) return *c.time.step;
+  if (!std::isfinite(bound)) return c.output.history_interval;  // nothing moves but what is fixed
+  return c.output.history_interval / std::ceil(c.output.history_interval / (0.995 * bound));
+}
+
+void set_up_elements(World& w, const cases::Case& c) {
+  const cases::Model& m = w.model;
+  Elements& e = w.elements;
+  e.count = static_cast<std::int32_t>(m.blocks.size());
+  e.base = e.count;
+  e.rows = round_up(e.count + 1, kernels::kLanes);
+  size_arrays(e);
+  const double alpha = mass_damping(c.damping);
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const cases::Block& b = m.blocks[i];
+    const geometry::Element& g = m.assembly.elements[i];
+    const double density = m.materials[static_cast<std::size_t>(b.material)].value.density;
+    const Vec3 x = g.mass.centroid;
+    e.ref_x[i] = x.x, e.ref_y[i] = x.y, e.ref_z[i] = x.z;
+    e.first_face[i] = g.first_face, e.face_count[i] = g.face_count;
+    set_extent(e, i, b.shape, x);
+    e.fixed[i] = b.fixed ? 1 : 0;
+    if (b.fixed) continue;
+    e.mass[i] = density * g.mass.volume;
+    e.inv_mass[i] = 1.0 / e.mass[i];
+    e.alpha[i] = alpha;
+    e.vx[i] = b.velocity.x, e.vy[i] = b.velocity.y, e.vz[i] = b.velocity.z;
+    set_inertia(e, i, density * g.mass.inertia, b.angular_velocity);
+  }
+  const auto base = static_cast<std::size_t>(e.base);
+  e.ref_z[base] = c.base ? c.base->z : 0.0;
+  e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
+  e.face_count[base] = 1;
+}
+
+void set_up_faces(World& w) {
+  const cases::Model& m = w.model;
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const geometry::Element& e = m.assembly.elements[i];
+    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
+      const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
+      w.faces.normal.push_back(face.normal);
+      w.faces.distance.push_back(face.distance);
+      w.faces.compliance_n.push_back(face.distance / plane_strain_modulus(material));                // Eq. 1
+      w.faces.compliance_s.push_back(face.distance * 2.0 * (1.0 + material.poisson) / material.young);
+      w.faces.mass.push_back(material.density * face.distance);                                      // Eq. 10
+    }
+  }
+  w.faces.normal.push_back({0.0, 0.0, 1.0});  // the base, a rigid half-space
+  for (auto* column : {&w.faces.distance, &w.faces.compliance_n, &w.faces.compliance_s, &w.faces.mass}) column->push_back(0.0);
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/simulation.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "solver/contact_forces.h"
+#include "solver/errors.h"
+#include "solver/setup.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr double kFastest = 200.0;          // m/s; a house that falls from 20 m reaches 20
+constexpr std::int64_t kGuardInterval = 20;  // steps
+constexpr double kRest = 1e-8;              // kinetic over elastic energy
+
+/// Gravity as seen from a base tilted about x and y by angles in degrees.
+Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
+  if (!base) return g;
+  const double ax = base->tilt[0] * std::numbers::pi / 180.0, ay = base->tilt[1] * std::numbers::pi / 180.0;
+  const Vec3 about_x{g.x, std::cos(ax) * g.y + std::sin(ax) * g.z, -std::sin(ax) * g.y + std::cos(ax) * g.z};
+  return {std::cos(ay) * about_x.x - std::sin(ay) * about_x.z, about_x.y, std::sin(ay) * about_x.x + std::cos(ay) * about_x.z};
+}
+
+Vec3 rotation_vector(Quaternion q, Quaternion start) {
+  // q · start⁻¹
+  const double w = q.w * start.w + q.x * start.x + q.y * start.y + q.z * start.z;
+  Vec3 v{q.x * start.w - q.w * start.x - q.y * start.z + q.z * start.y, q.y * start.w - q.w * start.y - q.z * start.x + q.x * start.z,
+         q.z * start.w - q.w * start.z - q.x * start.y + q.y * start.x};
+  const double s = norm(v);
+  if (s < 1e-12) return 2.0 * v;
+  return (2.0 * std::atan2(s, w) / s) * v;
+}
+
+double ramp_share(double t, double begin, double end) {
+  if (t >= end) return 1.0;
+  return t <= begin ? 0.0 : (t - begin) / (end - begin);
+}
+
+Vec3 displacement_at(const cases::SupportHistory& h, double t) {
+  if (h.time.empty() || t <= h.time.front()) return {};
+  std::size_t i = 1;
+  while (i + 1 < h.time.size() && h.time[i] < t) ++i;
+  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
+  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
+  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
+}
+
+}  // namespace
+
+Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
+    : case_(c), motion_(motion), world_(build_world(c, m, o)) {
+  if (o.threads > 0) omp_set_num_threads(o.threads);
+  World& w = *world_;
+  list_live_blocks(w);
+  full_gravity_ = tilted(c.gravity.acceleration, c.base);
+  const double frequency = c.damping.frequency.value_or(0.0);
+  ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : 1.0);
+  damage_ = initial_damage(w);
+  case_alpha_ = w.elements.alpha;
+  for (const cases::HistoryPoint& p : c.output.history) followed_.push_back({cases::nearest_element(m, p.point), {}, {}});
+  velocity_before_.resize(followed_.size());
+  samples_.resize(followed_.size());
+  load_before_.resize(2 * w.loads.size());
+  if (c.gravity.settle && norm(full_gravity_) > 0.0) {
+    phase_ = Phase::settling;
+    // Near-critical for the slowest sway the case names; else for one that the ramp calls slow.
+    settling_alpha_ = 2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / std::max(ramp_, 1e-3));
+    set_damping(settling_alpha_);
+  }
+  // Rows follow from the state: a drift of no time writes them.
+  kernels::drift(w.elements.view(), w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), 0.0, 0, w.elements.rows);
+}
+
+double Simulation::time() const {
+  const double t = static_cast<double>(step_) * world_->dt;
+  return phase_ == Phase::settling ? t - (ramp_ + case_.gravity.settle_limit) : t;
+}
+
+Vec3 Simulation::gravity_at(double t) const {
+  if (phase_ == Phase::shaking || t >= ramp_) return full_gravity_;
+  return (0.5 - 0.5 * std::cos(std::numbers::pi * t / ramp_)) * full_gravity_;
+}
+
+Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
+
+kernels::BodyForces Simulation::body_forces() const {
+  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}};
+  if (step_ == 0) return f;  // no interval behind the first step
+  f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
+  f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
+  return f;
+}
+
+void Simulation::place_supports() {
+  if (phase_ == Phase::settling) return;
+  const double t = static_cast<double>(step_) * world_->dt;
+  Elements& e = world_->elements;
+  for (const Support& s : world_->supports) {
+    const auto i = static_cast<std::size_t>(s.element);
+    const Vec3 u = displacement_at(*s.history, t);
+    e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
+    double* pose = e.pose.data() + i * kernels::kPoseStride;
+    pose[0] = u.x, pose[1] = u.y, pose[2] = u.z;
+  }
+}
+
+void Simulation::move_supports_on() {
+  if (phase_ == Phase::settling) return;
+  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
+  Elements& e = world_->elements;
+  for (const Support& s : world_->supports) {
+    const auto i = static_cast<std::size_t>(s.element);
+    const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
+    e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
+  }
+}
+
+void Simulation::apply_loads() {
+  World& w = *world_;
+  const double t = phase_ == Phase::settling ? 0.0 : static_cast<double>(step_) * w.dt;
+  for (std::size_t k = 0; k < w.loads.size(); ++k) {
+    const PointLoad& l = w.loads[k];
+    const auto i = static_cast<std::size_t>(l.element);
+    const double share = ramp_share(t, l.ramp_begin, l.ramp_end);
+    const Vec3 arm = l.arm + kernels::load_pose(w.elements.pose.data(), l.element).d * l.arm;
+    const Vec3 force = share * l.force, moment = share * l.moment + cross(arm, force);
+    kernels::add_wrench(w.elements.wrench.data(), l.element, force, moment);
+    const Vec3 v{w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]}, spin{w.elements.wx[i], w.elements.wy[i], w.elements.wz[i]};
+    if (step_ > 0) ledger_.add_load_work(0.5 * w.dt * (dot(force + load_before_[2 * k], v) + dot(moment + load_before_[2 * k + 1], spin)));
+    load_before_[2 * k] = force;
+    load_before_[2 * k + 1] = moment;
+  }
+}
+
+// Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
+void Simulation::measure_base_forces() {
+  const World& w = *world_;
+  forces_ = {time(), {}, {}};
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (w.elements.fixed[i]) continue;
+    const double* r = w.elements.wrench.data() + i * kernels::kWrenchStride;
+    const Vec3 f{r[0], r[1], r[2]};
+    const Vec3 x{w.elements.ref_x[i] + w.elements.ux[i], w.elements.ref_y[i] + w.elements.uy[i], w.elements.ref_z[i] + w.elements.uz[i]};
+    forces_.base_shear += f;
+    forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
+  }
+}
+
+void Simulation::take_samples() {
+  const Elements& e = world_->elements;
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k].element);
+    const Vec3 u{e.ux[i], e.uy[i], e.uz[i]}, v{e.vx[i], e.vy[i], e.vz[i]};
+    samples_[k] = {u - followed_[k].start, 0.5 * (velocity_before_[k] + v),
+                   rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, followed_[k].turned)};
+  }
+}
+
+void Simulation::guard() {
+  const Elements& e = world_->elements;
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double v2 = e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k];
+    const double w2 = e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k];
+    peak_speed_ = std::max(peak_speed_, std::sqrt(v2));
+    if (v2 < kFastest * kFastest && std::isfinite(w2)) continue;
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "element %d moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g", i,
+                  std::sqrt(v2), time(), kFastest, world_->dt, 0.5 * world_->dt);
+    throw NumericalError(text);
+  }
+}
+
+void Simulation::step(Due due) {
+  World& w = *world_;
+  const double t = time();
+  place_supports();
+  if (search_due(w)) search_contacts(w);
+  joint_forces(w, t, events_);
+  contact_forces(w);
+  if (due.ledger) ledger_.before_kick(w);
+  book_damage(w, events_, t, damage_, cracks_);
+  ledger_.add_support_work(w);
+  if (due.sample) {
+    measure_base_forces();
+    for (std::size_t k = 0; k < followed_.size(); ++k) {
+      const auto i = static_cast<std::size_t>(followed_[k].element);
+      velocity_before_[k] = {w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]};
+    }
+  }
+  apply_loads();
+  move_supports_on();
+  const kernels::BodyForces f = body_forces();
+  const auto view = w.elements.view();
+  const std::int64_t rows = w.elements.rows, chunk = kernels::kLanes;
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < rows; i += chunk) kernels::kick(view, w.elements.wrench.data(), f, i, i + chunk);
+  if (due.sample) take_samples();
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < rows; i += chunk) {
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, i + chunk);
+  }
+  if (due.ledger) ledger_.after_drift(w, t);
+  ++step_;
+  if (step_ % kGuardInterval == 0) guard();
+}
+
+bool Simulation::at_rest() const {
+  return static_cast<double>(step_) * world_->dt > ramp_ && ledger_.kinetic_over_elastic() < kRest;
+}
+
+bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt > ramp_ + case_.gravity.settle_limit; }
+
+void Simulation::set_damping(double alpha) {
+  Elements& e = world_->elements;
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    if (!e.fixed[static_cast<std::size_t>(i)]) e.alpha[static_cast<std::size_t>(i)] = alpha;
+  }
+}
+
+void Simulation::start_shaking() {
+  Elements& e = world_->elements;
+  if (phase_ == Phase::settling) {
+    for (auto* column : {&e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) std::fill(column->begin(), column->end(), 0.0);
+    std::fill(e.twist.begin(), e.twist.end(), 0.0);
+    e.alpha = case_alpha_;
+  }
+  if (world_->drop_debris_damping) {
+    for (std::size_t i = 0; i < e.bonds.size(); ++i) {
+      if (e.bonds[i] == 0) e.alpha[i] = 0.0;
+    }
+  }
+  phase_ = Phase::shaking;
+  step_ = 0;
+  ledger_.restart(*world_);
+  for (Followed& f : followed_) {
+    const auto i = static_cast<std::size_t>(f.element);
+    f.start = {e.ux[i], e.uy[i], e.uz[i]};
+    f.turned = {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
+  }
+}
+
+}  // namespace voussoir::solver

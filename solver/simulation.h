@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/model.h"
+#include "cases/motion.h"
+#include "solver/damage.h"
+#include "solver/ledger.h"
+#include "solver/recorder.h"
+#include "solver/world.h"
+
+/// One run: the world, its clock, and the step.
+namespace voussoir::solver {
+
+enum class Phase : std::uint8_t { settling, shaking };
+
+/// What the observers of a step want to see.
+struct Due {
+  bool sample = false;  // histories and forces: displacements and mid-step velocities
+  bool ledger = false;  // an energy row
+};
+
+/// Where a followed element is now, for Recorder::history.
+struct Followed {
+  std::int32_t element = 0;
+  Vec3 start;           // m, displacement at time zero
+  Quaternion turned;    // orientation at time zero
+};
+
+class Simulation {
+ public:
+  /// Builds the world; it settles first if the case says so. All arguments must outlive the simulation.
+  /// \throw cases::InputError
+  Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
+
+  /// One step of dt. The stages, in order: supports, search, joints, contacts, damage, loads, kick, samples, drift, ledger.
+  /// \throw NumericalError if the state is no longer a number, or too fast to be a house
+  void step(Due due);
+
+  [[nodiscard]] double time() const;                    // s; < 0 while settling
+  [[nodiscard]] std::int64_t steps() const { return step_; }  // in this phase
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] double dt() const { return world_->dt; }
+  [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] World& world() { return *world_; }
+
+  /// While settling: gravity is up and (nearly) nothing moves any more. Needs a ledger row of this step.
+  [[nodiscard]] bool at_rest() const;
+  /// While settling: the time limit has passed.
+  [[nodiscard]] bool settled_too_long() const;
+  /// Ends settling: velocities, clock and ledger start anew, the case's own damping acts.
+  void start_shaking();
+
+  // Results of the last step.
+  [[nodiscard]] const EnergyRow& energy() const { return ledger_.last(); }
+  [[nodiscard]] double worst_residual() const { return ledger_.worst_residual(); }
+  [[nodiscard]] const std::vector<HistorySample>& history() const { return samples_; }
+  [[nodiscard]] const ForcesRow& forces() const { return forces_; }
+  [[nodiscard]] const Damage& damage() const { return damage_; }
+  /// Cracks since the last call; the caller clears it.
+  [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
+  [[nodiscard]] double peak_speed() const { return peak_speed_; }
+
+ private:
+  void place_supports();
+  void move_supports_on();
+  void apply_loads();
+  void measure_base_forces();
+  void take_samples();
+  void guard();
+  [[nodiscard]] kernels::BodyForces body_forces() const;
+  [[nodiscard]] Vec3 gravity_at(double t) const;
+  [[nodiscard]] Vec3 ground_at(double t) const;
+  void set_damping(double alpha);
+
+  const cases::Case& case_;
+  const cases::GroundMotion& motion_;
+  std::unique_ptr<World> world_;
+  Phase phase_ = Phase::shaking;
+  std::int64_t step_ = 0;
+  Vec3 full_gravity_;        // m/s2, tilted
+  double ramp_ = 0.0;        // s
+  double settling_alpha_ = 0.0;  // 1/s
+  Array<double> case_alpha_;
+  JointEvents events_;
+  Damage damage_;
+  Ledger ledger_;
+  std::vector<CrackRow> cracks_;
+  std::vector<Followed> followed_;
+  std::vector<Vec3> velocity_before_;  // of the followed
+  std::vector<Vec3> load_before_;      // N, N m of each load at the last step (force, moment pairs)
+  std::vector<HistorySample> samples_;
+  ForcesRow forces_;
+  double peak_speed_ = 0.0;  // m/s
+};
+
+}  // namespace voussoir::solver

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/world.h"
+
+namespace voussoir::solver {
+
+kernels::ElementsView Elements::view() noexcept {
+  return {.ux = ux.data(), .uy = uy.data(), .uz = uz.data(),
+          .qw = qw.data(), .qx = qx.data(), .qy = qy.data(), .qz = qz.data(),
+          .vx = vx.data(), .vy = vy.data(), .vz = vz.data(),
+          .lx = lx.data(), .ly = ly.data(), .lz = lz.data(),
+          .wx = wx.data(), .wy = wy.data(), .wz = wz.data(),
+          .work_ground = work_ground.data(), .work_gravity = work_gravity.data(),
+          .loss_damping = loss_damping.data(), .loss_dashpot = loss_dashpot.data(),
+          .mass = mass.data(), .inv_mass = inv_mass.data(), .alpha = alpha.data(),
+          .ixx = ixx.data(), .iyy = iyy.data(), .izz = izz.data(), .ixy = ixy.data(), .ixz = ixz.data(), .iyz = iyz.data()};
+}
+
+kernels::FaceTable Faces::table() const noexcept {
+  return {normal.data(), distance.data(), compliance_n.data(), compliance_s.data(), mass.data()};
+}
+
+kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
+  const auto i = static_cast<std::size_t>(set);
+  const auto at = static_cast<std::size_t>(first[i]);
+  return {s.data() + at, t.data() + at, area.data() + at, count[i]};
+}
+
+kernels::Side Sides::side(std::int64_t id) const noexcept {
+  const kernels::SideBlock& b = blocks[static_cast<std::size_t>(id / kernels::kLanes)];
+  const int l = static_cast<int>(id % kernels::kLanes);
+  const auto i = static_cast<std::size_t>(id);
+  const auto vec = [l](const double v[3][kernels::kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
+  return {.master = b.master[l], .slave = b.slave[l], .ca = vec(b.ca), .cb = vec(b.cb), .es = vec(b.es), .et = vec(b.et),
+          .mean = b.mean[l], .factor = factor[i],
+          .k = {b.kn[l], b.ks[l], cn[i], cs[i]},
+          .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l]}};
+}
+
+kernels::SegmentsView Sides::segments(std::int64_t id) noexcept {
+  const auto at = static_cast<std::size_t>(first_segment[static_cast<std::size_t>(id)]);
+  return {bond.data() + at, first_mode.data() + at, first_time.data() + at, slip1.data() + at, slip2.data() + at, closure.data() + at};
+}
+
+kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
+  const auto at = static_cast<std::size_t>(first_point[static_cast<std::size_t>(p)]);
+  return {partner.data() + at, face.data() + at, slip_x.data() + at, slip_y.data() + at, slip_z.data() + at, closure.data() + at};
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cases/model.h"
+#include "geometry/grid.h"
+#include "kernels/contact_patch.h"
+#include "kernels/integrate.h"
+#include "kernels/law.h"
+#include "kernels/side.h"
+#include "solver/array.h"
+
+/// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model by
+/// setup.h, or rebuilt from the state (rows, candidates).
+namespace voussoir::solver {
+
+/// How a run is computed; does not change what is computed, but for `merge_sides` (a test of physics.md's merging).
+struct Options {
+  bool reference_kernels = false;  // --kernels reference: every segment on its own, in plain scalar code
+  bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
+  int max_colours = 64;            // sides that no colour can take go to an overflow colour, run serially
+  int threads = 0;                 // 0: OpenMP's default
+  std::optional<double> step;      // s; overrides the case
+};
+
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole vectors and is inert.
+struct Elements {
+  std::int32_t count = 0, base = 0;
+  std::int64_t rows = 0;
+  // State.
+  Array<double> ux, uy, uz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz, wx, wy, wz;
+  Array<double> work_ground, work_gravity, loss_damping, loss_dashpot;  // J
+  Array<double> alpha;                                                  // 1/s (changes where debris loses its damping)
+  Array<std::int32_t> bonds;                                            // bonded segment sides left
+  // Constants.
+  Array<double> ref_x, ref_y, ref_z;                // m
+  Array<double> mass, inv_mass;                     // kg, 1/kg
+  Array<double> ixx, iyy, izz, ixy, ixz, iyz;       // inverse inertia, body axes
+  Array<double> beta;                               // 1/s, see ContactOptions
+  Array<double> radius;                             // m, round the centroid
+  Array<double> half_x, half_y, half_z;             // m, half extents of a body-frame box about the centroid
+  std::vector<std::int32_t> first_face, face_count;  // into Faces
+  std::vector<std::int32_t> bonds_at_start;
+  std::vector<std::uint8_t> fixed;
+  // Derived rows.
+  Array<double> pose, twist, wrench;
+
+  [[nodiscard]] kernels::ElementsView view() noexcept;
+};
+
+/// Faces of all elements, one more for the base (kernels::FaceTable).
+struct Faces {
+  std::vector<Vec3> normal;
+  std::vector<double> distance, compliance_n, compliance_s, mass;
+  [[nodiscard]] kernels::FaceTable table() const noexcept;
+};
+
+/// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
+struct PointSets {
+  std::vector<std::int32_t> first, count;  // by set; first is a multiple of kLanes
+  Array<double> s, t, area;                // padded to kLanes with area 0
+  [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
+};
+
+/// Sides of joints, in blocks of kLanes that share a colour. A side's number is block × kLanes + lane.
+struct Sides {
+  Array<kernels::SideBlock> blocks;
+  std::vector<std::int32_t> colour_first;    // blocks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;         // run serially; −1: none
+  std::vector<std::vector<std::int32_t>> live;  // per colour, blocks with a side that is not retired
+  // Constants by side.
+  std::vector<std::int32_t> joint, set;      // joint −1: unused lane
+  std::vector<std::int32_t> master_face, slave_face;  // into Faces
+  std::vector<std::int64_t> first_segment;   // into the segment arrays
+  std::vector<double> factor, cn, cs;        // Eq. 11; Pa s/m
+  std::vector<double> size;                  // m, segment size of the master
+  // State by side.
+  Array<std::uint8_t> whole;                 // all segments bonded, none slipped
+  Array<std::uint8_t> retired;               // lives on as free patches
+  Array<std::int32_t> held;                  // bonded segments
+  Array<double> friction, impact, fracture;  // J, lost so far
+  // Derived by side, valid after joint_forces: J in the springs of a side that is not whole.
+  Array<double> stored_bonds, stored_contact;
+  // State by segment.
+  Array<kernels::Bond> bond;
+  Array<kernels::Mode> first_mode;
+  Array<double> first_time, slip1, slip2, closure;
+
+  [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
+  [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) noexcept;
+};
+
+/// Free patches: segments in no joint, or whose joint has come apart. Grows as sides retire.
+struct Patches {
+  std::vector<kernels::Patch> patch;
+  std::vector<std::int32_t> set;
+  std::vector<std::int64_t> first_point;     // into the point arrays
+  // State by patch.
+  std::vector<std::int32_t> from_side;       // the side it comes from, −1: never joined
+  std::vector<std::uint8_t> mastered;        // 1: its element was the master of from_side
+  Array<std::int32_t> touching;              // points with a partner
+  Array<double> stored, friction, impact;    // J
+  // State by point.
+  Array<std::int32_t> partner, face;
+  Array<double> slip_x, slip_y, slip_z, closure;
+
+  [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
+};
+
+/// Possible contacts since the last search: for each active patch a few candidates, each with a slot for its wrench; every element gathers its slots
+/// in a fixed order, so no two threads ever add to one row.
+struct Contacts {
+  geometry::UniformGrid grid;
+  double skin = 0.0;                          // m
+  bool stale = true;                          // a search is due
+  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search (state)
+  std::vector<std::int32_t> active;           // patches with candidates
+  std::vector<std::int64_t> first_slot;       // by active patch, count + 1 entries
+  std::vector<kernels::Candidate> candidate;  // by slot
+  std::vector<kernels::PairWrench> wrench;
+  std::vector<std::uint8_t> on;
+  std::vector<std::int32_t> elements;         // that have slots
+  std::vector<std::int64_t> first_gather;     // by entry of `elements`, count + 1 entries
+  std::vector<std::int64_t> gather;           // slot × 2 + (0: master, 1: slave)
+  std::int32_t largest_set = 0;               // points
+  std::int64_t searches = 0;
+};
+
+/// Loads and supports that act on single elements.
+struct PointLoad {
+  std::int32_t element = 0;
+  Vec3 force, moment, arm;                    // arm: from the centroid, body axes
+  double ramp_begin = 0, ramp_end = 0;        // s
+};
+struct Support {
+  std::int32_t element = 0;
+  const cases::SupportHistory* history = nullptr;
+};
+
+struct World {
+  explicit World(const cases::Model& m) : model(m) {}
+
+  const cases::Model& model;
+  Options options;
+  kernels::FailureOptions failure;
+  kernels::ContactOptions contact;
+  bool has_base = false;
+  bool drop_debris_damping = false;
+  double dt = 0.0;                            // s
+  double bound = 0.0;                         // s, Eq. 19
+  Elements elements;
+  Faces faces;
+  PointSets points;
+  Sides sides;
+  Patches patches;
+  Contacts contacts;
+  std::vector<PointLoad> loads;
+  std::vector<Support> supports;
+};
+
+}  // namespace voussoir::solver
