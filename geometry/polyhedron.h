@@ -57,7 +57,7 @@ Polyhedron moved(const Polyhedron& p, Vec3 by);
 /// outside, and the two halves of an even number of vertices change places, so that boxes, hexahedra and prisms stay valid cells.
 Polyhedron mirrored(const Polyhedron& p, Vec3 n, Vec3 at);
 
-/// Tolerance: 1e-9 of the diagonal of the bounding box.
+/// Tolerance: 1e-9 of the diagonal of the bounding box (and the round-off of coordinates far from the origin).
 /// \throw ModelError "not convex", "inside out", "a face is not plane", "zero volume", "a vertex is used by no face" ...,
 /// with the offending figures in the message, after "block <subject>: " where the subject is known.
 void validate(const Polyhedron& p, int subject = -1);

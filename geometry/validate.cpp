@@ -11,6 +11,7 @@ namespace voussoir::geometry {
 namespace {
 
 constexpr double kTolerance = 1e-9;         // of the size: planeness and convexity
+constexpr double kRoundOff = 1e-15;         // of the distance to the global origin
 constexpr double kVolumeTolerance = 1e-12;  // of the size cubed
 
 [[noreturn]] void fail(int subject, const std::string& what) { throw ModelError(block_prefix(subject) + what, subject); }
@@ -67,28 +68,29 @@ void check_closed(const Polyhedron& p, int subject) {
   }
 }
 
-void check_planes(const Polyhedron& p, double size, int subject) {
+void check_planes(const Polyhedron& p, double size, double allowed, int subject) {
   for (std::size_t f = 0; f < p.faces.size(); ++f) {
     const FacePlane plane = face_plane(p, static_cast<int>(f));
     if (!(plane.area > kVolumeTolerance * size * size)) {
       fail(subject, "face " + std::to_string(f) + " has no area: " + figure(plane.area) + " m2");
     }
     for (const std::int32_t i : p.faces[f]) {
-      const double gap = dot(p.vertices[static_cast<std::size_t>(i)] - plane.centroid, plane.normal);
-      if (std::abs(gap) <= kTolerance * size) continue;
-      fail(subject, "a face is not plane: vertex " + std::to_string(i) + " lies " + figure(std::abs(gap)) + " m off face " +
-                        std::to_string(f) + " (allowed " + figure(kTolerance * size) + " m)");
+      const double gap = std::abs(dot(p.vertices[static_cast<std::size_t>(i)] - plane.centroid, plane.normal));
+      if (gap <= allowed) continue;
+      fail(subject, "a face is not plane: vertex " + std::to_string(i) + " lies " + figure(gap) + " m off face " + std::to_string(f) +
+                        " (allowed " + figure(allowed) + " m)");
     }
   }
 }
 
-void check_convex(const Polyhedron& p, double size, int subject) {
+void check_convex(const Polyhedron& p, double allowed, int subject) {
   for (std::size_t f = 0; f < p.faces.size(); ++f) {
     const FacePlane plane = face_plane(p, static_cast<int>(f));
     for (std::size_t i = 0; i < p.vertices.size(); ++i) {
       const double out = dot(p.vertices[i] - plane.centroid, plane.normal);
-      if (out <= kTolerance * size) continue;
-      fail(subject, "not convex: vertex " + std::to_string(i) + " lies " + figure(out) + " m outside face " + std::to_string(f));
+      if (out <= allowed) continue;
+      fail(subject, "not convex: vertex " + std::to_string(i) + " lies " + figure(out) + " m outside face " + std::to_string(f) +
+                        " (allowed " + figure(allowed) + " m)");
     }
   }
 }
@@ -105,8 +107,10 @@ void validate(const Polyhedron& p, int subject) {
   // The sign of the volume first: seen from a shape turned inside out, every vertex lies outside every face.
   if (!(std::abs(volume) > kVolumeTolerance * size * size * size)) fail(subject, "zero volume: " + figure(volume) + " m3");
   if (volume < 0.0) fail(subject, "inside out: the volume is " + figure(volume) + " m3");
-  check_planes(p, size, subject);
-  check_convex(p, size, subject);
+  // Far away the coordinates themselves are coarser than a small block's tolerance.
+  const double allowed = kTolerance * size + kRoundOff * (norm(box.low) + norm(box.high));
+  check_planes(p, size, allowed, subject);
+  check_convex(p, allowed, subject);
 }
 
 }  // namespace voussoir::geometry

@@ -21,6 +21,7 @@ using hdf5::Handle;
 using hdf5::link_properties;
 using hdf5::simple_space;
 using hdf5::types_of;
+using hdf5::write_note;
 
 // Version 1.8 of the format is compact and readable everywhere; virtual datasets need 1.10.
 // No locks: some network file systems refuse them, and nobody writes to a file that others can see.
@@ -146,12 +147,19 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
   return names;
 }
 
-void Hdf5File::create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout) {
-  const Doing doing{path_, "create", name};
+void Hdf5File::create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout, const Hdf5Note& note) {
+  write_dataset(name, type, shape, nullptr, layout, note);
+}
+
+void Hdf5File::write_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const void* data, const Hdf5Layout& layout,
+                             const Hdf5Note& note) {
+  const Doing doing{path_, "write", name};
   const Handle space = simple_space(doing, shape);
   const Handle create = layout_properties(doing, shape, layout);
   const Handle links = link_properties(doing);
   const Handle dataset = doing.own(H5Dcreate2(handle_, name.c_str(), types_of(type).file, space, links, create, H5P_DEFAULT), H5Dclose);
+  write_note(doing, dataset, note);
+  if (data != nullptr && !is_empty(shape)) doing.check(H5Dwrite(dataset, types_of(type).memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
 }
 
 void Hdf5File::write_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data) {
@@ -166,12 +174,13 @@ void Hdf5File::read_rows(const std::string& name, Hdf5Type type, std::uint64_t f
   if (!part.empty) doing.check(H5Dread(part.dataset, types_of(type).memory, part.memory, part.space, H5P_DEFAULT, data));
 }
 
-void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources) {
+void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
+                              const Hdf5Note& note) {
   const Doing doing{path_, "create", name};
   Shape shape(1 + row.size(), 0);
   std::ranges::copy(row, shape.begin() + 1);
   for (const VirtualSource& s : sources) shape[0] += s.rows;
-  if (is_empty(shape)) return create_dataset(name, type, shape);
+  if (is_empty(shape)) return create_dataset(name, type, shape, {}, note);
   const Handle create = layout_properties(doing, shape, {});
   std::array<unsigned char, 8> bits{};
   bits.fill(0xff);
@@ -192,6 +201,7 @@ void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shap
   }
   const Handle links = link_properties(doing);
   const Handle dataset = doing.own(H5Dcreate2(handle_, name.c_str(), types_of(type).file, space, links, create, H5P_DEFAULT), H5Dclose);
+  write_note(doing, dataset, note);
 }
 
 Shape Hdf5File::shape(const std::string& name) const {

@@ -53,6 +53,11 @@ struct Hdf5Layout {
   int deflate = 0;        // 1-9 with byte shuffle; 0: none
 };
 
+/// What each dataset of ours says of itself, in the attributes `unit` and `description`. None without a unit.
+struct Hdf5Note {
+  std::string unit, description;
+};
+
 /// Rows [0, rows) of `dataset` in another file; `file` is relative to the folder of the file that refers to it.
 /// `dataset_rows` is the extent of that dataset.
 struct VirtualSource {
@@ -87,15 +92,17 @@ class Hdf5File {
   /// Names in a group, in order of the alphabet.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
-  void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {});
+  void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {}, const Hdf5Note& note = {});
+  /// Creates and fills a dataset; `data` in the given type.
+  void write_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const void* data, const Hdf5Layout& layout = {},
+                     const Hdf5Note& note = {});
   /// Rows [first, first + rows) of a dataset; `data` holds them row by row in the given type.
   void write_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data);
   void read_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, void* data) const;
   /// Creates and fills a dataset. \pre values.size() is the product of the shape
   template <class T>
   void write(const std::string& name, std::span<const T> values, const Shape& shape, const Hdf5Layout& layout = {}) {
-    create_dataset(name, Hdf5TypeOf<T>::value, shape, layout);
-    write_rows(name, Hdf5TypeOf<T>::value, 0, shape.empty() ? 1 : shape[0], values.data());
+    write_dataset(name, Hdf5TypeOf<T>::value, shape, values.data(), layout);
   }
   /// The whole dataset, converted to T.
   template <class T>
@@ -108,12 +115,13 @@ class Hdf5File {
     return values;
   }
   /// One string a row, of fixed length in the file (UTF-8, padded with zeros).
-  void write_strings(const std::string& name, std::span<const std::string> values);
+  void write_strings(const std::string& name, std::span<const std::string> values, const Hdf5Note& note = {});
   [[nodiscard]] std::vector<std::string> read_strings(const std::string& name) const;
 
   /// A dataset whose rows are those of the sources, one after the other. What a missing source should have held reads as NaN, or as −1 (all
   /// bits set) in integers. Without a row it is an ordinary empty dataset. \param row  shape of a row, empty for a scalar
-  void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources);
+  void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
+                      const Hdf5Note& note = {});
 
   [[nodiscard]] Shape shape(const std::string& name) const;
   /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
@@ -124,8 +132,6 @@ class Hdf5File {
   void set_attribute(const std::string& object, const std::string& name, double value);
   void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
   void set_attribute(const std::string& object, const std::string& name, std::span<const std::string> texts);
-  /// The attributes `unit` and `description`, which each of our datasets has.
-  void describe(const std::string& name, const std::string& unit, const std::string& description);
   [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::vector<std::string> attribute_texts(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::string attribute_text(const std::string& object, const std::string& name) const;

@@ -76,6 +76,16 @@ Handle simple_space(const Doing& doing, const Shape& shape) {
                    H5Sclose);
 }
 
+void write_note(const Doing& doing, std::int64_t dataset, const Hdf5Note& note) {
+  if (note.unit.empty()) return;
+  const Handle type = text_type(doing, H5T_VARIABLE);
+  const Handle space = simple_space(doing, {});
+  for (const auto& [name, text] : {std::pair{"unit", note.unit.c_str()}, std::pair{"description", note.description.c_str()}}) {
+    const Handle attribute = doing.own(H5Acreate2(dataset, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    doing.check(H5Awrite(attribute, type, &text));
+  }
+}
+
 Shape extent_of(const Doing& doing, hid_t dataset) {
   const Handle space = doing.own(H5Dget_space(dataset), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space);

@@ -60,6 +60,8 @@ Handle link_properties(const Doing& doing);
 Handle text_type(const Doing& doing, std::size_t length);
 /// The space of a shape; of one value when it is empty.
 Handle simple_space(const Doing& doing, const Shape& shape);
+/// Writes the note of a dataset that was just made.
+void write_note(const Doing& doing, std::int64_t dataset, const Hdf5Note& note);
 Shape extent_of(const Doing& doing, std::int64_t dataset);
 
 }  // namespace voussoir::io::hdf5

@@ -35,7 +35,7 @@ Handle open_attribute(const Doing& doing, hid_t file, const std::string& name) {
 
 }  // namespace
 
-void Hdf5File::write_strings(const std::string& name, std::span<const std::string> values) {
+void Hdf5File::write_strings(const std::string& name, std::span<const std::string> values, const Hdf5Note& note) {
   const Doing doing{path_, "write", name};
   std::size_t length = 1;
   for (const std::string& s : values) length = std::max(length, s.size());
@@ -46,6 +46,7 @@ void Hdf5File::write_strings(const std::string& name, std::span<const std::strin
   const Handle dataset =
       doing.own(H5Dcreate2(handle_, name.c_str(), type, space, link_properties(doing), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
   if (!values.empty()) doing.check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()));
+  hdf5::write_note(doing, dataset, note);
 }
 
 std::vector<std::string> Hdf5File::read_strings(const std::string& name) const {
@@ -89,11 +90,6 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   std::vector<const char*> values;
   for (const std::string& t : texts) values.push_back(t.c_str());
   write_attribute(doing, handle_, name, type, type, simple_space(doing, {values.size()}), values.data());
-}
-
-void Hdf5File::describe(const std::string& name, const std::string& unit, const std::string& description) {
-  set_attribute(name, "unit", unit);
-  set_attribute(name, "description", description);
 }
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {

@@ -23,8 +23,8 @@
 namespace voussoir::io {
 
 struct ResultsOptions {
-  double interval = 10;            // s of wall-clock between two parts; grows to a hundredth of the run so far, which bounds their number
-  std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a hundredth of those on disk
+  double interval = 10;            // s of wall-clock between two parts; grows to a twentieth of the run so far, which bounds their number
+  std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
   bool merge = true;               // finish() puts all rows into run.h5
   std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
   /// Go on with the results in the folder: keep rows at or before this time [s], drop the later ones. Absent: a new run.

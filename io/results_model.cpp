@@ -21,8 +21,7 @@ StaticDataset dataset(const char* name, const std::vector<T>& values, std::uint6
   d.shape = width == 1 ? Shape{values.size()} : Shape{values.size() / width, width};
   d.bytes.resize(values.size() * sizeof(T));
   if (!values.empty()) std::memcpy(d.bytes.data(), values.data(), d.bytes.size());
-  d.unit = unit;
-  d.description = description;
+  d.note = {unit, description};
   return d;
 }
 
@@ -32,8 +31,7 @@ StaticDataset texts(const char* name, std::vector<std::string> values, const cha
   d.shape = {values.size()};
   d.texts = std::move(values);
   d.is_text = true;
-  d.unit = "1";
-  d.description = description;
+  d.note = {"1", description};
   return d;
 }
 
@@ -241,13 +239,10 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
 
 void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) {
   for (const StaticDataset& d : datasets) {
-    if (d.is_text) {
-      file.write_strings(d.name, d.texts);
-    } else {
-      file.create_dataset(d.name, d.type, d.shape);
-      file.write_rows(d.name, d.type, 0, d.shape[0], d.bytes.data());
-    }
-    file.describe(d.name, d.unit, d.description);
+    if (d.is_text)
+      file.write_strings(d.name, d.texts, d.note);
+    else
+      file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), {}, d.note);
   }
 }
 

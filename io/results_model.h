@@ -20,7 +20,7 @@ struct StaticDataset {
   std::vector<std::byte> bytes;
   std::vector<std::string> texts;  // where is_text
   bool is_text = false;
-  std::string unit, description;
+  Hdf5Note note;
 };
 
 /// All datasets of /model, SI units.

@@ -14,8 +14,8 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint64_t kChunkBytes = 256 * 1024;      // a few fit in HDF5's chunk cache of 1 MiB
-constexpr std::uint64_t kCopyBytes = 8 * 1024 * 1024;  // rows that a merge holds in memory at a time
+constexpr std::uint64_t kChunkBytes = 256 * 1024;  // a few fit in HDF5's chunk cache of 1 MiB
+constexpr std::uint64_t kCopyBytes = 1024 * 1024;  // of a column that a merge holds in memory at a time
 
 // Checksums cost 0.4 ms a MB. Compression is left out: deflate takes 15 times as long as the write itself and saves a sixth.
 Hdf5Layout layout_of(const ColumnSpec& c) {
@@ -28,8 +28,7 @@ Shape shape_of(const ColumnSpec& c, std::uint64_t rows) {
   return shape;
 }
 
-void describe(Hdf5File& file, const ColumnSpec& c) {
-  file.describe(c.name, c.unit, c.description);
+void name_values(Hdf5File& file, const ColumnSpec& c) {
   if (!c.names.empty()) file.set_attribute(c.name, "names", c.names);
 }
 
@@ -58,28 +57,28 @@ Part total(std::span<const Part> parts) {
 /// Appends to a dataset in pieces of a moderate size.
 class ColumnCopy {
  public:
-  ColumnCopy(Hdf5File& to, const ColumnSpec& column) : to_(to), column_(column) {}
+  ColumnCopy(Hdf5File& to, const ColumnSpec& column) : to_(&to), column_(&column) {}
 
   void add(const Hdf5File& from, std::uint64_t rows) {
-    const std::uint64_t bytes = std::max<std::uint64_t>(1, column_.row_bytes());
+    const std::uint64_t bytes = std::max<std::uint64_t>(1, column_->row_bytes());
     for (std::uint64_t first = 0; first < rows;) {
       const std::uint64_t n = std::min(rows - first, std::max<std::uint64_t>(1, kCopyBytes / bytes));
       buffer_.resize(held_ * bytes + n * bytes);
-      from.read_rows(column_.name, column_.type, first, n, buffer_.data() + held_ * bytes);
+      from.read_rows(column_->name, column_->type, first, n, buffer_.data() + held_ * bytes);
       held_ += n;
       first += n;
       if (held_ * bytes >= kCopyBytes) write();
     }
   }
   void write() {
-    to_.write_rows(column_.name, column_.type, done_, held_, buffer_.data());
+    to_->write_rows(column_->name, column_->type, done_, held_, buffer_.data());
     done_ += held_;
     held_ = 0;
   }
 
  private:
-  Hdf5File& to_;
-  const ColumnSpec& column_;
+  Hdf5File* to_;
+  const ColumnSpec* column_;
   std::vector<std::byte> buffer_;
   std::uint64_t held_ = 0, done_ = 0;
 };
@@ -122,9 +121,7 @@ Part write_part(const std::string& folder, const std::string& file, const RowSch
     for (std::size_t t = 0; t < kRowTables; ++t)
       for (std::size_t i = 0; part.rows[t] > 0 && i < schema[t].size(); ++i) {
         const ColumnSpec& c = schema[t][i];
-        out.create_dataset(c.name, c.type, shape_of(c, part.rows[t]), layout_of(c));
-        out.write_rows(c.name, c.type, 0, part.rows[t], buffers[t].column(i));
-        describe(out, c);
+        out.write_dataset(c.name, c.type, shape_of(c, part.rows[t]), buffers[t].column(i), layout_of(c));
       }
   });
   return part;
@@ -138,23 +135,28 @@ void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> pa
       sources.clear();
       for (const Part& p : parts)
         if (p.rows[t] > 0) sources.push_back({p.file, c.name, p.rows[t], p.rows[t]});
-      file.create_virtual(c.name, c.type, c.row, sources);
-      describe(file, c);
+      file.create_virtual(c.name, c.type, c.row, sources, c.note);
+      name_values(file, c);
     }
 }
 
 void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schema, std::span<const Part> parts) {
   const Part sum = total(parts);
   state_rows(file, sum);
+  std::array<std::vector<ColumnCopy>, kRowTables> copies;
   for (std::size_t t = 0; t < kRowTables; ++t)
     for (const ColumnSpec& c : schema[t]) {
-      file.create_dataset(c.name, c.type, shape_of(c, sum.rows[t]), layout_of(c));
-      describe(file, c);
-      ColumnCopy copy(file, c);
-      for (const Part& p : parts)
-        if (p.rows[t] > 0) copy.add(Hdf5File::open(folder + "/" + p.file), p.rows[t]);
-      copy.write();
+      file.create_dataset(c.name, c.type, shape_of(c, sum.rows[t]), layout_of(c), c.note);
+      name_values(file, c);
+      copies[t].emplace_back(file, c);
     }
+  for (const Part& p : parts) {
+    const Hdf5File from = Hdf5File::open(folder + "/" + p.file);
+    for (std::size_t t = 0; t < kRowTables; ++t)
+      for (ColumnCopy& c : copies[t]) c.add(from, p.rows[t]);
+  }
+  for (auto& table : copies)
+    for (ColumnCopy& c : table) c.write();
 }
 
 double last_time(const std::string& folder, RowTable table, std::span<const Part> parts) {

@@ -14,8 +14,8 @@
 /// Rows on disk: the files parts/NNNN.h5, each complete in itself, written once and never opened for writing again.
 namespace voussoir::io {
 
-/// A file of rows. It holds the datasets of tables that have rows, under the names of run.h5, and says the rest in attributes of its root:
-/// rows_<table>, time_first and time_last [s], schema_version.
+/// A file of rows. It holds the datasets of tables that have rows, under the names of run.h5 (units stand there), and in attributes of its
+/// root: rows_<table>, time_first and time_last [s], schema_version.
 struct Part {
   std::string file;  // relative to the folder of the run
   RowCounts rows{};

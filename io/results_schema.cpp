@@ -12,11 +12,11 @@ namespace {
 
 using enum Hdf5Type;
 
-ColumnSpec scalar(const std::string& name, const char* unit, const char* description) { return {name, f64, {}, unit, description, {}}; }
+ColumnSpec scalar(const std::string& name, const char* unit, const char* description) { return {name, f64, {}, {unit, description}, {}}; }
 
-ColumnSpec vector(const std::string& name, const char* unit, const char* description) { return {name, f64, {3}, unit, description, {}}; }
+ColumnSpec vector(const std::string& name, const char* unit, const char* description) { return {name, f64, {3}, {unit, description}, {}}; }
 
-ColumnSpec integer(const std::string& name, Hdf5Type type, const char* description) { return {name, type, {}, "1", description, {}}; }
+ColumnSpec integer(const std::string& name, Hdf5Type type, const char* description) { return {name, type, {}, {"1", description}, {}}; }
 
 void check_names(std::span<const std::string> names) {
   std::set<std::string> seen;
@@ -78,21 +78,21 @@ TableSpec cracks_columns() {
           vector("/cracks/position", "m", "of the segment when it broke; global axes"),
           vector("/cracks/normal", "1", "unit normal of the segment when it broke; global axes"),
           scalar("/cracks/area", "m2", "of the segment"),
-          {"/cracks/mode", u8, {}, "1", "what opened the segment; see the attribute names", modes},
-          {"/cracks/first_mode", u8, {}, "1", "the limit that the segment reached first; see the attribute names", modes},
+          {"/cracks/mode", u8, {}, {"1", "what opened the segment; see the attribute names"}, modes},
+          {"/cracks/first_mode", u8, {}, {"1", "the limit that the segment reached first; see the attribute names"}, modes},
           scalar("/cracks/first_time", "s", "when the segment reached its first limit")};
 }
 
 TableSpec frames_columns(std::uint64_t n) {
   return {scalar("/frames/time", "s", "time of the frames; zero is the start of shaking"),
-          {"/frames/position", f32, {n, 3}, "m", "centroids of all elements, in axes that move with the base", {}},
+          {"/frames/position", f32, {n, 3}, {"m", "centroids of all elements, in axes that move with the base"}, {}},
           {"/frames/quaternion",
            f32,
            {n, 4},
            "1",
            "w, x, y, z: rotation of all elements from the reference, x = position + R(q) (X - position0)",
            {}},
-          {"/frames/broken", f32, {n}, "1", "broken fraction of each element's bonds", {}}};
+          {"/frames/broken", f32, {n}, {"1", "broken fraction of each element's bonds"}, {}}};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct ColumnSpec {
   std::string name;  // path from the root
   Hdf5Type type = Hdf5Type::f64;
   Shape row;  // of one row; empty: a number
-  std::string unit, description;
+  Hdf5Note note;
   std::vector<std::string> names;  // of the values 0, 1, ... where they are choices
 
   /// Bytes of one row.

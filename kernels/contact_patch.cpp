@@ -281,6 +281,13 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
 
 }  // namespace
 
+double depth_under_face(const Patch& patch, double s, double t, std::int32_t slave, std::int32_t face, const Bodies& bodies,
+                        const FaceTable& faces, const ContactOptions& o) noexcept {
+  const Master m = master_of(patch, bodies);
+  const InSlave y = in_slave(m, load_pose(bodies.pose, slave), reference(bodies, slave));
+  return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
+}
+
 // Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
                           const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,

@@ -46,7 +46,7 @@ struct ContactPoints {
   std::int32_t* partner = nullptr;       // element, kNobody: free
   std::int32_t* face = nullptr;          // of the partner, in FaceTable; kNoFace: inside but carries no force
   double *slip_x = nullptr, *slip_y = nullptr, *slip_z = nullptr;  // m, elongation of the shear spring in A's body frame
-  double* closure = nullptr;             // m, ≤ 0, crushing that the point brought along from its joint
+  double* closure = nullptr;             // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
 };
 
 /// An element that a patch may touch.
@@ -82,6 +82,10 @@ struct PatchResult {
   double stored = 0.0, friction = 0.0, impact = 0.0;  // J
   int touching = 0;                      // points with a partner after the step
 };
+
+/// Depth u_n [m] (negative: inside) of the point (s, t) of a patch under a face of another element, along the normal that the law uses.
+double depth_under_face(const Patch& patch, double s, double t, std::int32_t slave, std::int32_t face, const Bodies& bodies,
+                        const FaceTable& faces, const ContactOptions& o) noexcept;
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
 /// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)

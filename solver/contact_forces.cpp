@@ -55,8 +55,7 @@ void gather_one(World& w, std::size_t k) {
 void contact_forces(World& w) {
   Contacts& c = w.contacts;
   if (c.active.empty()) return;
-  const Elements& e = w.elements;
-  const kernels::Bodies bodies{e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data()};
+  const kernels::Bodies bodies = w.bodies();
   const kernels::FaceTable faces = w.faces.table();
   const auto patches = static_cast<std::int64_t>(c.active.size()), elements = static_cast<std::int64_t>(c.elements.size());
 #pragma omp parallel

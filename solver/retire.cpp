@@ -27,7 +27,11 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   return p;
 }
 
-/// Hands the closed segments over: partner, face, elastic slip (into the body frame of the patch's element) and closure.
+/// Hands the closed segments over: partner, face, elastic slip (into the body frame of the patch's element).
+///
+/// A joint measures its closing along the mean normal at the midpoint of its two points, a free patch from its own point to the other face. After a
+/// slide of half a segment the two differ by up to slide × tilt, a hundred times the elastic closing; taken as it is, the change would shoot
+/// the pair apart. So the point keeps the difference as an offset until it lets go: force and energy are continuous.
 void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
   const std::size_t p = w.patches.patch.size() - 1;
@@ -46,7 +50,9 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.partner[k] = mirrored ? s.master : s.slave;
     to.face[k] = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
     to.slip_x[k] = body.x, to.slip_y[k] = body.y, to.slip_z[k] = body.z;
-    to.closure[k] = q.closure[k];
+    const double depth = kernels::depth_under_face(w.patches.patch[p], points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(),
+                                                   w.faces.table(), w.contact);
+    to.closure[k] = depth - (u.n - q.closure[k]);
     ++w.patches.touching[p];
   }
 }

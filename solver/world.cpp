@@ -20,6 +20,11 @@ kernels::FaceTable Faces::table() const noexcept {
   return {normal.data(), distance.data(), compliance_n.data(), compliance_s.data(), mass.data()};
 }
 
+kernels::Bodies World::bodies() const noexcept {
+  const Elements& e = elements;
+  return {e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data()};
+}
+
 kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
   const auto i = static_cast<std::size_t>(set);
   const auto at = static_cast<std::size_t>(first[i]);

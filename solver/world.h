@@ -159,6 +159,8 @@ struct World {
   Sides sides;
   Patches patches;
   Contacts contacts;
+  [[nodiscard]] kernels::Bodies bodies() const noexcept;
+
   std::vector<PointLoad> loads;
   std::vector<Support> supports;
 };

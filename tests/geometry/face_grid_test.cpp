@@ -193,12 +193,12 @@ TEST_SUITE("face_grid") {
     CHECK(pieces[1].area == relative(0.005, 1e-10));
 
     // The first neighbour found is not the largest here.
-    pieces = cut(g, {{0.0995, 0.05}, {0.2, 0.05}, {0.2, 0.2}, {0.0995, 0.2}});
+    pieces = cut(g, {{0.0995, 0.05}, {0.19, 0.05}, {0.19, 0.19}, {0.0995, 0.19}});
     REQUIRE(pieces.size() == 4);
     merge_small(g, pieces);
     REQUIRE(pieces.size() == 2);
-    CHECK(pieces[0].area == relative(0.005, 1e-10));
-    CHECK(pieces[1].area == relative(0.01 + 0.00005 + 0.000025, 1e-10));
+    CHECK(pieces[0].area == relative(0.0045, 1e-10));
+    CHECK(pieces[1].area == relative(0.0081 + 0.000025 + 0.000045, 1e-10));
 
     std::vector<Piece> alone = cut(g, {{0.01, 0.01}, {0.011, 0.01}, {0.011, 0.011}, {0.01, 0.011}});
     merge_small(g, alone);

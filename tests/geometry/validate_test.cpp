@@ -27,6 +27,8 @@ TEST_SUITE("validate") {
     CHECK(complaint_of(moved(unit_box(), {1000, 2000, 3000})).what.empty());
     CHECK(complaint_of(box_at({0, 0, 0}, {5.0, 0.01, 0.1})).what.empty());
     CHECK(complaint_of(box_at({1, 1, 1}, {1e-3, 2e-3, 1e-3})).what.empty());
+    const Polyhedron tiny = rotated(box_at({0, 0, 0}, {1e-5, 2e-5, 1e-5}), {1, 2, 3}, 1.0, {});
+    for (int k = 0; k < 100; ++k) CHECK(complaint_of(moved(tiny, {700.1 + k, 10.3 * k, 0.7})).what.empty());
     CHECK(complaint_of(rotated(box_at({8, 9, 1}, {0.2, 0.1, 0.1}), {1, 2, 3}, 1.0, {})).what.empty());
   }
 

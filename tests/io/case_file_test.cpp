@@ -186,6 +186,18 @@ TEST_CASE("case file: every key of blocks and loads is read") {
   CHECK(c.loads[0].ramp == std::array{0.25, 0.5});
 }
 
+TEST_CASE("case file: the example of the manual is read") {
+  const cases::Case c = load_case(VOUSSOIR_SOURCE_DIR "/tests/io/data/two_bricks.toml").value;
+  CHECK(c.title == "Two bricks on a base");
+  CHECK(c.gravity.ramp == 1.0);
+  CHECK(c.motion->record == "bam-like");
+  CHECK(c.joints.between[0].law == "wood");
+  CHECK(c.house);
+  CHECK(c.blocks.at(0).rotate->angle == 10.0);
+  CHECK(c.blocks.at(0).motion->velocity == Vec3{0.001, 0.0, 0.0});
+  CHECK(c.base->tilt == std::array{0.0, 0.0});
+}
+
 TEST_CASE("case file: the remaining forms of motion, step and damping") {
   cases::Case c = read("[motion]\nrecord = \"bam-like\"\nscale = 2\n[time]\nstep = \"auto\"\n[damping]\nalpha = 1.52");
   CHECK(c.motion->record == "bam-like");

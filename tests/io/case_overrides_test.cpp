@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "io/case_file.h"
 #include "io/catalogue.h"
@@ -144,6 +145,16 @@ TEST_CASE("catalogue: every ready case reads, and its text survives being built 
     CHECK(entry.text == std::string(std::istreambuf_iterator<char>(in), {}));
     const std::string resolved = io::resolved_toml(loaded.value);
     CHECK(io::resolved_toml(read_case({"resolved.toml", resolved}).value) == resolved);
+  }
+}
+
+TEST_CASE("catalogue: each file of the folder is listed in io/CMakeLists.txt") {
+  std::set<std::string> names;
+  for (const io::CatalogueEntry& entry : io::catalogue()) names.insert(entry.name);
+  for (const auto& file : std::filesystem::directory_iterator(VOUSSOIR_SOURCE_DIR "/cases/catalogue")) {
+    if (file.path().extension() != ".toml") continue;
+    CAPTURE(file.path().string());
+    CHECK(names.contains(file.path().stem().string()));
   }
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("a kill while a run finishes loses nothing") {
   for (int trial = 0; trial < 20; ++trial) {
     const TempFolder dir;
     write_some(dir.path(), 3);
-    kill_after(std::chrono::microseconds(std::uniform_int_distribution(0, 40000)(random)), [&] { go_on(dir.path(), 1e9).finish(); });
+    kill_after(std::chrono::microseconds(std::uniform_int_distribution(0, 60000)(random)), [&] { go_on(dir.path(), 1e9).finish(); });
     CHECK(check_rows(dir.file("run.h5")) == 30);
   }
 }

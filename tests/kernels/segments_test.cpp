@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include "tests/kernels/side_fixture.h"
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+constexpr double kStep = 5e-5;
+
+using Advance = decltype(&kernels::advance_side);
+
+/// One twin: its history, its events, its running losses.
+struct Twin {
+  SideUnderTest u;
+  Advance advance;
+  std::vector<kernels::SegmentEvent> events{};
+  double lost = 0.0;
+  kernels::SideResult last{};
+
+  void step(const TwoBodies& b, double time, kernels::FailureOptions o) {
+    const std::size_t before = events.size();
+    events.resize(before + u.s.size());
+    kernels::EventSink sink{events.data() + before, 0};
+    last = advance(u.side, 7, u.frame(b), u.points(), u.segments(), kStep, time, o, sink);
+    events.resize(before + static_cast<std::size_t>(sink.count));
+    lost += last.friction + last.impact + last.fracture;
+  }
+};
+
+/// Two bodies that shake, open, slide and close again.
+struct Shaker {
+  Noise noise;
+  Vec3 u{}, turn{}, v{}, w{};
+  TwoBodies at(double rate) {
+    v = 0.98 * v + noise.vector(rate), w = 0.98 * w + noise.vector(10.0 * rate);
+    u = 0.999 * u + kStep * v, turn = 0.999 * turn + kStep * w;
+    TwoBodies b;
+    b.place(1, u, turn);
+    b.move(1, v, w);
+    return b;
+  }
+};
+
+void compare(const Twin& a, const Twin& b, double unit) {
+  CHECK(distance(a.last.wrench.force, b.last.wrench.force) < 1e-10 * unit);
+  CHECK(distance(a.last.wrench.torque_a, b.last.wrench.torque_a) < 1e-10 * unit);
+  CHECK(distance(a.last.wrench.torque_b, b.last.wrench.torque_b) < 1e-10 * unit);
+  CHECK(distance(a.last.wrench.dash_force, b.last.wrench.dash_force) < 1e-10 * unit);
+  CHECK(a.last.held == b.last.held);
+  CHECK(a.last.touching == b.last.touching);
+  CHECK(a.u.bond == b.u.bond);
+}
+
+}  // namespace
+
+TEST_CASE("vector and plain segments go the same way through cracking, slip and contact") {
+  for (int option = 0; option < 4; ++option) {
+    kernels::FailureOptions o;
+    o.brittle = option == 1;
+    o.in_tension = option == 2 ? kernels::ShearInTension::none : option == 3 ? kernels::ShearInTension::coulomb : kernels::ShearInTension::cohesion;
+    int broken = 0, slipped = 0, touching = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      const SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);  // 9 to 21 points: odd tails
+      Twin fast{u, &kernels::advance_side}, plain{u, &kernels::advance_side_reference};
+      Shaker shaker{Noise(seed)};
+      double unit = 1.0;
+      for (int i = 0; i < 800; ++i) {
+        const TwoBodies b = shaker.at(1e-2);
+        fast.step(b, i * kStep, o);
+        plain.step(b, i * kStep, o);
+        unit = std::max({unit, norm(plain.last.wrench.force)});
+        compare(fast, plain, unit);
+        touching += plain.last.touching;
+      }
+      REQUIRE(fast.events.size() == plain.events.size());
+      for (std::size_t i = 0; i < fast.events.size(); ++i) {
+        CHECK(fast.events[i].point == plain.events[i].point);
+        CHECK(fast.events[i].broke == plain.events[i].broke);
+        broken += plain.events[i].broke != kernels::Mode::none;
+        slipped += plain.events[i].reached == kernels::Mode::shear;
+      }
+      CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
+    }
+    CHECK(broken > 50);
+    if (option == 0) CHECK(slipped > 10);
+    CHECK(touching > 100);
+  }
+}
+
+TEST_CASE("the springs of a side give back no more than they took, whatever path they are led along") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Twin t{SideUnderTest(4, 4, 0.5), &kernels::advance_side_reference};
+    Shaker shaker{Noise(100 + seed)};
+    double work = 0.0;  // done on the springs, trapezoid rule
+    Vec3 force{}, torque{};
+    for (int i = 0; i < 600; ++i) {
+      const TwoBodies b = shaker.at(1e-2);
+      t.step(b, i * kStep, {});
+      const kernels::PairWrench& p = t.last.wrench;
+      work += 0.5 * kStep * (dot(p.force + force, shaker.v) - dot(p.torque_b + torque, shaker.w));
+      force = p.force, torque = p.torque_b;
+      const double stored = t.last.stored_bonds + t.last.stored_contact;
+      CHECK(work - stored > -1e-6 * (std::abs(work) + stored) - 1e-9);
+    }
+  }
+}

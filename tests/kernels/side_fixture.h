@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "kernels/side.h"
+
+/// Two bricks with a joint of a chosen number of segments, at any pose: what the kernels need, and nothing else.
+namespace voussoir::testing {
+
+/// A platform-independent source of numbers in [-1, 1].
+class Noise {
+ public:
+  explicit Noise(std::uint64_t seed) : engine_(seed) {}
+  double operator()() { return 2.0 * static_cast<double>(engine_() >> 11) * 0x1.0p-53 - 1.0; }
+  Vec3 vector(double size) { return {size * (*this)(), size * (*this)(), size * (*this)()}; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct TwoBodies {
+  std::array<double, 3 * kernels::kPoseStride> pose{};    // master, slave, base
+  std::array<double, 3 * kernels::kTwistStride> twist{};
+
+  void place(int body, Vec3 u, Vec3 turn) {
+    const double h2 = 0.25 * dot(turn, turn);
+    const double f = 1.0 / std::sqrt(1.0 + h2);
+    const Mat3 d = rotation_minus_identity({f, 0.5 * f * turn.x, 0.5 * f * turn.y, 0.5 * f * turn.z});
+    double* r = pose.data() + body * kernels::kPoseStride;
+    const double values[12] = {u.x, u.y, u.z, d.r0.x, d.r0.y, d.r0.z, d.r1.x, d.r1.y, d.r1.z, d.r2.x, d.r2.y, d.r2.z};
+    std::copy_n(values, 12, r);
+  }
+  void move(int body, Vec3 v, Vec3 w) {
+    const double values[6] = {v.x, v.y, v.z, w.x, w.y, w.z};
+    std::copy_n(values, 6, twist.data() + body * kernels::kTwistStride);
+  }
+};
+
+/// One side with points on a grid, and its history.
+struct SideUnderTest {
+  kernels::Side side;
+  std::vector<double> s, t, area;
+  std::vector<kernels::Bond> bond;
+  std::vector<kernels::Mode> first_mode;
+  std::vector<double> first_time, slip1, slip2, closure;
+  int n = 0;
+
+  SideUnderTest(int ns, int nt, double mean) {
+    side.master = 0, side.slave = 1;
+    side.ca = {0.05, 0.0, 0.02}, side.cb = {-0.05, 0.01, -0.03};
+    side.es = {0.0, 1.0, 0.0}, side.et = {0.0, 0.0, 1.0};
+    side.mean = mean;
+    side.factor = mean > 0.0 ? 1.0 : 0.5;
+    side.k = {1.0e9, 3.75e8, 4.0e5, 2.4e5};
+    side.strength = {1.27e5, 3.04e4, std::tan(0.5585), 4.9e5, 9.0};
+    for (int i = 0; i < ns; ++i) {
+      for (int j = 0; j < nt; ++j) {
+        s.push_back(0.025 * (i - 0.5 * (ns - 1)));
+        t.push_back(0.025 * (j - 0.5 * (nt - 1)));
+        area.push_back(0.025 * 0.025);
+      }
+    }
+    n = ns * nt;
+    const std::size_t padded = static_cast<std::size_t>((n + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes);
+    s.resize(padded, s.back()), t.resize(padded, t.back()), area.resize(padded, 0.0);
+    bond.assign(padded, kernels::Bond::bonded), first_mode.assign(padded, kernels::Mode::none);
+    first_time.assign(padded, 0.0), slip1.assign(padded, 0.0), slip2.assign(padded, 0.0), closure.assign(padded, 0.0);
+  }
+
+  kernels::PointsView points() const { return {s.data(), t.data(), area.data(), n}; }
+  kernels::SegmentsView segments() {
+    return {bond.data(), first_mode.data(), first_time.data(), slip1.data(), slip2.data(), closure.data()};
+  }
+
+  /// The side in a lane of a block; the other lanes rest.
+  kernels::SideBlock block(int lane) const {
+    kernels::SideBlock b{};
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      b.master[l] = b.slave[l] = 2;
+      b.es[0][l] = b.et[1][l] = 1.0;
+      b.kn[l] = b.ks[l] = 1.0;
+    }
+    const auto put = [lane](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z; };
+    put(b.ca, side.ca), put(b.cb, side.cb), put(b.es, side.es), put(b.et, side.et);
+    b.master[lane] = side.master, b.slave[lane] = side.slave, b.mean[lane] = side.mean;
+    b.kn[lane] = side.k.kn, b.ks[lane] = side.k.ks;
+    b.tension[lane] = side.strength.tension, b.cohesion[lane] = side.strength.cohesion, b.tan_phi[lane] = side.strength.tan_phi;
+    b.compression[lane] = side.strength.compression, b.cap[lane] = side.strength.cap;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      const double da = side.factor * area[i];
+      b.area[lane] += da, b.sss[lane] += da * s[i] * s[i], b.sst[lane] += da * s[i] * t[i], b.stt[lane] += da * t[i] * t[i];
+      b.s_low[lane] = std::min(b.s_low[lane], s[i]), b.s_high[lane] = std::max(b.s_high[lane], s[i]);
+      b.t_low[lane] = std::min(b.t_low[lane], t[i]), b.t_high[lane] = std::max(b.t_high[lane], t[i]);
+    }
+    return b;
+  }
+
+  kernels::SideFrame frame(const TwoBodies& b) const {
+    return kernels::side_frame(side, kernels::load_pose(b.pose.data(), 0), kernels::load_pose(b.pose.data(), 1),
+                               kernels::load_twist(b.twist.data(), 0), kernels::load_twist(b.twist.data(), 1));
+  }
+};
+
+inline double distance(Vec3 a, Vec3 b) { return norm(a - b); }
+
+}  // namespace voussoir::testing

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include "tests/kernels/side_fixture.h"
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+struct ClosedForm {
+  bool certified = false;
+  Vec3 force_a, torque_a, force_b, torque_b;
+};
+
+ClosedForm closed_form(const SideUnderTest& u, const TwoBodies& b, kernels::FailureOptions o = {}) {
+  alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
+  const int lane = 5;
+  std::uint8_t whole[kernels::kLanes] = {};
+  whole[lane] = 1;
+  const kernels::SideBlock block = u.block(lane);
+  const unsigned done = kernels::whole_sides(block, whole, b.pose.data(), wrench, 2, o);
+  const auto row = [&](int e, int at) { return Vec3{wrench[e * kernels::kWrenchStride + at], wrench[e * kernels::kWrenchStride + at + 1], wrench[e * kernels::kWrenchStride + at + 2]}; };
+  return {(done >> lane & 1U) != 0, row(0, 0), row(0, 3), row(1, 0), row(1, 3)};
+}
+
+struct BySegments {
+  kernels::SideResult result;
+  int events = 0;
+};
+
+BySegments by_segments(SideUnderTest u, const TwoBodies& b, kernels::FailureOptions o = {}) {
+  std::vector<kernels::SegmentEvent> events(u.s.size());
+  kernels::EventSink sink{events.data(), 0};
+  const auto r = kernels::advance_side_reference(u.side, 0, u.frame(b), u.points(), u.segments(), 5e-5, 0.0, o, sink);
+  return {r, sink.count};
+}
+
+/// Both bodies moved together by up to 0.3 m and 0.2 rad, and apart by about `opening` [m].
+TwoBodies random_pose(const SideUnderTest& u, Noise& noise, double opening) {
+  TwoBodies b;
+  const Vec3 common = noise.vector(0.3), turn = noise.vector(0.2);
+  b.place(0, common, turn);
+  const Vec3 between = u.side.ca - u.side.cb;  // of the centroids
+  b.place(1, common + kernels::load_pose(b.pose.data(), 0).d * between + noise.vector(opening), turn + noise.vector(10.0 * opening));
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("the closed form of a whole side equals the sum over its segments to 1e-11") {
+  Noise noise(1);
+  for (const double mean : {0.5, 0.0}) {
+    for (int i = 0; i < 200; ++i) {
+      SideUnderTest u(1 + i % 8, 1 + i % 5, mean);
+      u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+      const TwoBodies b = random_pose(u, noise, 1e-6);
+      const ClosedForm c = closed_form(u, b);
+      const BySegments s = by_segments(u, b);
+      REQUIRE(c.certified);
+      REQUIRE(s.events == 0);
+      const kernels::SideFrame f = u.frame(b);
+      const double largest = norm(Vec3{f.d.n, f.d.s1, f.d.s2}) + 0.1 * (std::sqrt(dot(f.ds, f.ds)) + std::sqrt(dot(f.dt, f.dt)));
+      const double unit = u.side.k.kn * 8 * 5 * 0.025 * 0.025 * largest;  // k A max|u|
+      CHECK(distance(c.force_a, s.result.wrench.force) < 1e-11 * unit);
+      CHECK(distance(c.force_b, -s.result.wrench.force) < 1e-11 * unit);
+      CHECK(distance(c.torque_a, s.result.wrench.torque_a) < 1e-11 * unit);
+      CHECK(distance(c.torque_b, s.result.wrench.torque_b) < 1e-11 * unit);
+      CHECK(norm(c.force_a) > 1e-9 * unit);
+    }
+  }
+}
+
+TEST_CASE("the elastic energy of the closed form equals the sum over the segments") {
+  Noise noise(2);
+  for (int i = 0; i < 50; ++i) {
+    SideUnderTest u(4, 8, i % 2 ? 0.5 : 0.0);
+    u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+    const TwoBodies b = random_pose(u, noise, 1e-6);
+    const double by_points = by_segments(u, b).result.stored_bonds;
+    CHECK(kernels::whole_side_energy(u.block(3), 3, b.pose.data()) == doctest::Approx(by_points).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("the certificate never passes a side in which a segment yields, and passes most that are safe") {
+  Noise noise(3);
+  const kernels::ShearInTension choices[] = {kernels::ShearInTension::cohesion, kernels::ShearInTension::none, kernels::ShearInTension::coulomb};
+  int safe = 0, passed = 0, failing = 0;
+  for (int i = 0; i < 6000; ++i) {
+    SideUnderTest u(4, 4, 0.5);
+    kernels::FailureOptions o;
+    o.in_tension = choices[i % 3];
+    o.shear = i % 7 != 0;
+    const TwoBodies b = random_pose(u, noise, 6e-5 * std::pow(10.0, noise()));
+    const bool certified = closed_form(u, b, o).certified;
+    const bool fails = by_segments(u, b, o).events > 0;
+    CHECK_FALSE((certified && fails));
+    failing += fails;
+    safe += !fails;
+    passed += certified;
+  }
+  CHECK(failing > 1000);
+  CHECK(safe > 1000);
+  CHECK(passed > 0.8 * safe);
+}
+
+TEST_CASE("lanes do not see each other, and the base takes no force") {
+  Noise noise(4);
+  SideUnderTest u(4, 4, 0.0);
+  u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+  u.side.slave = 2;
+  const TwoBodies b = random_pose(u, noise, 1e-6);
+  alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
+  std::uint8_t whole[kernels::kLanes] = {1};
+  kernels::SideBlock block = u.block(0);
+  const unsigned done = kernels::whole_sides(block, whole, b.pose.data(), wrench, 2, {});
+  CHECK(done == 1U);
+  CHECK(wrench[0] != 0.0);
+  for (int k = 0; k < 6; ++k) CHECK(wrench[2 * kernels::kWrenchStride + k] == 0.0);
+}

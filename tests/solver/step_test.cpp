@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "solver/colouring.h"
+#include "solver/errors.h"
+#include "solver/simulation.h"
+#include "tests/solver/small_wall.h"
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+double furthest_apart(const solver::Simulation& a, const solver::Simulation& b) {
+  double worst = 0.0;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(a.world().elements.count); ++e) {
+    const solver::Elements &p = a.world().elements, &q = b.world().elements;
+    worst = std::max(worst, norm({p.ux[e] - q.ux[e], p.uy[e] - q.uy[e], p.uz[e] - q.uz[e]}));
+  }
+  return worst;
+}
+
+double largest_displacement(const solver::Simulation& s) {
+  double worst = 0.0;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(s.world().elements.count); ++e) {
+    worst = std::max(worst, norm({s.world().elements.ux[e], s.world().elements.uy[e], s.world().elements.uz[e]}));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("greedy colouring: no two items of a colour share an element; what fits no colour overflows") {
+  std::vector<solver::Writes> items;
+  for (std::int32_t i = 0; i < 40; ++i) items.push_back({i % 7, i % 5 == 0 ? -1 : 7 + i % 6});
+  for (const int limit : {2, 64}) {
+    const solver::Colouring c = solver::colour(items, 13, limit);
+    std::size_t placed = c.overflow.size();
+    for (const auto& colour : c.colours) {
+      std::vector<int> used(13, 0);
+      for (const std::int32_t i : colour) {
+        for (const std::int32_t e : items[static_cast<std::size_t>(i)]) {
+          if (e >= 0) CHECK(++used[static_cast<std::size_t>(e)] == 1);
+        }
+      }
+      placed += colour.size();
+    }
+    CHECK(placed == items.size());
+    CHECK((limit == 2) == !c.overflow.empty());
+  }
+}
+
+TEST_CASE("fast and reference kernels: the same wall until it cracks, the same damage after") {
+  const cases::Case c = small_wall(4, 6);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options plain;
+  plain.reference_kernels = true;
+  omp_set_num_threads(1);
+  solver::Simulation fast(c, m, g, {}), reference(c, m, g, plain);
+  int i = 0;
+  for (; fast.damage().tension == 0; ++i) fast.step({}), reference.step({});
+  CHECK(furthest_apart(fast, reference) < 1e-10 * largest_displacement(fast));
+  CHECK(fast.damage().tension == reference.damage().tension);
+  for (const int end = i + 1500; i < end; ++i) fast.step({false, true}), reference.step({false, true});
+  CHECK(fast.damage().tension > 200);
+  CHECK(fast.damage().tension == reference.damage().tension);
+  CHECK(fast.cracks().size() == reference.cracks().size());
+  CHECK(fast.energy().input == doctest::Approx(reference.energy().input).epsilon(1e-6));
+}
+
+TEST_CASE("internal forces cancel: a floating cluster keeps its momenta to round-off and its energy") {
+  cases::Case c = small_wall(3, 3, 1e6);
+  c.base.reset();
+  c.gravity.acceleration = {0, 0, 0};
+  c.damping.alpha = 0.0;
+  for (auto& b : c.blocks) b.free = true;
+  // Spinning as one body about the centre (0.3, 0.05, 0.15).
+  const Vec3 spin{0.3, -0.2, 0.5}, centre{0.3, 0.05, 0.15}, drift{0.1, 0.2, -0.3};
+  for (auto& b : c.blocks) {
+    const Vec3 x = 0.5 * ((*b.box)[0] + (*b.box)[1]);
+    b.velocity = drift + cross(spin, x - centre), b.angular_velocity = spin;
+  }
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion still;
+  omp_set_num_threads(1);
+  solver::Simulation s(c, m, still, {});
+  const auto momenta = [&](Vec3& linear, Vec3& angular) {
+    linear = angular = {};
+    const solver::Elements& e = s.world().elements;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+      const Vec3 p = e.mass[i] * Vec3{e.vx[i], e.vy[i], e.vz[i]};
+      const Vec3 x{e.ref_x[i] + e.ux[i], e.ref_y[i] + e.uy[i], e.ref_z[i] + e.uz[i]};
+      linear += p, angular += cross(x, p) + Vec3{e.lx[i], e.ly[i], e.lz[i]};
+    }
+  };
+  Vec3 p0, l0, p1, l1;
+  momenta(p0, l0);
+  s.step({false, true});
+  const double energy = s.energy().kinetic;
+  for (int i = 0; i < 20000; ++i) s.step({false, i % 500 == 0});
+  momenta(p1, l1);
+  CHECK(norm(p1 - p0) < 1e-12 * norm(p0));
+  CHECK(norm(l1 - l0) < 1e-12 * (norm(l0) + norm(p0)));
+  CHECK(s.energy().kinetic + s.energy().strain == doctest::Approx(energy).epsilon(1e-6));
+}
+
+TEST_CASE("the base carries the weight of a wall at rest, at its middle") {
+  cases::Case c = small_wall(4, 6, 100.0);
+  c.gravity.settle = true;
+  c.gravity.ramp = 0.2;
+  c.output.history = {{"top", {0.4, 0.05, 0.55}}};
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion still;
+  omp_set_num_threads(1);
+  solver::Simulation s(c, m, still, {});
+  while (!s.at_rest() && !s.settled_too_long()) s.step({false, s.steps() % 100 == 0});
+  CHECK(s.at_rest());
+  s.start_shaking();
+  s.step({true, true});
+  const double weight = 0.8 * 0.1 * 0.6 * 1800.0 * 9.8;
+  CHECK(s.forces().base_shear.z == doctest::Approx(weight).epsilon(1e-3));
+  CHECK(s.forces().base_moment.x == doctest::Approx(weight * 0.05).epsilon(1e-3));
+  CHECK(s.forces().base_moment.y == doctest::Approx(-weight * 0.4).epsilon(1e-3));
+  CHECK(std::abs(s.history()[0].displacement.z) < 1e-9);
+}
+
+TEST_CASE("a step far too large stops with the element, the speed and what to try") {
+  cases::Case c = small_wall(3, 4, 1e9);
+  c.time.step = 5e-3;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Simulation s(c, m, g, {});
+  try {
+    for (int i = 0; i < 4000; ++i) s.step({});
+    FAIL("it went on");
+  } catch (const solver::NumericalError& e) {
+    const std::string what = e.what();
+    CHECK(what.find("element") != std::string::npos);
+    CHECK(what.find("--dt") != std::string::npos);
+  }
+}

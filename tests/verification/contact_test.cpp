@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "kernels/integrate.h"
+#include "tests/verification/fixture.h"
+
+// V11, and: contact may never give out more energy than it took.
+namespace voussoir::testing {
+namespace {
+
+/// Puts the upper brick of a couplet where the test wants it, with the velocity of the half step behind.
+void place(Run& run, Vec3 u, Vec3 v) {
+  solver::World& w = run.sim().world();
+  solver::Elements& e = w.elements;
+  e.ux[1] = u.x, e.uy[1] = u.y, e.uz[1] = u.z;
+  e.vx[1] = v.x, e.vy[1] = v.y, e.vz[1] = v.z;
+  e.qw[1] = 1.0, e.qx[1] = e.qy[1] = e.qz[1] = 0.0;
+  for (auto* column : {&e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) (*column)[1] = 0.0;
+  kernels::drift(e.view(), e.wrench.data(), e.pose.data(), e.twist.data(), 0.0, 0, e.rows);  // rows follow from the state
+}
+
+/// Opens the pair by 1 mm, then presses it by up to 10 µm twice while it shears to and fro; s in 0 ... 3.
+Vec3 path(double s) {
+  if (s < 1.0) return {0.0, 0.0, 0.5e-3 * (1.0 - std::cos(2 * kPi * s))};
+  return {2e-5 * std::sin(5 * kPi * (s - 1.0)), 1e-5 * std::sin(3 * kPi * (s - 1.0)), -1e-5 * std::sin(2 * kPi * (s - 1.0))};
+}
+
+struct Trace {
+  std::vector<Vec3> force, moment;
+  solver::Damage damage;
+};
+
+/// Forces on the upper brick along the path; `gap` is how far from the lower one it begins.
+Trace follow(cases::Case c, double gap) {
+  c.loads.clear();
+  c.blocks[1].free = true;
+  for (Vec3& corner : *c.blocks[1].box) corner.z += gap;
+  Run run(c);
+  const int steps = 6000;
+  Trace trace;
+  Vec3 last = path(0.0);
+  for (int i = 0; i <= steps; ++i) {
+    const Vec3 u = path(3.0 * i / steps);
+    place(run, u - Vec3{0.0, 0.0, gap}, (u - last) / run.sim().dt());
+    run.sim().step({true, false});
+    const solver::ForcesRow& f = run.sim().forces();
+    trace.force.push_back(f.base_shear);
+    trace.moment.push_back(f.base_moment);
+    last = u;
+  }
+  trace.damage = run.sim().damage();
+  return trace;
+}
+
+/// Largest difference from the opening on, relative to the largest value.
+double difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0.0, scale = 0.0;
+  for (std::size_t i = a.size() / 4; i < a.size(); ++i) {
+    most = std::max(most, norm(a[i] - b[i]));
+    scale = std::max(scale, norm(a[i]));
+  }
+  return most / scale;
+}
+
+double mechanical(const solver::EnergyRow& e) { return e.kinetic + e.strain + e.contact + e.gravity; }
+
+/// A run in which nothing but contact acts besides gravity.
+void expect_no_gain(const std::string& what, Run& run, double end) {
+  run.sim().step({false, true});
+  const solver::EnergyRow start = run.sim().energy();
+  // What could be turned into motion: all the kinetic energy, and the fall of the centroids to the base.
+  double available = start.kinetic;
+  for (std::size_t i = 0; i < run.count(); ++i) available += run.mass(i) * norm(run.description().gravity.acceleration) * 0.05;
+  double gain = 0.0, least_loss = 0.0, residual = 0.0;
+  run.until(end, {false, true}, [&] {
+    const solver::EnergyRow& e = run.sim().energy();
+    gain = std::max(gain, mechanical(e) - mechanical(start));
+    least_loss = std::min({least_loss, e.dashpot, e.friction});
+    residual = std::max(residual, e.residual);
+  });
+  CAPTURE(what);
+  const solver::EnergyRow& e = run.sim().energy();
+  MESSAGE(what, ": kinetic ", start.kinetic, " -> ", e.kinetic, " J, dashpots ", e.dashpot, ", friction ", e.friction, ", residual ",
+          residual, ", gain ", gain / available, ", least loss ", least_loss / available);
+  CHECK(e.dashpot + e.friction > 0.0);
+  CHECK(gain <= 1e-4 * available);
+  CHECK(least_loss >= -1e-9 * available);
+  CHECK(residual < 1e-4);
+}
+
+}  // namespace
+
+TEST_CASE("V11: a pair broken in tension presses and rubs like one never bonded") {
+  cases::Case bonded = load("couplet").value;
+  bonded.joint_laws["normal"].thickness = 0.0;
+  bonded.contact.friction = bonded.joint_laws["normal"].friction;
+  bonded.damping = {};
+  cases::Case dry = bonded;
+  dry.joints.default_law = "dry";
+  const Trace broken = follow(bonded, 0.0), never = follow(dry, 0.0), met = follow(dry, 2e-3);
+  CHECK(broken.damage.bonded == 0);
+  CHECK(broken.damage.tension > 0);
+  expect_below("V11 force, broken against dry joint", difference(never.force, broken.force), 1e-9);
+  expect_below("V11 moment, broken against dry joint", difference(never.moment, broken.moment), 1e-9);
+  expect_below("V11 force, broken against blocks that meet", difference(met.force, broken.force), 1e-9);
+  expect_below("V11 moment, broken against blocks that meet", difference(met.moment, broken.moment), 1e-9);
+}
+
+TEST_CASE("contact gives out no more energy than it took: bricks dropped") {
+  struct Fall {
+    const char *name, *axis;
+    double angle;
+  };
+  for (const Fall& f :
+       {Fall{"flat", "[0,0,1]", 0.0}, Fall{"almost flat", "[0,1,0]", 1.0}, Fall{"on its long edge", "[1,0,0]", 30.0},
+        Fall{"on its short edge", "[0,1,0]", 40.0}, Fall{"on a corner", "[1,1,0.3]", 45.0}, Fall{"upright", "[0,1,0]", 90.0}}) {
+    for (const double speed : {0.1, 1.0, 4.0}) {
+      const std::string v = std::to_string(speed);
+      Run run("drop", {std::string("block[0].rotate.axis=") + f.axis, "block[0].rotate.angle=" + std::to_string(f.angle),
+                       "block[0].velocity=[" + std::to_string(0.3 * speed) + ",0.0,-" + v + "]"});
+      expect_no_gain(std::string("drop ") + f.name + ", " + v + " m/s", run, 0.5);
+    }
+  }
+}
+
+TEST_CASE("contact gives out no more energy than it took: a brick slides into a step") {
+  for (const char* speed : {"0.9", "2.0", "4.0"}) {
+    Run run("slide_step", {std::string("block[0].velocity=[") + speed + ",0.0,0.0]"});
+    expect_no_gain(std::string("slide into a step, ") + speed + " m/s", run, 0.5);
+  }
+}
+
+TEST_CASE("contact gives out no more energy than it took: bricks collide") {
+  for (const double angle : {0.0, 25.0, 50.0}) {
+    Run run("collision", {"block[1].rotate.angle=" + std::to_string(angle)});
+    const double before = run.mass(1) * norm(run.velocity(1));
+    expect_no_gain("collision at " + std::to_string(static_cast<int>(angle)) + " degrees", run, 0.3);
+    Vec3 after;
+    for (std::size_t i = 0; i < 2; ++i) after += run.mass(i) * run.velocity(i);
+    CHECK(norm(after - Vec3{before, 0.0, 0.0}) < 1e-12 * before);
+    CHECK(run.velocity(0).x > 0.0);  // it was hit
+  }
+}
+
+}  // namespace voussoir::testing

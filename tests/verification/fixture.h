@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/model.h"
+#include "io/case_file.h"
+#include "io/motion_files.h"
+#include "solver/simulation.h"
+
+/// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.
+namespace voussoir::testing {
+
+inline constexpr double kGravity = 9.8;  // m/s2
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// The adobe of the cases.
+struct Adobe {
+  static constexpr double density = 1800.0, young = 9.8e7, poisson = 0.25;
+  static constexpr double plane = young / (1.0 - poisson * poisson);  // E'
+  static constexpr double shear = young / (2.0 * (1.0 + poisson));    // G
+  static double speed() { return std::sqrt(plane / density); }        // c_L
+};
+
+inline double radians(double degrees) { return degrees * kPi / 180.0; }
+inline double relative_error(double got, double expected) { return std::abs(got - expected) / std::abs(expected); }
+
+/// A row of the report: what was expected, what came out, and the limit it must keep. The limits are those of verification.md.
+inline void expect_near(const std::string& what, double got, double expected, double limit) {
+  const double error = relative_error(got, expected);
+  MESSAGE(what, ": expected ", expected, ", got ", got, ", error ", error, ", limit ", limit);
+  CHECK_MESSAGE(error <= limit, what);
+}
+inline void expect_below(const std::string& what, double got, double limit) {
+  MESSAGE(what, ": got ", got, ", limit ", limit);
+  CHECK_MESSAGE(got <= limit, what);
+}
+
+inline io::LoadedCase load(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return io::load_case(std::string(VOUSSOIR_SOURCE_DIR) + "/cases/verification/" + name + ".toml", overrides);
+}
+
+/// One case, built and ready to step. State is read before a step: displacements belong to time(), velocities to half a step earlier.
+class Run {
+ public:
+  explicit Run(const std::string& name, const std::vector<std::string>& overrides = {}) : Run(load(name, overrides).value) {}
+  explicit Run(cases::Case c) : case_(std::move(c)), model_(cases::build_model(case_)) {
+    if (case_.motion) motion_ = io::load_motion(*case_.motion, case_.folder);
+    solver::Options options;
+    options.threads = 1;
+    sim_ = std::make_unique<solver::Simulation>(case_, model_, motion_, options);
+    if (sim_->phase() == solver::Phase::shaking) sim_->start_shaking();
+  }
+
+  /// Settles under gravity; returns whether rest was reached.
+  bool settle() {
+    while (!sim_->at_rest() && !sim_->settled_too_long()) sim_->step({false, sim_->steps() % 20 == 0});
+    const bool rest = sim_->at_rest();
+    sim_->start_shaking();
+    return rest;
+  }
+
+  /// Steps until `end` [s]; `each` sees the state at time() before every step. With `due` the results of the last step are behind it.
+  template <class Each>
+  void until(double end, solver::Due due, const Each& each) {
+    while (sim_->time() < end - 0.5 * sim_->dt()) {
+      each();
+      sim_->step(due);
+    }
+  }
+  void until(double end) {
+    until(end, {}, [] {});
+  }
+
+  [[nodiscard]] double time() const { return sim_->time(); }
+  [[nodiscard]] Vec3 displacement(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return {e.ux[i], e.uy[i], e.uz[i]};
+  }
+  [[nodiscard]] Vec3 velocity(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return {e.vx[i], e.vy[i], e.vz[i]};
+  }
+  [[nodiscard]] Vec3 spin(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return {e.wx[i], e.wy[i], e.wz[i]};
+  }
+  [[nodiscard]] Vec3 angular_momentum(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return {e.lx[i], e.ly[i], e.lz[i]};
+  }
+  [[nodiscard]] Vec3 position(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return Vec3{e.ref_x[i], e.ref_y[i], e.ref_z[i]} + displacement(i);
+  }
+  [[nodiscard]] Quaternion orientation(std::size_t i) const {
+    const solver::Elements& e = sim_->world().elements;
+    return {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
+  }
+  [[nodiscard]] double mass(std::size_t i) const { return sim_->world().elements.mass[i]; }
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(sim_->world().elements.count); }
+
+  [[nodiscard]] solver::Simulation& sim() { return *sim_; }
+  [[nodiscard]] const solver::Simulation& sim() const { return *sim_; }
+  [[nodiscard]] const cases::Case& description() const { return case_; }
+  [[nodiscard]] const cases::GroundMotion& motion() const { return motion_; }
+
+ private:
+  cases::Case case_;
+  cases::Model model_;
+  cases::GroundMotion motion_;
+  std::unique_ptr<solver::Simulation> sim_;
+};
+
+/// Times at which a signal rises through zero, interpolated linearly.
+class RisingZeros {
+ public:
+  void add(double time, double value) {
+    if (started_ && last_ < 0.0 && value >= 0.0) times_.push_back(last_time_ + (time - last_time_) * last_ / (last_ - value));
+    started_ = true, last_time_ = time, last_ = value;
+  }
+  /// Mean frequency [Hz] between the first and the last.
+  [[nodiscard]] double frequency() const {
+    REQUIRE(times_.size() >= 2);
+    return static_cast<double>(times_.size() - 1) / (times_.back() - times_.front());
+  }
+
+ private:
+  bool started_ = false;
+  double last_time_ = 0.0, last_ = 0.0;
+  std::vector<double> times_;
+};
+
+}  // namespace voussoir::testing
