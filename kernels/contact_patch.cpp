@@ -155,11 +155,25 @@ struct GlobalSums {
   }
 };
 
+/// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
+void book_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
+                  PatchResult& r) noexcept {
+  const double un = f.depth.at(s, t) - q.closure[i];
+  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
+  const double vn = dot(v, f.n);
+  const double before = std::min(0.0, un - step * vn);
+  const Vec3 slip = apply(master, {q.slip_x[i], q.slip_y[i], q.slip_z[i]});
+  const double da = f.factor * area;
+  r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
+  r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
+}
+
 /// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
 void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
            GlobalSums& dash, PatchResult& r) noexcept {
   const double xn = f.depth.at(s, t) - q.closure[i];
-  if (xn >= 0.0) {  // inside, but not yet down on what crushing left
+  if (xn >= 0.0) {  // inside, but not down on its offset
+    book_opening(f, master, s, t, area, q, i, step, r);
     q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
     return;
   }
@@ -188,18 +202,6 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
   r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));
   r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
-}
-
-/// A point has left its face in this step: books what its springs still held (trapezoid rule, as in advance_segment).
-void leave(const Facing& f, double s, double t, double area, ContactPoints q, int i, double step, PatchResult& r) noexcept {
-  const double un = f.depth.at(s, t) - q.closure[i];
-  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
-  const double vn = dot(v, f.n);
-  const double before = std::min(0.0, un - step * vn);
-  const Vec3 slip{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
-  const double da = f.factor * area;
-  r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
-  r.friction += 0.5 * da * f.k.ks * dot(slip, slip);
 }
 
 void write_wrench(const Master& m, Vec3 arm_b, const GlobalSums& total, const GlobalSums& dash, PairWrench& w) noexcept {
@@ -242,7 +244,8 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
     if (w.q.partner[i] == c.element) {
       if (in) continue;
       if (w.q.face[i] != kNoFace) {
-        leave(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), s, t, w.points.area[i], w.q, i, w.o.step, w.r);
+        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i,
+                     w.o.step, w.r);
       }
       release(w.q, i);
     } else if (in) {
@@ -253,6 +256,23 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
       w.scratch.face[i] = face;
       w.scratch.depth[i] = depth;
     }
+  }
+}
+
+/// Gives free points the partners found for them. A point that came in through the face is no deeper than this step took it; one that came
+/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they took.
+void take_partners(Work& w) noexcept {
+  for (int i = 0; i < w.points.n; ++i) {
+    const std::int32_t k = w.scratch.candidate[i];
+    if (k < 0 || w.q.partner[i] != kNobody) continue;
+    const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+    w.q.partner[i] = c.element;
+    w.q.face[i] = w.scratch.face[i];
+    if (w.q.face[i] == kNoFace) continue;
+    const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
+    const double s = w.points.s[i], t = w.points.t[i];
+    const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
+    w.q.closure[i] = std::min(0.0, f.depth.at(s, t) - taken);
   }
 }
 
@@ -307,11 +327,7 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
     look_at(w, k, y, apart);
   }
   if (!near) return w.r;
-  for (int i = 0; i < points.n; ++i) {
-    if (scratch.candidate[i] < 0 || q.partner[i] != kNobody) continue;
-    q.partner[i] = candidates[static_cast<std::size_t>(scratch.candidate[i])].element;
-    q.face[i] = scratch.face[i];
-  }
+  take_partners(w);
   for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;
   return w.r;
 }

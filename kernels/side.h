@@ -21,7 +21,7 @@ inline constexpr int kLanes = 8;
 struct alignas(64) SideBlock {
   double ca[3][kLanes], cb[3][kLanes];  // m, from the centroid of master / slave to the centre of the side
   double es[3][kLanes], et[3][kLanes];  // unit tangents; es × et is the outward normal of the master
-  double mean[kLanes];                  // 1/2: force acts at the midpoint along the mean normal (merged); 0: at the master point (Eq. 11)
+  double mean[kLanes];                  // 1/2: force acts at the midpoint along the mean normal; 0: literally at the master point (Eq. 11)
   double kn[kLanes], ks[kLanes];        // Pa/m
   double area[kLanes];                  // m2, Σ dA with the factor of Eq. 11 (1 if merged or on the base, else 1/2)
   double sss[kLanes], sst[kLanes], stt[kLanes];  // m4, Σ s² dA, Σ s t dA, Σ t² dA, same factor; Σ s dA = Σ t dA = 0
@@ -57,7 +57,7 @@ struct SegmentsView {
 /// Current frame of a side and the affine fields over it: u(s,t) = d + s·ds + t·dt in (n, 1, 2), and likewise its rate.
 struct SideFrame {
   Vec3 n, t1, t2;        // orthonormal
-  Vec3 es, et;           // tangents carried by the bodies (mean of both if merged)
+  Vec3 es, et;           // tangents carried by the bodies (mean of both)
   Vec3 arm_a, arm_b;     // m, from the centroids to the point of action at the centre
   Local d, ds, dt;       // m, -, -
   Local v, vs, vt;       // m/s, 1/s, 1/s

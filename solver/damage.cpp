@@ -8,7 +8,6 @@ namespace voussoir::solver {
 
 namespace {
 
-std::int64_t weight(const kernels::Side& s) { return s.mean > 0.0 ? 2 : 1; }
 
 std::int64_t& count_of(Damage& d, kernels::Mode m) {
   return m == kernels::Mode::tension ? d.tension : m == kernels::Mode::shear ? d.shear : d.compression;
@@ -43,7 +42,7 @@ CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::
 
 void book_event(World& w, const kernels::SegmentEvent& event, double time, Damage& d, std::vector<CrackRow>& cracks) {
   const kernels::Side s = w.sides.side(event.side);
-  const std::int64_t n = weight(s);
+  const std::int64_t n = w.sides.faces[static_cast<std::size_t>(event.side)];
   if (event.broke == kernels::Mode::none) {
     d.slipped += n;
     return;
@@ -80,7 +79,7 @@ Damage initial_damage(const World& w) {
   Damage d;
   for (std::int64_t id = 0; id < w.sides.count(); ++id) {
     const auto i = static_cast<std::size_t>(id);
-    if (w.sides.joint[i] >= 0) d.bonded += w.sides.held[i] * weight(w.sides.side(id));
+    if (w.sides.joint[i] >= 0) d.bonded += std::int64_t{w.sides.held[i]} * w.sides.faces[i];
   }
   return d;
 }

@@ -69,8 +69,7 @@ void retire_side(World& w, std::int32_t side) {
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
   append_patch(w, patch_of(w, id, s, false), sides.set[i], side, true);
   hand_over(w, id, s, f, false);
-  const bool stands_for_both = s.mean > 0.0;
-  if (stands_for_both) {
+  if (sides.faces[i] == 2) {
     append_patch(w, patch_of(w, id, s, true), sides.set[i], side, false);
     hand_over(w, id, s, f, true);
   }

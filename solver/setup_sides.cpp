@@ -20,7 +20,8 @@ struct NewSide {
   std::int32_t master = 0, slave = 0, master_face = 0, slave_face = 0;  // slave may be the base row
   geometry::Frame frame;                                               // normal outward of the master
   std::vector<geometry::Segment> segments;
-  double factor = 1.0, mean = 0.0;
+  double factor = 1.0;
+  int faces = 1;   // 2: stands for both
 };
 
 /// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
@@ -52,10 +53,10 @@ std::vector<NewSide> sides_of(const World& w) {
     const bool one = on_base || (j.merged && w.options.merge_sides);
     NewSide first{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
                   on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame, j.side_a,
-                  one ? 1.0 : 0.5, one && !on_base ? 0.5 : 0.0};
+                  one ? 1.0 : 0.5, one && !on_base ? 2 : 1};
     if (!one) {
       NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, seen_from_behind(j.frame),
-                     swapped(j.merged ? j.side_a : j.side_b), 0.5, 0.0};
+                     swapped(j.merged ? j.side_a : j.side_b), 0.5, 1};
       centre_on_points(second);
       sides.push_back(std::move(first));
       sides.push_back(std::move(second));
@@ -106,6 +107,7 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
   for (auto* column : {&s.factor, &s.cn, &s.cs, &s.size}) column->assign(n, 0.0);
   for (auto* column : {&s.friction, &s.impact, &s.fracture, &s.stored_bonds, &s.stored_contact}) column->assign(n, 0.0);
   s.first_segment.assign(n, 0);
+  s.faces.assign(n, 1);
   s.whole.assign(n, 0);
   s.retired.assign(n, 1);
   s.held.assign(n, 0);
@@ -136,7 +138,9 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   put(b.es, side.frame.axis_s);
   put(b.et, side.frame.axis_t);
   b.master[l] = side.master, b.slave[l] = side.slave;
-  b.mean[l] = side.mean;
+  // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and turned
+  // (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for comparison.
+  b.mean[l] = w.options.merge_sides ? 0.5 : 0.0;
   set_moments(b, l, side);
   const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
   const cases::JointLaw& law = w.model.laws[law_index].value;
@@ -155,6 +159,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.set[id] = set;
   s.master_face[id] = side.master_face, s.slave_face[id] = side.slave_face;
   s.factor[id] = side.factor;
+  s.faces[id] = static_cast<std::uint8_t>(side.faces);
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
   s.first_segment[id] = static_cast<std::int64_t>(s.bond.size());
   s.retired[id] = 0;
@@ -165,7 +170,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.bond.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(s.bond.size()), kernels::kLanes)), kernels::Bond::bonded);
   if (dry) return;
   for (const std::int32_t e : {side.master, side.slave}) {
-    const std::int32_t sides_here = side.mean > 0.0 || e == side.master ? n : 0;  // a merged spring is one side of each body
+    const std::int32_t sides_here = side.faces == 2 || e == side.master ? n : 0;  // a merged spring is one side of each body
     w.elements.bonds[static_cast<std::size_t>(e)] += sides_here;
     w.elements.bonds_at_start[static_cast<std::size_t>(e)] += sides_here;
   }

@@ -76,6 +76,7 @@ struct Sides {
   std::vector<std::int32_t> joint, set;      // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces
   std::vector<std::int64_t> first_segment;   // into the segment arrays
+  std::vector<std::uint8_t> faces;           // 2: a merged side, stands for both faces
   std::vector<double> factor, cn, cs;        // Eq. 11; Pa s/m
   std::vector<double> size;                  // m, segment size of the master
   // State by side.

@@ -60,9 +60,9 @@ double joined_area(const geometry::Assembly& a) {
 
 void check_all_neighbours_joined(const Case& c) {
   const Model model = build_model(c);
-  const double copies = c.house->copies[0] * c.house->copies[1];
-  CHECK(std::abs(free_area(model.assembly) / (copies * open_surface(*c.house)) - 1.0) < 1e-9);
-  CHECK(std::abs((joined_area(model.assembly) + free_area(model.assembly)) / face_area(model.assembly) - 1.0) < 1e-9);
+  const double open = c.house->copies[0] * c.house->copies[1] * open_surface(*c.house);
+  CHECK(std::abs((joined_area(model.assembly) + open) / face_area(model.assembly) - 1.0) < 1e-9);
+  CHECK(std::abs(free_area(model.assembly) / open - 1.0) < 1e-5);  // free slivers under 1 % of a cell are dropped
 }
 
 Case with_bond(Case c, Bond bond) {
@@ -106,7 +106,7 @@ Case random_case(std::mt19937& random) {
   h.turn = 90.0 * std::uniform_int_distribution<int>(0, 3)(random);
   h.origin = {pick(random, -3.0, 3.0, 0.1), pick(random, -3.0, 3.0, 0.01)};
   if (one_in(random, 4)) h.copies = {2, 1};
-  for (int i = std::uniform_int_distribution<int>(0, 3)(random); i > 0; --i) h.openings.push_back(random_opening(random, h));
+  for (int i = std::uniform_int_distribution<int>(0, 2)(random); i > 0; --i) h.openings.push_back(random_opening(random, h));
   c.base->z = one_in(random, 5) ? 1.3 : 0.0;
   return c;
 }
@@ -141,14 +141,19 @@ TEST_CASE("segment sides: those of an independent program, which cut all faces a
   CHECK(sides(testing::paper_flat40()) == doctest::Approx(970000).epsilon(0.05));
 }
 
-TEST_CASE("segments of a house are counted from its areas") {
+TEST_CASE("segments of a house are its areas over the area of a cell") {
   const Census c = census(build_model(testing::paper_flat20()));
   CHECK(c.faces == 6 * c.elements);
-  // Faces of the roof have cells of 0.05 m, all others of 0.025 m; where they meet, both cut the other's joint.
-  const double masonry_free =
-      (open_surface(*testing::paper_flat20().house) - (2 * 5.4 * 3.4 - 5.4 * 3.0 + 2 * 5.4 * 0.0)) / (0.025 * 0.025);
-  CHECK(c.free_segments < masonry_free + 5.4 * 3.4 * 2 / (0.05 * 0.05));
-  CHECK(c.merged_joints < c.joints);
+  // All cells lie on one grid of 0.025 m, those of the roof beams on one of 0.05 m, so no cell is cut.
+  const double fine = 0.025 * 0.025, coarse = 0.05 * 0.05;
+  const double base = (2 * 5.4 + 2 * 3.0 - 1.2) * 0.2;
+  const double roof_on_walls = (2 * 5.4 + 2 * 3.0) * 0.2;
+  const double in_roof = 26 * 3.4 * 0.2 + 27 * 16 * 0.2 * 0.2;
+  const double in_walls = c.joint_area - base - roof_on_walls - in_roof;
+  CHECK(c.joint_sides == std::lround(2 * in_walls / fine + 2 * in_roof / coarse + roof_on_walls * (1 / fine + 1 / coarse) + base / fine));
+  const double free_roof = 2 * 5.4 * 3.4 + 2 * (5.4 + 3.4) * 0.2 - roof_on_walls;
+  const double free_walls = open_surface(*testing::paper_flat20().house) - free_roof;
+  CHECK(c.free_segments == std::lround(free_walls / fine + free_roof / coarse));
 }
 
 TEST_CASE("the time step bound of Eq. 19 is the paper's, from the half-height of a lintel") {
@@ -224,7 +229,7 @@ TEST_CASE("a turned house has the same census") {
 TEST_CASE("any house is built whole or refused") {
   std::mt19937 random(20260117);
   int built = 0, refused = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 300; ++i) {
     CAPTURE(i);
     const Case c = random_case(random);
     try {
@@ -238,6 +243,6 @@ TEST_CASE("any house is built whole or refused") {
     check_all_neighbours_joined(c);
     ++built;
   }
-  CHECK(built > 60);
-  CHECK(refused > 20);
+  CHECK(built > 80);
+  CHECK(refused > 80);
 }

@@ -126,8 +126,8 @@ TEST_CASE("pieces of wall too short to build are refused with a place that fits"
       {[](House& h) { h.openings[1] = opening("front", 2.22, 0.5, 0.0, 1.0); }, "house.opening[1].from", "nearest that fits: 2.2 m"},
       {[](House& h) { h.openings[1] = opening("left", 2.57, 0.6, 0.0, 1.0); }, "house.opening[1].from",
        "(from 3.17 to 3.2 m); a piece is at least 0.1 m, half a brick; nearest that fits: 2.6 m"},
-      {[](House& h) { h.openings = {opening("left", 0.25, 2.9, 0.0, 1.0)}; }, "house.opening[0].from", "move or resize it"},
-      {[](House& h) { h.openings = {opening("front", 1.0, 1.0, 0.0, 1.0, 2.5)}; }, "house.opening[0].lintel.length",
+      {[](House& h) { h.openings = {opening("left", 0.25, 2.94, 0.0, 1.0)}; }, "house.opening[0].from", "move or resize it"},
+      {[](House& h) { h.openings = {opening("front", 1.0, 1.0, 0.0, 1.1, 2.5)}; }, "house.opening[0].lintel.length",
        "nearest that fits: 2.6 m"},
   };
   for (const Refusal& r : refusals) check_refused(r);

@@ -103,8 +103,8 @@ struct SideUnderTest {
   }
 
   kernels::SideFrame frame(const TwoBodies& b) const {
-    return kernels::side_frame(side, kernels::load_pose(b.pose.data(), 0), kernels::load_pose(b.pose.data(), 1),
-                               kernels::load_twist(b.twist.data(), 0), kernels::load_twist(b.twist.data(), 1));
+    return kernels::side_frame(side, kernels::load_pose(b.pose.data(), side.master), kernels::load_pose(b.pose.data(), side.slave),
+                               kernels::load_twist(b.twist.data(), side.master), kernels::load_twist(b.twist.data(), side.slave));
   }
 };
 

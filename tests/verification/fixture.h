@@ -13,6 +13,7 @@
 #include "cases/model.h"
 #include "io/case_file.h"
 #include "io/motion_files.h"
+#include "kernels/integrate.h"
 #include "solver/simulation.h"
 
 /// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.
@@ -118,6 +119,19 @@ class Run {
   cases::GroundMotion motion_;
   std::unique_ptr<solver::Simulation> sim_;
 };
+
+/// Puts an element where the test wants it, unturned, with the velocity of the half step behind: a test by imposed displacement.
+inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
+  solver::Elements& e = run.sim().world().elements;
+  e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
+  e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
+  e.qw[i] = 1.0, e.qx[i] = e.qy[i] = e.qz[i] = 0.0;
+  for (auto* column : {&e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) (*column)[i] = 0.0;
+  kernels::drift(e.view(), e.wrench.data(), e.pose.data(), e.twist.data(), 0.0, 0, e.rows);  // rows follow from the state
+}
+
+/// Stores of a row: what contact may take from, never add to.
+inline double mechanical(const solver::EnergyRow& e) { return e.kinetic + e.strain + e.contact + e.gravity; }
 
 /// Times at which a signal rises through zero, interpolated linearly.
 class RisingZeros {

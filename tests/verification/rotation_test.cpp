@@ -23,9 +23,9 @@ std::array<double, 3> flip_times() {
   const double top = std::sqrt((t2 * i3 - l2) / (i2 * (i3 - i2)));
   const double p = std::sqrt((i3 - i2) * (l2 - t2 * i1) / (i1 * i2 * i3));
   const double k = std::sqrt((i2 - i1) * (t2 * i3 - l2) / ((i3 - i2) * (l2 - t2 * i1)));
-  // At the start |ω_y| grows or falls as sign(I₃ − I₁) ω_x ω_z: here it falls, I₃ being the greatest moment of the true box.
+  // I_y dω_y/dt = (I_z − I_x) ω_z ω_x: with the true moments it tells whether |ω_y| falls at the start.
   const double quarter = std::comp_ellint_1(k), start = std::ellint_1(k, std::asin(w.y / top));
-  const bool falls = (x2 + y2 - (y2 + z2)) * -1.0 * w.x * w.z * w.y < 0.0;
+  const bool falls = (x2 - z2) * w.z * w.x * w.y < 0.0;
   const double first = (falls ? start : 2.0 * quarter - start) / p;
   return {first, first + 2.0 * quarter / p, first + 4.0 * quarter / p};
 }
@@ -50,8 +50,6 @@ Momentum momentum(const Run& run) {
   }
   return p;
 }
-
-double mechanical(const solver::EnergyRow& e) { return e.kinetic + e.strain + e.contact + e.gravity; }
 
 }  // namespace
 
