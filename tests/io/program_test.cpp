@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/io/temp_folder.h"
+
+// The program as a user meets it: exit codes, messages, and that nothing is touched when the input is bad.
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string text;  // both streams
+};
+
+Outcome voussoir(const std::string& words) {
+  const std::string command = std::string(VOUSSOIR_PROGRAM) + " " + words + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  Outcome o;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  return o;
+}
+
+constexpr const char* kHead = R"(title = "test"
+[gravity]
+settle = false
+[time]
+duration = 0.01
+[materials.stone]
+density = 2000.0
+young = 1e8
+poisson = 0.2
+[joints]
+default = "dry"
+[base]
+z = 0.0
+)";
+
+std::string block(const std::string& name, const std::string& shape) {
+  return "[[block]]\nname = \"" + name + "\"\nmaterial = \"stone\"\n" + shape + "\n";
+}
+std::string box(const std::string& name, const std::string& low, const std::string& high, const std::string& more = "") {
+  return block(name, "box = [" + low + ", " + high + "]\n" + more);
+}
+
+/// Checks a case with the given text after the head.
+Outcome check(const TempFolder& folder, const std::string& rest, const std::string& more = "") {
+  std::ofstream(folder.path("case.toml")) << kHead << rest;
+  return voussoir("check " + folder.path("case.toml") + " " + more);
+}
+
+bool says(const Outcome& o, std::initializer_list<const char*> parts) {
+  for (const char* p : parts) {
+    if (o.text.find(p) != std::string::npos) continue;
+    MESSAGE("missing '" << std::string(p) << "' in: " << o.text);
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("each kind of bad input gets its message with file, line and key, and exit code 2") {
+  const TempFolder folder;
+  const std::string good = box("a", "[0,0,0]", "[0.2,0.2,0.2]");
+  REQUIRE(check(folder, good).code == 0);
+
+  Outcome o = check(folder, good + "colour = \"red\"\n");
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:19", "colour"}));
+  o = check(folder, box("a", "[0,0,0]", "[0.2,0.2,\"x\"]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:17", "box"}));
+  o = check(folder, good, "--set materials.stone.density=-3");
+  CHECK(o.code == 2);
+  CHECK(says(o, {"--set", "materials.stone.density", "-3", "> 0"}));
+  o = check(folder, good + box("b", "[0.1,0.1,0.1]", "[0.3,0.3,0.3]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:", "overlap", "\"a\"", "\"b\""}));
+  o = check(folder, good + box("b", "[1,1,1]", "[1.2,1.2,1.2]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:", "touches nothing", "\"b\""}));
+  o = check(folder, block("c", "vertices = [[0,0,0],[1,0,0],[0.4,0.4,0],[0,1,0],[0,0,1],[1,0,1],[0.4,0.4,1],[0,1,1]]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:", "convex"}));
+  o = check(folder, block("c", "vertices = [[0,0,1],[1,0,1],[1,1,1],[0,1,1],[0,0,0],[1,0,0],[1,1,0],[0,1,0]]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:", "inside out"}));
+  o = check(folder, good + "[motion]\nrecord = \"bamlike\"\n");
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:", "motion.record", "bam-like"}));
+  o = check(folder, "[[block\n");
+  CHECK(o.code == 2);
+  CHECK(says(o, {"case.toml:14"}));
+  o = check(folder, box("a", "[0,0,-0.1]", "[0.2,0.2,0.2]"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"below"}));
+}
+
+TEST_CASE("missing files give exit code 3, wrong words on the command line 2") {
+  const TempFolder folder;
+  CHECK(voussoir("check " + folder.path("no.toml")).code == 3);
+  std::ofstream(folder.path("m.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]") << "[motion]\nx = \"none.AT2\"\n";
+  const Outcome o = voussoir("check " + folder.path("m.toml"));
+  CHECK(o.code == 3);
+  CHECK(says(o, {"none.AT2"}));
+  CHECK(voussoir("").code == 2);
+  CHECK(voussoir("fly").code == 2);
+  CHECK(voussoir("run flat20n --kernels slow").code == 2);
+  CHECK(voussoir("run nohouse").code == 2);
+  CHECK(voussoir("motion " + folder.path("no.AT2")).code == 3);
+}
+
+TEST_CASE("help, version, catalogue and keys are printed with exit code 0") {
+  CHECK(says(voussoir("--help"), {"run", "check", "motion", "cases", "example"}));
+  CHECK(voussoir("--version").code == 0);
+  CHECK(says(voussoir("cases"), {"flat20n", "flat40n"}));
+  CHECK(says(voussoir("keys"), {"joint_laws", "frame_interval"}));
+  CHECK(says(voussoir("check flat20n"), {"4,263", "5.028e-05", "lintel", "no faults"}));
+}
+
+TEST_CASE("a run writes its results, and never over another's unless told to") {
+  const TempFolder folder;
+  std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
+  const std::string words = "run " + folder.path("case.toml") + " --quiet -j 1 -o " + folder.path("out");
+  Outcome o = voussoir(words);
+  CHECK(o.code == 0);
+  CHECK(says(o, {"collapsed", "energy residual", "run.h5"}));
+  CHECK(std::filesystem::exists(folder.path("out/run.h5")));
+  CHECK(std::filesystem::exists(folder.path("out/case.toml")));
+  o = voussoir(words);
+  CHECK(o.code == 3);
+  CHECK(says(o, {"--overwrite"}));
+  CHECK(voussoir(words + " --overwrite").code == 0);
+  // Bad input is found before the folder is touched.
+  CHECK(voussoir(words + " --overwrite --set time.duration=-1").code == 2);
+  CHECK(std::filesystem::exists(folder.path("out/run.h5")));
+}
+
+TEST_CASE("a step far too large ends with exit code 1, says what to try, and keeps the results") {
+  const TempFolder folder;
+  std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0.0]", "[0.2,0.2,0.2]") << box("b", "[0,0,0.2]", "[0.2,0.2,0.4]")
+                                      << "[[load]]\nblock = \"b\"\nforce = [100.0, 0.0, -1000.0]\n";
+  const Outcome o = voussoir("run " + folder.path("case.toml") + " --quiet -j 1 --dt 0.01 --duration 20 -o " + folder.path("out"));
+  CHECK(o.code == 1);
+  CHECK(says(o, {"numerical failure", "--dt"}));
+  CHECK(std::filesystem::exists(folder.path("out/run.h5")));
+}
+
+TEST_CASE("SIGTERM stops a run after its step, with the results so far and exit code 143") {
+  const TempFolder folder;
+  std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
+  const std::string out = folder.path("out");
+  const Outcome o = voussoir("run " + folder.path("case.toml") + " --quiet -j 1 --duration 100000 -o " + out + " & pid=$!; sleep 1; kill -TERM $pid; wait $pid; echo code $?");
+  CHECK(says(o, {"code 143", "run.h5"}));
+  CHECK(std::filesystem::exists(folder.path("out/run.h5")));
+}
