@@ -40,11 +40,22 @@ VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
 VOUSSOIR_INLINE Lanes min(Lanes a, Lanes b) noexcept { return a < b ? a : b; }
 VOUSSOIR_INLINE Lanes max(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
 VOUSSOIR_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) noexcept { return m ? a : b; }
-/// Bit i is set where lane i is true.
+/// Bit i is set where lane i is true. The one place where the compiler does not find the machine's instruction by itself.
 VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
+#if defined(__AVX__) && !defined(__AVX512F__)
+  return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Lanes>(m)));
+#else
   unsigned r = 0;
   for (int i = 0; i < kWidth; ++i) r |= (m[i] ? 1U : 0U) << i;
   return r;
+#endif
+}
+/// kWidth bytes, widened to lanes.
+VOUSSOIR_INLINE LaneMask widened(const unsigned char* p) noexcept {
+  typedef unsigned char Bytes __attribute__((vector_size(kWidth)));
+  Bytes b;
+  __builtin_memcpy(&b, p, sizeof b);
+  return __builtin_convertvector(b, LaneMask);
 }
 
 /// Vec3 over lanes.

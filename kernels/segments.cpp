@@ -18,7 +18,7 @@ VOUSSOIR_INLINE LocalLanes spread(Local v) noexcept { return {lanes(v.n), lanes(
 
 struct Sums {
   LocalLanes f{}, sf{}, tf{};
-  void add(LocalLanes v, Lanes s, Lanes t) noexcept {
+  VOUSSOIR_INLINE void add(LocalLanes v, Lanes s, Lanes t) noexcept {
     f = f + v;
     sf = sf + s * v;
     tf = tf + t * v;
@@ -41,12 +41,10 @@ struct Chunk {
 VOUSSOIR_INLINE Chunk load(const SideFrame& f, double factor, PointsView p, SegmentsView q, int i, double step) noexcept {
   Chunk c;
   c.s = load_lanes(p.s + i), c.t = load_lanes(p.t + i), c.da = factor * load_lanes(p.area + i);
-  for (int l = 0; l < kWidth; ++l) {
-    const Bond b = q.bond[i + l];
-    c.held[l] = holds(b) ? -1 : 0;
-    c.slipped[l] = b == Bond::slipped ? -1 : 0;
-    c.crushed[l] = b == Bond::crushed ? -1 : 0;
-  }
+  const LaneMask bond = widened(reinterpret_cast<const unsigned char*>(q.bond + i));
+  c.held = bond <= static_cast<long long>(Bond::slipped);
+  c.slipped = bond == static_cast<long long>(Bond::slipped);
+  c.crushed = bond == static_cast<long long>(Bond::crushed);
   c.slip1 = load_lanes(q.slip1 + i), c.slip2 = load_lanes(q.slip2 + i), c.closure = load_lanes(q.closure + i);
   c.u = spread(f.d) + (c.s * spread(f.ds) + c.t * spread(f.dt));
   c.rate = spread(f.v) + (c.s * spread(f.vs) + c.t * spread(f.vt));
@@ -101,6 +99,10 @@ VOUSSOIR_INLINE void contact(const Chunk& c, const Side& side, Springs& r) noexc
   r.x = {c.u.n - c.closure, c.slip1 + c.du.s1, c.slip2 + c.du.s2};
   r.before = {min(r.x.n - c.du.n, zero), c.slip1, c.slip2};
   r.closed = r.x.n < 0.0;
+  if (bits(r.closed) == 0) {  // all open, as most broken segments are
+    r.x = LocalLanes{};
+    return;
+  }
   const Lanes dn = min(k.cn * c.rate.n, -k.kn * r.x.n);
   const Lanes limit = -(k.kn * r.x.n + dn) * side.strength.tan_phi;
   const Lanes d1 = k.cs * c.rate.s1, d2 = k.cs * c.rate.s2;
@@ -121,9 +123,19 @@ VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexc
 }
 
 VOUSSOIR_INLINE Springs springs(const Chunk& c, const Side& side, FailureOptions o) noexcept {
-  Springs b, t;
-  bonded(c, side, o, b);
+  constexpr unsigned kAll = (1U << kWidth) - 1U;
+  const unsigned held = bits(c.held);
+  Springs b{}, t{};
+  if (held != 0) bonded(c, side, o, b);
+  if (held == kAll) {
+    b.rare |= c.crushed;
+    return b;
+  }
   contact(c, side, t);
+  if (held == 0) {
+    t.rare = c.crushed;
+    return t;
+  }
   Springs r;
   r.x = select3(c.held, b.x, t.x);
   r.before = select3(c.held, b.before, t.before);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Dense>
-#include <functional>
+#include <array>
 
 #include "tests/verification/fixture.h"
 
