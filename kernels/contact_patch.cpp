@@ -187,14 +187,11 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   const double da = f.factor * area;
   const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
   const double limit = -(f.k.kn * xn + dn) * f.tan_phi;
-  const Vec3 d = f.k.cs * vt;
-  Vec3 tau = f.k.ks * x + d;
-  const double size = norm(tau);
-  if (size > limit) {
-    tau *= limit / size;
-    x = (tau - d) / f.k.ks;
-  }
-  total.add(da * (tau + (f.k.kn * xn + dn) * f.n), s, t);
+  const double spring = f.k.ks * norm(x);
+  if (spring > limit) x *= limit / spring;
+  const Vec3 p = f.k.ks * x, all = f.k.cs * vt;
+  const Vec3 d = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit) * all;
+  total.add(da * (p + d + (f.k.kn * xn + dn) * f.n), s, t);
   dash.add(da * (d + dn * f.n), s, t);
   const Vec3 kept = apply_transposed(master, x);
   q.slip_x[i] = kept.x, q.slip_y[i] = kept.y, q.slip_z[i] = kept.z;

@@ -78,21 +78,24 @@ inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Stren
   return true;
 }
 
-/// Friction contact, closed (x.n < 0): elongation and dashpot cut to Coulomb's limit (Eq. 8).
+/// The largest h in [0, 1] for which a spring p and a dashpot h·d together stay within the limit L: |p + h d| ≤ L. Takes p·p ≤ L², p·d, d·d.
+inline double dashpot_share(double pp, double pd, double dd, double limit2) noexcept {
+  if (pp + 2.0 * pd + dd <= limit2) return 1.0;
+  return std::max(0.0, (std::sqrt(std::max(0.0, pd * pd + dd * (limit2 - pp))) - pd) / dd);
+}
+
+/// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot carries what the spring leaves of it. Scaling both
+/// and giving the spring what the dashpot does not carry would stretch it backwards in fast sliding, by energy that nobody put in.
 inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, SegmentStep& out) noexcept {
   // The normal total never pulls: the dashpot may at most cancel the spring.
   const double dn = std::min(k.cn * rate.n, -k.kn * x.n);
   const double limit = -(k.kn * x.n + dn) * tan_phi;
-  const double d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;
-  const double t1 = k.ks * x.s1 + d1, t2 = k.ks * x.s2 + d2;
-  const double t = std::sqrt(t1 * t1 + t2 * t2);
-  const double f = t > limit ? limit / t : 1.0;
-  if (f < 1.0) {
-    x.s1 = (f * t1 - d1) / k.ks;
-    x.s2 = (f * t2 - d2) / k.ks;
-  }
-  out.dashpot = {dn, d1, d2};
-  out.traction = {k.kn * x.n + dn, f * t1, f * t2};
+  const double spring = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
+  if (spring > limit) x.s1 *= limit / spring, x.s2 *= limit / spring;
+  const double p1 = k.ks * x.s1, p2 = k.ks * x.s2, d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;
+  const double h = dashpot_share(std::min(p1 * p1 + p2 * p2, limit * limit), p1 * d1 + p2 * d2, d1 * d1 + d2 * d2, limit * limit);
+  out.dashpot = {dn, h * d1, h * d2};
+  out.traction = {k.kn * x.n + dn, p1 + h * d1, p2 + h * d2};
 }
 
 }  // namespace detail

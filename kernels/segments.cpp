@@ -92,6 +92,14 @@ VOUSSOIR_INLINE void bonded(const Chunk& c, const Side& side, FailureOptions o, 
   r.dashpot = LocalLanes{};
 }
 
+/// See detail::dashpot_share.
+VOUSSOIR_INLINE Lanes dashpot_share(Lanes pp, Lanes pd, Lanes dd, Lanes limit2) noexcept {
+  const Lanes p2 = min(pp, limit2);
+  const LaneMask within = p2 + 2.0 * pd + dd <= limit2;
+  const Lanes root = sqrt(max(pd * pd + dd * (limit2 - p2), Lanes{}));
+  return select(within, lanes(1.0), max((root - pd) / dd, Lanes{}));
+}
+
 /// Lanes in contact: see contact_traction in segment_law.h.
 VOUSSOIR_INLINE void contact(const Chunk& c, const Side& side, Springs& r) noexcept {
   const Stiffness k = side.k;
@@ -105,17 +113,15 @@ VOUSSOIR_INLINE void contact(const Chunk& c, const Side& side, Springs& r) noexc
   }
   const Lanes dn = min(k.cn * c.rate.n, -k.kn * r.x.n);
   const Lanes limit = -(k.kn * r.x.n + dn) * side.strength.tan_phi;
-  const Lanes d1 = k.cs * c.rate.s1, d2 = k.cs * c.rate.s2;
-  const Lanes t1 = k.ks * r.x.s1 + d1, t2 = k.ks * r.x.s2 + d2;
-  const Lanes t = sqrt(t1 * t1 + t2 * t2);
-  const LaneMask slips = t > limit;
-  const Lanes f = select(slips, limit / t, lanes(1.0));
-  const Lanes inverse = lanes(1.0 / k.ks);
+  const Lanes one = lanes(1.0), spring = k.ks * sqrt(r.x.s1 * r.x.s1 + r.x.s2 * r.x.s2);
+  const Lanes f = select(r.closed, select(spring > limit, limit / spring, one), zero);
   r.x.n = select(r.closed, r.x.n, zero);
-  r.x.s1 = select(r.closed, select(slips, (f * t1 - d1) * inverse, r.x.s1), zero);
-  r.x.s2 = select(r.closed, select(slips, (f * t2 - d2) * inverse, r.x.s2), zero);
-  r.dashpot = {select(r.closed, dn, zero), select(r.closed, d1, zero), select(r.closed, d2, zero)};
-  r.traction = {select(r.closed, k.kn * r.x.n + dn, zero), select(r.closed, f * t1, zero), select(r.closed, f * t2, zero)};
+  r.x.s1 = f * r.x.s1;
+  r.x.s2 = f * r.x.s2;
+  const Lanes p1 = k.ks * r.x.s1, p2 = k.ks * r.x.s2, d1 = k.cs * c.rate.s1, d2 = k.cs * c.rate.s2;
+  const Lanes h = select(r.closed, dashpot_share(p1 * p1 + p2 * p2, p1 * d1 + p2 * d2, d1 * d1 + d2 * d2, limit * limit), zero);
+  r.dashpot = {select(r.closed, dn, zero), h * d1, h * d2};
+  r.traction = {k.kn * r.x.n + r.dashpot.n, p1 + r.dashpot.s1, p2 + r.dashpot.s2};
 }
 
 VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {

@@ -102,12 +102,19 @@ struct SideSums {
 /// Force on the master and torques about both centroids from the sums.
 void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
 
-/// Sides of a block: forces in closed form where the side is whole and a certificate at its corners proves that no segment yields.
+/// What is known of a side from the last step, so that most need no look at their segments.
+enum class Quick : std::uint8_t {
+  segments = 0,  // look at each
+  whole = 1,     // all bonded, none slipped: closed form, if a certificate at the corners proves that no segment yields
+  open = 2       // none bonded, none touched: no force, if the corners prove that none touches now
+};
+
+/// The quick sides of a block.
 ///
-/// \param whole     per lane: 1 if every segment of the side is bonded and has no slip
-/// \param wrench    rows; master and slave of every certified lane get their share. Elements from `free_rows` on are fixed at the base and take none.
-/// \return bit mask of the lanes that were evaluated; the other used lanes need their segments looked at.
-unsigned whole_sides(const SideBlock& block, const std::uint8_t* whole, const double* pose, double* wrench, std::int32_t free_rows,
+/// \param wrench    rows; master and slave of every whole lane that is certified get their share. Elements from `free_rows` on are fixed at the
+///                  base and take none.
+/// \return bit mask of the lanes that are done; the other used lanes need their segments looked at.
+unsigned quick_sides(const SideBlock& block, const Quick* quick, const double* pose, double* wrench, std::int32_t free_rows,
                      FailureOptions o) noexcept;
 
 /// Elastic energy of a whole side [J], same closed form.

@@ -13,10 +13,11 @@ namespace {
 // Beyond these the mean frame of a joint no longer describes two faces that face each other; its segments go on as free patches.
 constexpr double kTilt = 0.15;        // rad, relative rotation
 constexpr double kSlideShare = 0.5;   // of a segment
+constexpr std::int64_t kOpenInterval = 16;  // steps between two looks at sides that are open all over
 
 /// One thread's findings.
 struct Findings {
-  std::vector<kernels::SegmentEvent> events;
+  std::vector<kernels::SegmentEvent> events, room;  // room: for the side in hand
   std::vector<std::int32_t> coming_apart;
 };
 
@@ -46,17 +47,17 @@ void advance_damaged(World& w, std::int64_t id, double time, Findings& found) {
                                                    kernels::load_twist(twist, side.master), kernels::load_twist(twist, side.slave));
   const kernels::PointsView points = w.points.view(s.set[i]);
   const kernels::SegmentsView q = s.segments(id);
-  const std::size_t before = found.events.size();
-  found.events.resize(before + static_cast<std::size_t>(points.n));
-  kernels::EventSink sink{found.events.data() + before, 0};
+  if (found.room.size() < static_cast<std::size_t>(points.n)) found.room.resize(static_cast<std::size_t>(points.n));
+  kernels::EventSink sink{found.room.data(), 0};
   const auto advance = w.options.reference_kernels ? kernels::advance_side_reference : kernels::advance_side;
   const kernels::SideResult r = advance(side, static_cast<std::int32_t>(id), f, points, q, w.dt, time, w.failure, sink);
-  found.events.resize(before + static_cast<std::size_t>(sink.count));
+  found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
   s.held[i] = r.held;
   s.friction[i] += r.friction, s.impact[i] += r.impact, s.fracture[i] += r.fracture;
   s.stored_bonds[i] = r.stored_bonds, s.stored_contact[i] = r.stored_contact;
-  if (s.whole[i] && (sink.count > 0 || !still_whole(q, points.n, r.held))) s.whole[i] = 0;
-  if (!s.whole[i] && comes_apart(w, id, f, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
+  const bool whole = s.quick[i] == kernels::Quick::whole && sink.count == 0 && still_whole(q, points.n, r.held);
+  s.quick[i] = whole ? kernels::Quick::whole : r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
+  if (!whole && comes_apart(w, id, f, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
   double* rows = w.elements.wrench.data();
   const kernels::PairWrench& wrench = r.wrench;
   kernels::add_wrench(rows, side.master, wrench.force, wrench.torque_a);
@@ -66,13 +67,19 @@ void advance_damaged(World& w, std::int64_t id, double time, Findings& found) {
   if (side.slave < w.elements.count) kernels::add_dashpot(rows, side.slave, -wrench.dash_force, wrench.dash_torque_b);
 }
 
-void advance_block(World& w, std::int32_t block, double time, Findings& found) {
+/// `look_closely`: also at open sides, which may have come apart.
+void advance_block(World& w, std::int32_t block, double time, bool look_closely, Findings& found) {
   Sides& s = w.sides;
   const std::int64_t first = static_cast<std::int64_t>(block) * kernels::kLanes;
   unsigned done = 0;
   if (!w.options.reference_kernels) {
-    done = kernels::whole_sides(s.blocks[static_cast<std::size_t>(block)], s.whole.data() + first, w.elements.pose.data(),
+    done = kernels::quick_sides(s.blocks[static_cast<std::size_t>(block)], s.quick.data() + first, w.elements.pose.data(),
                                 w.elements.wrench.data(), w.elements.count, w.failure);
+  }
+  if (look_closely) {
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      if (s.quick[static_cast<std::size_t>(first + l)] == kernels::Quick::open) done &= ~(1U << l);
+    }
   }
   for (int l = 0; l < kernels::kLanes; ++l) {
     if ((done >> l & 1U) || s.retired[static_cast<std::size_t>(first + l)]) continue;
@@ -97,7 +104,8 @@ void collect(std::vector<Findings>& parts, JointEvents& out) {
 
 }  // namespace
 
-void joint_forces(World& w, double time, JointEvents& out) {
+void joint_forces(World& w, double time, std::int64_t step, JointEvents& out) {
+  const bool look_closely = step % kOpenInterval == 0;
   std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()));
 #pragma omp parallel
   {
@@ -107,10 +115,10 @@ void joint_forces(World& w, double time, JointEvents& out) {
       const auto n = static_cast<std::int64_t>(blocks.size());
       if (static_cast<std::int32_t>(c) == w.sides.overflow_colour) {
 #pragma omp single
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, mine);
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
       } else {
 #pragma omp for schedule(dynamic, 8)
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, mine);
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
       }
     }
   }
@@ -122,7 +130,7 @@ StoredEnergy joint_energy(const World& w) {
   for (std::int64_t id = 0; id < w.sides.count(); ++id) {
     const auto i = static_cast<std::size_t>(id);
     if (w.sides.retired[i]) continue;
-    if (w.sides.whole[i]) {
+    if (w.sides.quick[i] == kernels::Quick::whole) {
       e.bonds += kernels::whole_side_energy(w.sides.blocks[i / kernels::kLanes], static_cast<int>(id % kernels::kLanes), w.elements.pose.data());
     } else {
       e.bonds += w.sides.stored_bonds[i];

@@ -15,8 +15,8 @@ struct JointEvents {
   std::vector<std::int32_t> coming_apart;       // sides whose faces no longer face each other, ascending
 };
 
-/// Adds the forces of all sides to the wrench rows; advances the history of damaged ones. \param time of the step, for first_time
-void joint_forces(World& w, double time, JointEvents& out);
+/// Adds the forces of all sides to the wrench rows; advances the history of damaged ones. \param time of the step [s], for first_time
+void joint_forces(World& w, double time, std::int64_t step, JointEvents& out);
 
 /// Elastic energy now [J]: of bonded springs, and of contact springs of joints. Valid after joint_forces, before the positions move on.
 struct StoredEnergy {

@@ -74,7 +74,7 @@ void retire_side(World& w, std::int32_t side) {
     hand_over(w, id, s, f, true);
   }
   sides.retired[i] = 1;
-  sides.whole[i] = 0;
+  sides.quick[i] = kernels::Quick::segments;
   sides.stored_bonds[i] = sides.stored_contact[i] = 0.0;
   w.contacts.stale = true;
 }

@@ -108,7 +108,7 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
   for (auto* column : {&s.friction, &s.impact, &s.fracture, &s.stored_bonds, &s.stored_contact}) column->assign(n, 0.0);
   s.first_segment.assign(n, 0);
   s.faces.assign(n, 1);
-  s.whole.assign(n, 0);
+  s.quick.assign(n, kernels::Quick::segments);
   s.retired.assign(n, 1);
   s.held.assign(n, 0);
 }
@@ -163,7 +163,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
   s.first_segment[id] = static_cast<std::int64_t>(s.bond.size());
   s.retired[id] = 0;
-  s.whole[id] = dry ? 0 : 1;
+  s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
   s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);

@@ -187,7 +187,7 @@ void Simulation::step(Due due) {
   const double t = time();
   place_supports();
   if (search_due(w)) search_contacts(w);
-  joint_forces(w, t, events_);
+  joint_forces(w, t, step_, events_);
   contact_forces(w);
   if (due.ledger) ledger_.before_kick(w);
   book_damage(w, events_, t, damage_, cracks_);

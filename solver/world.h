@@ -80,7 +80,7 @@ struct Sides {
   std::vector<double> factor, cn, cs;        // Eq. 11; Pa s/m
   std::vector<double> size;                  // m, segment size of the master
   // State by side.
-  Array<std::uint8_t> whole;                 // all segments bonded, none slipped
+  Array<kernels::Quick> quick;
   Array<std::uint8_t> retired;               // lives on as free patches
   Array<std::int32_t> held;                  // bonded segments
   Array<double> friction, impact, fracture;  // J, lost so far

@@ -55,6 +55,14 @@ VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& s, int at, const double* 
   return k;
 }
 
+/// Lanes in which every contact point has u_n > 0: no segment that is not bonded touches.
+VOUSSOIR_INLINE LaneMask all_open(const SideBlock& s, int at, const Kinematics& k) noexcept {
+  const Lanes dn = dot(k.d, k.n), an = dot(k.a, k.n), bn = dot(k.b, k.n);
+  const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;
+  const Lanes t0 = load_lanes(s.t_low + at) * bn, t1 = load_lanes(s.t_high + at) * bn;
+  return dn + (min(s0, s1) + min(t0, t1)) > 0.0;
+}
+
 /// Lanes whose every segment is certainly inside all limits.
 VOUSSOIR_INLINE LaneMask certified(const SideBlock& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at);
@@ -111,15 +119,17 @@ VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, const WrenchLanes& w, u
 
 }  // namespace
 
-unsigned whole_sides(const SideBlock& block, const std::uint8_t* whole, const double* pose, double* wrench, std::int32_t free_rows,
+unsigned quick_sides(const SideBlock& block, const Quick* quick, const double* pose, double* wrench, std::int32_t free_rows,
                      FailureOptions o) noexcept {
   unsigned done = 0;
   for (int at = 0; at < kLanes; at += kWidth) {
-    unsigned candidates = 0;
-    for (int l = 0; l < kWidth; ++l) candidates |= static_cast<unsigned>(whole[at + l] & 1U) << l;
-    if (candidates == 0) continue;
+    const LaneMask state = widened(reinterpret_cast<const unsigned char*>(quick + at));
+    const unsigned whole = bits(state == static_cast<long long>(Quick::whole)), open = bits(state == static_cast<long long>(Quick::open));
+    if ((whole | open) == 0) continue;
     const Kinematics k = kinematics(block, at, pose);
-    const unsigned ok = candidates & bits(certified(block, at, k, o));
+    if (open != 0) done |= (open & bits(all_open(block, at, k))) << at;
+    if (whole == 0) continue;
+    const unsigned ok = whole & bits(certified(block, at, k, o));
     scatter(block, at, forces(block, at, k), ok, wrench, free_rows);
     done |= ok << at;
   }

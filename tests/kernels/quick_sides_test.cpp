@@ -17,10 +17,10 @@ struct ClosedForm {
 ClosedForm closed_form(const SideUnderTest& u, const TwoBodies& b, kernels::FailureOptions o = {}) {
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
   const int lane = 5;
-  std::uint8_t whole[kernels::kLanes] = {};
-  whole[lane] = 1;
+  kernels::Quick quick[kernels::kLanes] = {};
+  quick[lane] = kernels::Quick::whole;
   const kernels::SideBlock block = u.block(lane);
-  const unsigned done = kernels::whole_sides(block, whole, b.pose.data(), wrench, 2, o);
+  const unsigned done = kernels::quick_sides(block, quick, b.pose.data(), wrench, 2, o);
   const auto row = [&](int e, int at) { return Vec3{wrench[e * kernels::kWrenchStride + at], wrench[e * kernels::kWrenchStride + at + 1], wrench[e * kernels::kWrenchStride + at + 2]}; };
   return {(done >> lane & 1U) != 0, row(0, 0), row(0, 3), row(1, 0), row(1, 3)};
 }
@@ -112,10 +112,29 @@ TEST_CASE("lanes do not see each other, and the base takes no force") {
   u.side.slave = 2;
   const TwoBodies b = random_pose(u, noise, 1e-6);
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
-  std::uint8_t whole[kernels::kLanes] = {1};
+  kernels::Quick quick[kernels::kLanes] = {kernels::Quick::whole};
   kernels::SideBlock block = u.block(0);
-  const unsigned done = kernels::whole_sides(block, whole, b.pose.data(), wrench, 2, {});
+  const unsigned done = kernels::quick_sides(block, quick, b.pose.data(), wrench, 2, {});
   CHECK(done == 1U);
   CHECK(wrench[0] != 0.0);
   for (int k = 0; k < 6; ++k) CHECK(wrench[2 * kernels::kWrenchStride + k] == 0.0);
+}
+
+TEST_CASE("an open side is passed over only where no segment touches") {
+  Noise noise(5);
+  int open = 0, touching = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SideUnderTest u(4, 3, 0.5);
+    std::fill(u.bond.begin(), u.bond.begin() + u.n, kernels::Bond::contact);
+    const TwoBodies b = random_pose(u, noise, 1e-5);
+    kernels::Quick quick[kernels::kLanes] = {kernels::Quick::segments, kernels::Quick::open};
+    alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
+    const bool passed = (kernels::quick_sides(u.block(1), quick, b.pose.data(), wrench, 2, {}) >> 1 & 1U) != 0;
+    const bool touches = by_segments(u, b).result.touching;
+    CHECK(passed == !touches);
+    open += passed, touching += touches;
+    CHECK(std::all_of(std::begin(wrench), std::end(wrench), [](double x) { return x == 0.0; }));
+  }
+  CHECK(open > 100);
+  CHECK(touching > 100);
 }
