@@ -32,7 +32,8 @@ void print_parts(const cases::Census& n) {
 void print_step(const cases::Census& n, const cases::Model& m, double dt) {
   if (n.step_element < 0) return;
   const auto e = static_cast<std::size_t>(n.step_element);
-  std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face, cases::describe(m.blocks[e], e).c_str());
+  std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
+              cases::describe(m.blocks[e], e).c_str());
   std::printf("step                     %.4g s\n", dt);
 }
 
@@ -62,7 +63,8 @@ int check_command(const LoadedCase& c, int threads) {
   std::printf("elements                 %s\n", format_count(n.elements).c_str());
   std::printf("joints                   %s, and %s with the base; %s of them merged\n", format_count(n.joints).c_str(),
               format_count(n.base_joints).c_str(), format_count(n.merged_joints).c_str());
-  std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(), format_count(n.free_segments).c_str());
+  std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(),
+              format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_step(n, model, world->dt);
   print_parts(n);

@@ -19,11 +19,11 @@ using namespace voussoir;
 
 /// The words of the command line, before they mean anything.
 struct Words {
-  std::string name;                      // CASE
-  std::vector<std::string> set;          // --set key=value
-  std::vector<std::string> motion;       // --motion axis=file
+  std::string name;                 // CASE
+  std::vector<std::string> set;     // --set key=value
+  std::vector<std::string> motion;  // --motion axis=file
   std::string direction, record, scale, duration, dt, frames, kernels = "fast";
-  std::vector<std::string> files;        // of `motion`
+  std::vector<std::string> files;  // of `motion`
   io::RunOptions run;
   io::MotionOptions motion_options;
 };
@@ -72,7 +72,8 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("--duration", w.duration, "of shaking, s");
   run->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
   run->add_option("--frames", w.frames, "interval of frames, s");
-  run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")->check(CLI::IsMember({"fast", "reference"}));
+  run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
+      ->check(CLI::IsMember({"fast", "reference"}));
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
@@ -113,9 +114,9 @@ int dispatch(const CLI::App& app, Words& w) {
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
 
-/// Lets waiting threads sleep almost at once, unless the user has chosen otherwise. By default they spin for milliseconds, which is harmless on a
-/// quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one. The OpenMP
-/// runtime reads this before main, so the program starts itself anew.
+/// Lets waiting threads sleep almost at once, unless the user has chosen otherwise. By default they spin for milliseconds, which is
+/// harmless on a quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one.
+/// The OpenMP runtime reads this before main, so the program starts itself anew.
 void let_threads_sleep(char** argv) {
   for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"}) {
     if (std::getenv(name) != nullptr) return;

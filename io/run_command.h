@@ -6,15 +6,16 @@
 
 #include "io/case_file.h"
 
-/// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard error.
+/// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard
+/// error.
 namespace voussoir::io {
 
 /// Exit codes of the program; a stop by signal N exits with 128 + N.
 enum ExitCode : int { kDone = 0, kNumericalFailure = 1, kInputFault = 2, kFileFault = 3 };
 
 struct RunOptions {
-  std::string folder;             // of the results
-  int threads = 0;                // 0: as OpenMP decides
+  std::string folder;  // of the results
+  int threads = 0;     // 0: as OpenMP decides
   bool reference_kernels = false;
   bool overwrite = false, quiet = false;
 };

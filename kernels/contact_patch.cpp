@@ -115,9 +115,9 @@ Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& 
 
 /// The pair of a patch and one face, ready for its points.
 struct Facing {
-  Vec3 n;                        // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
-  PlaneField depth;              // u_n(s,t) [m], negative inside
-  Vec3 v0, vs, vt;               // rate of the slave relative to the master
+  Vec3 n;            // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
+  PlaneField depth;  // u_n(s,t) [m], negative inside
+  Vec3 v0, vs, vt;   // rate of the slave relative to the master
   Stiffness k;
   double tan_phi = 0.0, factor = 0.5;
 };
@@ -241,8 +241,8 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
     if (w.q.partner[i] == c.element) {
       if (in) continue;
       if (w.q.face[i] != kNoFace) {
-        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i,
-                     w.o.step, w.r);
+        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
+                     w.r);
       }
       release(w.q, i);
     } else if (in) {
@@ -257,7 +257,8 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
 }
 
 /// Gives free points the partners found for them. A point that came in through the face is no deeper than this step took it; one that came
-/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they took.
+/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they
+/// took.
 void take_partners(Work& w) noexcept {
   for (int i = 0; i < w.points.n; ++i) {
     const std::int32_t k = w.scratch.candidate[i];

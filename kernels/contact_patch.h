@@ -11,13 +11,13 @@
 
 /// Contact between a free patch (segments of one face that are in no joint) and other elements (paper 2.5).
 ///
-/// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the face of B
-/// chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5). A point that came in through a side, or deeper than
-/// kDeepest, carries no force until it has left.
+/// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the
+/// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5). A point that came in through a side,
+/// or deeper than kDeepest, carries no force until it has left.
 namespace voussoir::kernels {
 
-inline constexpr double kDeepest = 3e-3;    // m, a point found deeper than this was not stopped by a face: it came in through a side
-inline constexpr double kOpposing = -0.5;   // cosine between the outward normals
+inline constexpr double kDeepest = 3e-3;   // m, a point found deeper than this was not stopped by a face: it came in through a side
+inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 
@@ -33,54 +33,54 @@ struct FaceTable {
 /// Constants of a free patch. Reference axes, from the centroid of its element.
 struct Patch {
   std::int32_t element = 0, face = 0;
-  std::int32_t origin = kNobody;         // the element it was joined to, if it comes from a broken joint
+  std::int32_t origin = kNobody;  // the element it was joined to, if it comes from a broken joint
   Vec3 centre, es, et;
-  double normal_sign = 1.0;              // outward normal = sign · es × et (−1 for a slave's share of a merged side)
+  double normal_sign = 1.0;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
   double s_low = 0, s_high = 0, t_low = 0, t_high = 0;  // m, rectangle round its points
-  double origin_tan_phi = 0.0;           // friction against `origin`
-  double origin_kn = 0.0, origin_ks = 0.0;  // Pa/m, stiffness of the joint it comes from
+  double origin_tan_phi = 0.0;                          // friction against `origin`
+  double origin_kn = 0.0, origin_ks = 0.0;              // Pa/m, stiffness of the joint it comes from
 };
 
 /// History of the points of a patch.
 struct ContactPoints {
-  std::int32_t* partner = nullptr;       // element, kNobody: free
-  std::int32_t* face = nullptr;          // of the partner, in FaceTable; kNoFace: inside but carries no force
+  std::int32_t* partner = nullptr;                                 // element, kNobody: free
+  std::int32_t* face = nullptr;                                    // of the partner, in FaceTable; kNoFace: inside but carries no force
   double *slip_x = nullptr, *slip_y = nullptr, *slip_z = nullptr;  // m, elongation of the shear spring in A's body frame
-  double* closure = nullptr;             // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
+  double* closure = nullptr;  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
 };
 
 /// An element that a patch may touch.
 struct Candidate {
   std::int32_t element = 0;
   std::int32_t first_face = 0, face_count = 0;  // into FaceTable
-  std::int32_t separating = 0;           // face that separated the two last time: tested first
+  std::int32_t separating = 0;                  // face that separated the two last time: tested first
 };
 
 struct ContactOptions {
-  double step = 0.0;                     // s
-  double damping = 1.0;                  // h_n = h_s
-  double tan_phi = 0.0;                  // friction of new pairs
-  bool master_normal = false;            // contact.normal = master
-  std::int32_t base = 0;                 // row of the base: against it a patch carries the full area
+  double step = 0.0;           // s
+  double damping = 1.0;        // h_n = h_s
+  double tan_phi = 0.0;        // friction of new pairs
+  bool master_normal = false;  // contact.normal = master
+  std::int32_t base = 0;       // row of the base: against it a patch carries the full area
 };
 
 /// Everything about bodies that the kernel reads.
 struct Bodies {
-  const double* pose = nullptr;          // rows
-  const double* twist = nullptr;         // rows
+  const double* pose = nullptr;                                       // rows
+  const double* twist = nullptr;                                      // rows
   const double *ref_x = nullptr, *ref_y = nullptr, *ref_z = nullptr;  // m, centroids in the reference configuration
-  const double* beta = nullptr;          // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+  const double* beta = nullptr;  // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
 };
 
 struct PatchScratch {
-  double* depth = nullptr;               // room for one value a point
+  double* depth = nullptr;  // room for one value a point
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
 };
 
 struct PatchResult {
   double stored = 0.0, friction = 0.0, impact = 0.0;  // J
-  int touching = 0;                      // points with a partner after the step
+  int touching = 0;                                   // points with a partner after the step
 };
 
 /// Depth u_n [m] (negative: inside) of the point (s, t) of a patch under a face of another element, along the normal that the law uses.

@@ -78,7 +78,8 @@ VOUSSOIR_INLINE QuaternionLanes normalised(QuaternionLanes p) noexcept {
 
 VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
 
-VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
+VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v,
+                                VecLanes w) noexcept {
   for (int l = 0; l < kWidth; ++l) {
     double* p = pose + (i + l) * kPoseStride;
     p[0] = u.x[l], p[1] = u.y[l], p[2] = u.z[l];

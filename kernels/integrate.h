@@ -11,22 +11,22 @@ namespace voussoir::kernels {
 
 /// State and constants of all elements, structure of arrays; SI units, global axes unless said.
 struct ElementsView {
-  double *ux, *uy, *uz;          // displacement of the centroid [m]
-  double *qw, *qx, *qy, *qz;     // orientation
-  double *vx, *vy, *vz;          // velocity at the half step [m/s]
-  double *lx, *ly, *lz;          // angular momentum at the half step, space axes [kg m2/s]
-  double *wx, *wy, *wz;          // angular velocity at the half step, space axes [rad/s]
-  double *work_ground, *work_gravity;  // J, done on the element so far
-  double *loss_damping, *loss_dashpot;  // J
-  const double *mass, *inv_mass;  // kg, 1/kg; 0 and 0: fixed
-  const double *alpha;            // 1/s, mass damping (Eq. 13)
+  double *ux, *uy, *uz;                             // displacement of the centroid [m]
+  double *qw, *qx, *qy, *qz;                        // orientation
+  double *vx, *vy, *vz;                             // velocity at the half step [m/s]
+  double *lx, *ly, *lz;                             // angular momentum at the half step, space axes [kg m2/s]
+  double *wx, *wy, *wz;                             // angular velocity at the half step, space axes [rad/s]
+  double *work_ground, *work_gravity;               // J, done on the element so far
+  double *loss_damping, *loss_dashpot;              // J
+  const double *mass, *inv_mass;                    // kg, 1/kg; 0 and 0: fixed
+  const double* alpha;                              // 1/s, mass damping (Eq. 13)
   const double *ixx, *iyy, *izz, *ixy, *ixz, *iyz;  // inverse inertia, body axes [1/(kg m2)]; 0: fixed
 };
 
 /// Accelerations that act on every element in a step.
 struct BodyForces {
-  double dt = 0.0;          // s
-  Vec3 gravity, ground;     // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
+  double dt = 0.0;                 // s
+  Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
   Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
 };
 
@@ -36,8 +36,8 @@ struct BodyForces {
 void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
-/// midpoint on the rotation group, by two fixed-point passes: no drift of energy in free rotation). Writes the pose and twist rows, books the
-/// work of the dashpots' torques, clears the wrench rows.
+/// midpoint on the rotation group, by two fixed-point passes: no drift of energy in free rotation). Writes the pose and twist rows, books
+/// the work of the dashpots' torques, clears the wrench rows.
 void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -3,8 +3,9 @@
 #include "kernels/lanes.h"
 #include "kernels/side.h"
 
-// The relative displacement of two rigid faces is affine, u = d + s·a + t·b, so the force of all springs of a side is A·G d and its moment needs
-// only the discrete second moments of the points. All limits are convex in (s, t) once split as below, so four corners bound every segment.
+// The relative displacement of two rigid faces is affine, u = d + s·a + t·b, so the force of all springs of a side is A·G d and its moment
+// needs only the discrete second moments of the points. All limits are convex in (s, t) once split as below, so four corners bound every
+// segment.
 namespace voussoir::kernels {
 
 namespace {
@@ -26,11 +27,13 @@ VOUSSOIR_INLINE BodyLanes gather(const double* rows, const std::int32_t* element
   return {{r[0], r[1], r[2]}, {{r[3], r[4], r[5]}, {r[6], r[7], r[8]}, {r[9], r[10], r[11]}}};
 }
 
-VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept { return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)}; }
+VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept {
+  return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
+}
 
 /// Relative displacement of the lanes and the frame it acts in.
 struct Kinematics {
-  VecLanes d, a, b;            // u = d + s a + t b, global axes
+  VecLanes d, a, b;  // u = d + s a + t b, global axes
   VecLanes n, es, et;
   VecLanes arm_a, arm_b;
 };
@@ -107,7 +110,8 @@ VOUSSOIR_INLINE WrenchLanes forces(const SideBlock& s, int at, const Kinematics&
   return w;
 }
 
-VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, const WrenchLanes& w, unsigned lanes_done, double* rows, std::int32_t free_rows) noexcept {
+VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, const WrenchLanes& w, unsigned lanes_done, double* rows,
+                             std::int32_t free_rows) noexcept {
   for (int l = 0; l < kWidth; ++l) {
     if (!(lanes_done >> l & 1U)) continue;
     const Vec3 f{w.f.x[l], w.f.y[l], w.f.z[l]};

@@ -6,8 +6,8 @@
 
 #include "geometry/vec3.h"
 
-/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs two loads,
-/// not twelve. Rows are derived from the state arrays (solver/elements.h) each step and never stored.
+/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs two
+/// loads, not twelve. Rows are derived from the state arrays (solver/elements.h) each step and never stored.
 namespace voussoir::kernels {
 
 inline constexpr int kPoseStride = 16;    // u (3) [m], R − I by rows (9), 4 spare

@@ -8,8 +8,8 @@
 
 #include "kernels/law.h"
 
-/// The constitutive law of one segment, literally: Eqs. 4-9 with the choices of physics.md. The plain twin of the vector kernels, and the place
-/// where every rare event (breaking, crushing) is decided for both.
+/// The constitutive law of one segment, literally: Eqs. 4-9 with the choices of physics.md. The plain twin of the vector kernels, and the
+/// place where every rare event (breaking, crushing) is decided for both.
 ///
 /// Components (n, 1, 2): along the outward normal of the master, and two tangents. u = x_slave − x_master, so tension is positive.
 namespace voussoir::kernels {
@@ -32,12 +32,12 @@ struct SegmentState {
 
 /// What a segment did in a step, per area: total traction on the master, its dashpot part, stored and lost energy.
 struct SegmentStep {
-  Local traction;          // Pa, springs and dashpots
-  Local dashpot;           // Pa
-  double stored = 0.0;     // J/m2, in the springs now
-  double friction = 0.0;   // J/m2, lost by slip in this step
-  double impact = 0.0;     // J/m2, lost or gained in the step in which a contact closes or opens (trapezoid rule over the kink)
-  double fracture = 0.0;   // J/m2, lost by breaking in this step
+  Local traction;             // Pa, springs and dashpots
+  Local dashpot;              // Pa
+  double stored = 0.0;        // J/m2, in the springs now
+  double friction = 0.0;      // J/m2, lost by slip in this step
+  double impact = 0.0;        // J/m2, lost or gained in the step in which a contact closes or opens (trapezoid rule over the kink)
+  double fracture = 0.0;      // J/m2, lost by breaking in this step
   Mode reached = Mode::none;  // a limit reached for the first time in this step
   Mode broke = Mode::none;    // the bond broke in this step, by this mode
 };
@@ -47,9 +47,12 @@ inline double shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
   if (!o.shear) return std::numeric_limits<double>::infinity();
   if (sigma < 0.0) return s.cohesion - sigma * s.tan_phi;
   switch (o.in_tension) {
-    case ShearInTension::cohesion: return s.cohesion;
-    case ShearInTension::none: return std::numeric_limits<double>::infinity();
-    case ShearInTension::coulomb: return std::max(0.0, s.cohesion - sigma * s.tan_phi);
+    case ShearInTension::cohesion:
+      return s.cohesion;
+    case ShearInTension::none:
+      return std::numeric_limits<double>::infinity();
+    case ShearInTension::coulomb:
+      return std::max(0.0, s.cohesion - sigma * s.tan_phi);
   }
   return s.cohesion;
 }
@@ -63,9 +66,7 @@ inline Local elongation_before(const SegmentState& q, Local u, Local du) noexcep
   return {std::min(n, 0.0), q.slip1, q.slip2};
 }
 
-inline double stored_energy(Local x, Stiffness k) noexcept {
-  return 0.5 * (k.kn * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2));
-}
+inline double stored_energy(Local x, Stiffness k) noexcept { return 0.5 * (k.kn * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2)); }
 
 /// Scales the elastic elongation back to the compression cap (Eq. 7) and books the rest as closure and slip. Returns true if it had to.
 inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Strength s) noexcept {
@@ -78,14 +79,16 @@ inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Stren
   return true;
 }
 
-/// The largest h in [0, 1] for which a spring p and a dashpot h·d together stay within the limit L: |p + h d| ≤ L. Takes p·p ≤ L², p·d, d·d.
+/// The largest h in [0, 1] for which a spring p and a dashpot h·d together stay within the limit L: |p + h d| ≤ L. Takes p·p ≤ L², p·d,
+/// d·d.
 inline double dashpot_share(double pp, double pd, double dd, double limit2) noexcept {
   if (pp + 2.0 * pd + dd <= limit2) return 1.0;
   return std::max(0.0, (std::sqrt(std::max(0.0, pd * pd + dd * (limit2 - pp))) - pd) / dd);
 }
 
-/// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot carries what the spring leaves of it. Scaling both
-/// and giving the spring what the dashpot does not carry would stretch it backwards in fast sliding, by energy that nobody put in.
+/// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot carries what the spring leaves of it.
+/// Scaling both and giving the spring what the dashpot does not carry would stretch it backwards in fast sliding, by energy that nobody put
+/// in.
 inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, SegmentStep& out) noexcept {
   // The normal total never pulls: the dashpot may at most cancel the spring.
   const double dn = std::min(k.cn * rate.n, -k.kn * x.n);
@@ -154,9 +157,9 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
   out.stored = detail::stored_energy(x, k);
   // Loss of the springs in this step: U_before − U_now + ½ (f_before + f_now)·du, the trapezoid rule of the scheme; zero while elastic.
   const double normal = 0.5 * k.kn * (before.n * before.n - x.n * x.n + (before.n + x.n) * du.n);
-  const double shear = 0.5 * k.ks *
-                       (before.s1 * before.s1 + before.s2 * before.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (before.s1 + x.s1) * du.s1 +
-                        (before.s2 + x.s2) * du.s2);
+  const double shear =
+      0.5 * k.ks *
+      (before.s1 * before.s1 + before.s2 * before.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (before.s1 + x.s1) * du.s1 + (before.s2 + x.s2) * du.s2);
   if (out.broke != Mode::none) {
     out.fracture = normal + shear;
   } else {

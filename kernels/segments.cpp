@@ -3,8 +3,8 @@
 #include "kernels/lanes.h"
 #include "kernels/side.h"
 
-// Damaged sides, several segments at a time. Only what happens all the time is here: elastic, slipping, touching, open. A chunk in which a bond
-// breaks, first yields or is crushed goes through the literal law (segment_law.h), so each rare event is decided in one place.
+// Damaged sides, several segments at a time. Only what happens all the time is here: elastic, slipping, touching, open. A chunk in which a
+// bond breaks, first yields or is crushed goes through the literal law (segment_law.h), so each rare event is decided in one place.
 namespace voussoir::kernels {
 
 namespace {
@@ -58,8 +58,8 @@ struct Springs {
   LocalLanes before;    // and before
   LocalLanes traction;  // Pa
   LocalLanes dashpot;
-  LaneMask closed;      // contacts that carry force
-  LaneMask rare;        // lanes that the literal law must decide
+  LaneMask closed;  // contacts that carry force
+  LaneMask rare;    // lanes that the literal law must decide
 };
 
 VOUSSOIR_INLINE Lanes bonded_limit(Lanes sigma, const Strength& s, FailureOptions o) noexcept {
@@ -161,8 +161,7 @@ VOUSSOIR_INLINE void accumulate(const Chunk& c, const Springs& r, const Stiffnes
   a.stored_bonds += select(c.held, stored, zero);
   a.stored_contact += select(c.held, zero, stored);
   const Lanes normal = 0.5 * k.kn * (r.before.n * r.before.n - r.x.n * r.x.n + (r.before.n + r.x.n) * c.du.n);
-  const Lanes shear = 0.5 * k.ks *
-                      (square(r.before) - square(r.x) + (r.before.s1 + r.x.s1) * c.du.s1 + (r.before.s2 + r.x.s2) * c.du.s2);
+  const Lanes shear = 0.5 * k.ks * (square(r.before) - square(r.x) + (r.before.s1 + r.x.s1) * c.du.s1 + (r.before.s2 + r.x.s2) * c.du.s2);
   a.friction += c.da * shear;
   a.impact += select(c.held, zero, c.da * normal);
   a.gap = min(a.gap, select(c.held, lanes(1e300), c.u.n - c.closure));
@@ -230,9 +229,9 @@ SideResult advance_side(const Side& side, std::int32_t id, const SideFrame& f, P
     const Springs s = springs(c, side, o);
     if ((bits(s.rare) & real) != 0) {
       const int first = sink.count;
-      const SideResult part = advance_side_reference(side, id, f, {p.s + i, p.t + i, p.area + i, live},
-                                               {q.bond + i, q.first_mode + i, q.first_time + i, q.slip1 + i, q.slip2 + i, q.closure + i}, step,
-                                               time, o, sink);
+      const SideResult part = advance_side_reference(
+          side, id, f, {p.s + i, p.t + i, p.area + i, live},
+          {q.bond + i, q.first_mode + i, q.first_time + i, q.slip1 + i, q.slip2 + i, q.closure + i}, step, time, o, sink);
       for (int e = first; e < sink.count; ++e) sink.data[e].point += i;
       add_part(r, part);
       continue;

@@ -9,9 +9,9 @@
 #include "kernels/rows.h"
 #include "kernels/segment_law.h"
 
-/// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side that
-/// stands for both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that the
-/// closed form of whole joints runs over lanes without gathers of parameters.
+/// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side
+/// that stands for both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that
+/// the closed form of whole joints runs over lanes without gathers of parameters.
 namespace voussoir::kernels {
 
 inline constexpr int kLanes = 8;
@@ -56,22 +56,22 @@ struct SegmentsView {
 
 /// Current frame of a side and the affine fields over it: u(s,t) = d + s·ds + t·dt in (n, 1, 2), and likewise its rate.
 struct SideFrame {
-  Vec3 n, t1, t2;        // orthonormal
-  Vec3 es, et;           // tangents carried by the bodies (mean of both)
-  Vec3 arm_a, arm_b;     // m, from the centroids to the point of action at the centre
-  Local d, ds, dt;       // m, -, -
-  Local v, vs, vt;       // m/s, 1/s, 1/s
+  Vec3 n, t1, t2;     // orthonormal
+  Vec3 es, et;        // tangents carried by the bodies (mean of both)
+  Vec3 arm_a, arm_b;  // m, from the centroids to the point of action at the centre
+  Local d, ds, dt;    // m, -, -
+  Local v, vs, vt;    // m/s, 1/s, 1/s
 };
 SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept;
 
 /// What the segments of one side did in a step.
 struct SideResult {
   PairWrench wrench;
-  double stored_bonds = 0.0, stored_contact = 0.0;           // J
-  double friction = 0.0, impact = 0.0, fracture = 0.0;       // J, lost in this step
-  int held = 0;                                              // bonded segments after the step
-  bool touching = false;                                     // some segment that is not bonded carries force
-  double gap = 0.0;                                          // m, least opening of the segments that are not bonded
+  double stored_bonds = 0.0, stored_contact = 0.0;      // J
+  double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step
+  int held = 0;                                         // bonded segments after the step
+  bool touching = false;                                // some segment that is not bonded carries force
+  double gap = 0.0;                                     // m, least opening of the segments that are not bonded
 };
 
 /// One break or first yield of a segment.
@@ -111,7 +111,8 @@ enum class Quick : std::uint8_t {
 
 /// The quick sides of a block.
 ///
-/// \param wrench    rows; master and slave of every whole lane that is certified get their share. Elements from `free_rows` on are fixed at the
+/// \param wrench    rows; master and slave of every whole lane that is certified get their share. Elements from `free_rows` on are fixed at
+/// the
 ///                  base and take none.
 /// \return bit mask of the lanes that are done; the other used lanes need their segments looked at.
 unsigned quick_sides(const SideBlock& block, const Quick* quick, const double* pose, double* wrench, std::int32_t free_rows,

@@ -12,8 +12,8 @@ namespace voussoir::solver {
 namespace {
 
 struct Body {
-  Vec3 x;   // centroid
-  Mat3 r;   // orientation
+  Vec3 x;  // centroid
+  Mat3 r;  // orientation
 };
 
 Body body(const World& w, std::int32_t e) {

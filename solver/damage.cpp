@@ -8,7 +8,6 @@ namespace voussoir::solver {
 
 namespace {
 
-
 std::int64_t& count_of(Damage& d, kernels::Mode m) {
   return m == kernels::Mode::tension ? d.tension : m == kernels::Mode::shear ? d.shear : d.compression;
 }
@@ -48,7 +47,8 @@ void book_event(World& w, const kernels::SegmentEvent& event, double time, Damag
     return;
   }
   // A segment that had slipped before it broke leaves that count.
-  const bool slipped_before = w.sides.segments(event.side).first_mode[event.point] == kernels::Mode::shear && event.reached == kernels::Mode::none;
+  const bool slipped_before =
+      w.sides.segments(event.side).first_mode[event.point] == kernels::Mode::shear && event.reached == kernels::Mode::none;
   if (slipped_before) d.slipped -= n;
   d.bonded -= n;
   count_of(d, event.broke) += n;

@@ -11,8 +11,8 @@ namespace voussoir::solver {
 namespace {
 
 // Beyond these the mean frame of a joint no longer describes two faces that face each other; its segments go on as free patches.
-constexpr double kTilt = 0.15;        // rad, relative rotation
-constexpr double kSlideShare = 0.5;   // of a segment
+constexpr double kTilt = 0.15;              // rad, relative rotation
+constexpr double kSlideShare = 0.5;         // of a segment
 constexpr std::int64_t kOpenInterval = 16;  // steps between two looks at sides that are open all over
 
 /// One thread's findings.
@@ -131,7 +131,8 @@ StoredEnergy joint_energy(const World& w) {
     const auto i = static_cast<std::size_t>(id);
     if (w.sides.retired[i]) continue;
     if (w.sides.quick[i] == kernels::Quick::whole) {
-      e.bonds += kernels::whole_side_energy(w.sides.blocks[i / kernels::kLanes], static_cast<int>(id % kernels::kLanes), w.elements.pose.data());
+      e.bonds +=
+          kernels::whole_side_energy(w.sides.blocks[i / kernels::kLanes], static_cast<int>(id % kernels::kLanes), w.elements.pose.data());
     } else {
       e.bonds += w.sides.stored_bonds[i];
       e.contact += w.sides.stored_contact[i];

@@ -11,8 +11,8 @@ namespace voussoir::solver {
 
 /// What the joints did in a step, in an order that does not depend on the threads.
 struct JointEvents {
-  std::vector<kernels::SegmentEvent> events;    // sorted by (side, point)
-  std::vector<std::int32_t> coming_apart;       // sides whose faces no longer face each other, ascending
+  std::vector<kernels::SegmentEvent> events;  // sorted by (side, point)
+  std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
 };
 
 /// Adds the forces of all sides to the wrench rows; advances the history of damaged ones. \param time of the step [s], for first_time

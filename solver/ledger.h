@@ -8,8 +8,9 @@
 #include "solver/recorder.h"
 #include "solver/world.h"
 
-/// The energy ledger. Kinetic energy is Σ ½ m v₋·v₊ (likewise in rotation): with the elastic energy at whole steps it is the invariant of the
-/// scheme. Works and losses follow the trapezoid rule of the same scheme, so that a closed ledger means consistent forces, arms and histories.
+/// The energy ledger. Kinetic energy is Σ ½ m v₋·v₊ (likewise in rotation): with the elastic energy at whole steps it is the invariant of
+/// the scheme. Works and losses follow the trapezoid rule of the same scheme, so that a closed ledger means consistent forces, arms and
+/// histories.
 namespace voussoir::solver {
 
 class Ledger {
@@ -36,11 +37,11 @@ class Ledger {
 
   bool fresh_ = true;
   double initial_ = 0.0, loads_ = 0.0, supports_ = 0.0, scale_ = 0.0, worst_ = 0.0;  // J
-  std::vector<double> support_wrench_;                                              // 6 a support, of the last step
-  std::vector<double> v_, w_, l_;                                                   // of the last half step, 3 an element
+  std::vector<double> support_wrench_;                                               // 6 a support, of the last step
+  std::vector<double> v_, w_, l_;                                                    // of the last half step, 3 an element
   StoredEnergy stored_;
-  double patches_ = 0.0;                                     // J
-  std::vector<double> dash_;                                                        // dashpot force and torque now, 6 an element
+  double patches_ = 0.0;      // J
+  std::vector<double> dash_;  // dashpot force and torque now, 6 an element
   EnergyRow last_;
 };
 

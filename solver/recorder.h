@@ -21,52 +21,52 @@ struct HistorySample {
 
 /// The energy ledger [J]: stores, work put in, losses since time zero (or since the start while settling), residual as a ratio.
 struct EnergyRow {
-  double time = 0;                                          // s
+  double time = 0;                                           // s
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stores
-  double input = 0;                                         // ground, loads, supports, initial
+  double input = 0;                                          // ground, loads, supports, initial
   double dashpot = 0, friction = 0, fracture = 0, damping = 0;
   double residual = 0;
 };
 
 /// Force and moment about the origin that the base exerts on the structure.
 struct ForcesRow {
-  double time = 0;                                          // s
-  Vec3 base_shear, base_moment;                             // N, N m
+  double time = 0;               // s
+  Vec3 base_shear, base_moment;  // N, N m
 };
 
 /// Segment sides by state. bonded includes slipped.
 struct DamageRow {
-  double time = 0;                                          // s
+  double time = 0;  // s
   std::int64_t bonded = 0, slipped = 0, tension = 0, shear = 0, compression = 0;
 };
 
 /// One broken segment.
 struct CrackRow {
-  double time = 0;                                          // s
-  std::int32_t joint = 0, element_a = 0, element_b = 0;     // joint of the assembly; element −1: the base
-  Vec3 position, normal;                                    // current, m
-  double area = 0;                                          // m2
-  FailureMode mode = FailureMode::none;                     // what opened it
-  FailureMode first_mode = FailureMode::none;               // the first limit it reached
-  double first_time = 0;                                    // s, when it reached that one
+  double time = 0;                                       // s
+  std::int32_t joint = 0, element_a = 0, element_b = 0;  // joint of the assembly; element −1: the base
+  Vec3 position, normal;                                 // current, m
+  double area = 0;                                       // m2
+  FailureMode mode = FailureMode::none;                  // what opened it
+  FailureMode first_mode = FailureMode::none;            // the first limit it reached
+  double first_time = 0;                                 // s, when it reached that one
 };
 
 /// A snapshot of all n elements: centroid position (n×3, m), orientation (n×4: w, x, y, z), broken fraction of the element's bonds (n).
 struct FrameView {
-  double time = 0;                                          // s
+  double time = 0;  // s
   std::span<const float> position, quaternion, broken;
 };
 
 struct Summary {
   bool collapsed = false;
   double fallen_mass_fraction = 0;
-  double first_crack_time = -1;                             // s, < 0: none
+  double first_crack_time = -1;                                       // s, < 0: none
   std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides
-  double peak_base_shear = 0;                               // N
-  double peak_speed = 0;                                    // m/s
+  double peak_base_shear = 0;                                         // N
+  double peak_speed = 0;                                              // m/s
   double worst_residual = 0;
   bool settled = true;
-  double end_time = 0;                                      // s reached
+  double end_time = 0;  // s reached
 };
 
 class Recorder {

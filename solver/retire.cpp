@@ -29,9 +29,9 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 
 /// Hands the closed segments over: partner, face, elastic slip (into the body frame of the patch's element).
 ///
-/// A joint measures its closing along the mean normal at the midpoint of its two points, a free patch from its own point to the other face. After a
-/// slide of half a segment the two differ by up to slide × tilt, a hundred times the elastic closing; taken as it is, the change would shoot
-/// the pair apart. So the point keeps the difference as an offset until it lets go: force and energy are continuous.
+/// A joint measures its closing along the mean normal at the midpoint of its two points, a free patch from its own point to the other face.
+/// After a slide of half a segment the two differ by up to slide × tilt, a hundred times the elastic closing; taken as it is, the change
+/// would shoot the pair apart. So the point keeps the difference as an offset until it lets go: force and energy are continuous.
 void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
   const std::size_t p = w.patches.patch.size() - 1;
@@ -85,7 +85,8 @@ void list_live_blocks(World& w) {
   for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
     for (std::int32_t b = s.colour_first[c]; b < s.colour_first[c + 1]; ++b) {
       bool any = false;
-      for (int l = 0; l < kernels::kLanes; ++l) any = any || !s.retired[static_cast<std::size_t>(b) * kernels::kLanes + static_cast<std::size_t>(l)];
+      for (int l = 0; l < kernels::kLanes; ++l)
+        any = any || !s.retired[static_cast<std::size_t>(b) * kernels::kLanes + static_cast<std::size_t>(l)];
       if (any) w.sides.live[c].push_back(b);
     }
   }

@@ -75,8 +75,8 @@ void check_residual(const Simulation& sim) {
   const EnergyRow& e = sim.energy();
   if (e.residual <= kResidualLimit) return;
   char text[200];
-  std::snprintf(text, sizeof text, "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); try --dt %.3g", e.residual,
-                sim.time(), kResidualLimit, 0.5 * sim.dt());
+  std::snprintf(text, sizeof text, "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); try --dt %.3g",
+                e.residual, sim.time(), kResidualLimit, 0.5 * sim.dt());
   throw NumericalError(text);
 }
 

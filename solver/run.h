@@ -12,18 +12,18 @@ namespace voussoir::solver {
 
 /// Where a run is, for a progress line.
 struct RunStatus {
-  double time = 0.0, end = 0.0;   // s
+  double time = 0.0, end = 0.0;  // s
   bool settling = false;
-  std::int64_t step = 0;          // since the beginning of the run
-  std::int64_t broken = 0;        // segment sides
-  double residual = 0.0;          // of the last energy row
+  std::int64_t step = 0;    // since the beginning of the run
+  std::int64_t broken = 0;  // segment sides
+  double residual = 0.0;    // of the last energy row
 };
 
 /// Called every few steps; returns false to stop the run after this step.
 using Tick = std::function<bool(const RunStatus&)>;
 
 struct RunResult {
-  bool stopped = false;           // by the tick
+  bool stopped = false;  // by the tick
   Summary summary;
 };
 

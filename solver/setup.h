@@ -25,7 +25,6 @@ void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
-
 /// Appends a free patch with no partners.
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);
 

@@ -15,9 +15,11 @@ double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - 
 
 void size_arrays(Elements& e) {
   const auto n = static_cast<std::size_t>(e.rows);
-  for (Array<double>* a : {&e.ux, &e.uy, &e.uz, &e.qx, &e.qy, &e.qz, &e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz,
-                           &e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot, &e.alpha, &e.ref_x, &e.ref_y, &e.ref_z, &e.mass,
-                           &e.inv_mass, &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.beta, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
+  for (Array<double>* a :
+       {&e.ux,           &e.uy,    &e.uz,    &e.qx,    &e.qy,    &e.qz,     &e.vx,          &e.vy,           &e.vz,
+        &e.lx,           &e.ly,    &e.lz,    &e.wx,    &e.wy,    &e.wz,     &e.work_ground, &e.work_gravity, &e.loss_damping,
+        &e.loss_dashpot, &e.alpha, &e.ref_x, &e.ref_y, &e.ref_z, &e.mass,   &e.inv_mass,    &e.ixx,          &e.iyy,
+        &e.izz,          &e.ixy,   &e.ixz,   &e.iyz,   &e.beta,  &e.radius, &e.half_x,      &e.half_y,       &e.half_z}) {
     a->assign(n, 0.0);
   }
   e.qw.assign(n, 1.0);
@@ -106,9 +108,9 @@ void set_up_faces(World& w) {
       const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
       w.faces.normal.push_back(face.normal);
       w.faces.distance.push_back(face.distance);
-      w.faces.compliance_n.push_back(face.distance / plane_strain_modulus(material));                // Eq. 1
+      w.faces.compliance_n.push_back(face.distance / plane_strain_modulus(material));  // Eq. 1
       w.faces.compliance_s.push_back(face.distance * 2.0 * (1.0 + material.poisson) / material.young);
-      w.faces.mass.push_back(material.density * face.distance);                                      // Eq. 10
+      w.faces.mass.push_back(material.density * face.distance);  // Eq. 10
     }
   }
   w.faces.normal.push_back({0.0, 0.0, 1.0});  // the base, a rigid half-space

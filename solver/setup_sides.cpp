@@ -18,10 +18,10 @@ namespace {
 struct NewSide {
   std::int32_t joint = 0;
   std::int32_t master = 0, slave = 0, master_face = 0, slave_face = 0;  // slave may be the base row
-  geometry::Frame frame;                                               // normal outward of the master
+  geometry::Frame frame;                                                // normal outward of the master
   std::vector<geometry::Segment> segments;
   double factor = 1.0;
-  int faces = 1;   // 2: stands for both
+  int faces = 1;  // 2: stands for both
 };
 
 /// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
@@ -51,12 +51,25 @@ std::vector<NewSide> sides_of(const World& w) {
     const geometry::Joint& j = a.joints[i];
     const bool on_base = j.element_b == geometry::kBase;
     const bool one = on_base || (j.merged && w.options.merge_sides);
-    NewSide first{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
-                  on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame, j.side_a,
-                  one ? 1.0 : 0.5, one && !on_base ? 2 : 1};
+    NewSide first{static_cast<std::int32_t>(i),
+                  j.element_a,
+                  on_base ? w.elements.base : j.element_b,
+                  face(j.element_a, j.face_a),
+                  on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b),
+                  j.frame,
+                  j.side_a,
+                  one ? 1.0 : 0.5,
+                  one && !on_base ? 2 : 1};
     if (!one) {
-      NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, seen_from_behind(j.frame),
-                     swapped(j.merged ? j.side_a : j.side_b), 0.5, 1};
+      NewSide second{first.joint,
+                     first.slave,
+                     first.master,
+                     first.slave_face,
+                     first.master_face,
+                     seen_from_behind(j.frame),
+                     swapped(j.merged ? j.side_a : j.side_b),
+                     0.5,
+                     1};
       centre_on_points(second);
       sides.push_back(std::move(first));
       sides.push_back(std::move(second));
@@ -77,17 +90,18 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
     const double half = 0.5 * law.thickness;
     const double left = 1.0 - half / f.distance[a], right = 1.0 - half / f.distance[b];
     if (left <= 0.0 || right <= 0.0) {
-      throw cases::InputError("joint_laws." + w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(s.joint)])].name + ".thickness",
-                              "= " + std::to_string(law.thickness) + " m is thicker than a block that it joins; allowed: less than twice the distance " +
-                                  std::to_string(std::min(f.distance[a], f.distance[b])) + " m from its centroid to the face");
+      throw cases::InputError(
+          "joint_laws." + w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(s.joint)])].name + ".thickness",
+          "= " + std::to_string(law.thickness) + " m is thicker than a block that it joins; allowed: less than twice the distance " +
+              std::to_string(std::min(f.distance[a], f.distance[b])) + " m from its centroid to the face");
     }
     cn = left * f.compliance_n[a] + right * f.compliance_n[b] + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
     cs = left * f.compliance_s[a] + right * f.compliance_s[b] + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
   }
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
   const double mass = f.mass[a] + (on_base ? f.mass[a] : f.mass[b]);  // Eq. 10; with the base 2 ρ_A ℓ_A
-  const double beta = w.elements.beta[static_cast<std::size_t>(s.master)] +
-                      w.elements.beta[static_cast<std::size_t>(on_base ? s.master : s.slave)];
+  const double beta =
+      w.elements.beta[static_cast<std::size_t>(s.master)] + w.elements.beta[static_cast<std::size_t>(on_base ? s.master : s.slave)];
   const double c = 2.0 * h / (1.0 + w.dt * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);
   k.cs = c * std::sqrt(mass * k.ks);
@@ -128,7 +142,7 @@ void set_moments(kernels::SideBlock& b, int l, const NewSide& side) {
 void set_constants(World& w, const NewSide& side, std::size_t id, const cases::Case& c) {
   kernels::SideBlock& b = w.sides.blocks[id / kernels::kLanes];
   const int l = static_cast<int>(id % kernels::kLanes);
-  const auto put = [l](double (&to)[3][kernels::kLanes], Vec3 v) { to[0][l] = v.x, to[1][l] = v.y, to[2][l] = v.z; };
+  const auto put = [l](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][l] = v.x, to[1][l] = v.y, to[2][l] = v.z; };
   const auto centroid = [&](std::int32_t e) {
     const auto i = static_cast<std::size_t>(e);
     return Vec3{w.elements.ref_x[i], w.elements.ref_y[i], w.elements.ref_z[i]};
@@ -138,8 +152,9 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   put(b.es, side.frame.axis_s);
   put(b.et, side.frame.axis_t);
   b.master[l] = side.master, b.slave[l] = side.slave;
-  // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and turned
-  // (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for comparison.
+  // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
+  // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
+  // comparison.
   b.mean[l] = w.options.merge_sides ? 0.5 : 0.0;
   set_moments(b, l, side);
   const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);

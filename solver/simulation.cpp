@@ -17,9 +17,9 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr double kFastest = 200.0;          // m/s; a house that falls from 20 m reaches 20
+constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
 constexpr std::int64_t kGuardInterval = 20;  // steps
-constexpr double kRest = 1e-8;              // kinetic over elastic energy
+constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
 /// Gravity as seen from a base tilted about x and y by angles in degrees.
 Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
@@ -175,9 +175,10 @@ void Simulation::guard() {
     peak_speed_ = std::max(peak_speed_, std::sqrt(v2));
     if (v2 < kFastest * kFastest && std::isfinite(w2)) continue;
     char text[256];
-    std::snprintf(text, sizeof text,
-                  "element %d moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g", i,
-                  std::sqrt(v2), time(), kFastest, world_->dt, 0.5 * world_->dt);
+    std::snprintf(
+        text, sizeof text,
+        "element %d moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g", i,
+        std::sqrt(v2), time(), kFastest, world_->dt, 0.5 * world_->dt);
     throw NumericalError(text);
   }
 }
@@ -216,9 +217,7 @@ void Simulation::step(Due due) {
   if (step_ % kGuardInterval == 0) guard();
 }
 
-bool Simulation::at_rest() const {
-  return static_cast<double>(step_) * world_->dt > ramp_ && ledger_.kinetic_over_elastic() < kRest;
-}
+bool Simulation::at_rest() const { return static_cast<double>(step_) * world_->dt > ramp_ && ledger_.kinetic_over_elastic() < kRest; }
 
 bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt > ramp_ + case_.gravity.settle_limit; }
 

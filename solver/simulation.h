@@ -28,8 +28,8 @@ struct Due {
 /// Where a followed element is now, for Recorder::history.
 struct Followed {
   std::int32_t element = 0;
-  Vec3 start;           // m, displacement at time zero
-  Quaternion turned;    // orientation at time zero
+  Vec3 start;         // m, displacement at time zero
+  Quaternion turned;  // orientation at time zero
 };
 
 class Simulation {
@@ -42,7 +42,7 @@ class Simulation {
   /// \throw NumericalError if the state is no longer a number, or too fast to be a house
   void step(Due due);
 
-  [[nodiscard]] double time() const;                    // s; < 0 while settling
+  [[nodiscard]] double time() const;                          // s; < 0 while settling
   [[nodiscard]] std::int64_t steps() const { return step_; }  // in this phase
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] double dt() const { return world_->dt; }
@@ -83,8 +83,8 @@ class Simulation {
   std::unique_ptr<World> world_;
   Phase phase_ = Phase::shaking;
   std::int64_t step_ = 0;
-  Vec3 full_gravity_;        // m/s2, tilted
-  double ramp_ = 0.0;        // s
+  Vec3 full_gravity_;            // m/s2, tilted
+  double ramp_ = 0.0;            // s
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   JointEvents events_;

@@ -5,15 +5,35 @@
 namespace voussoir::solver {
 
 kernels::ElementsView Elements::view() noexcept {
-  return {.ux = ux.data(), .uy = uy.data(), .uz = uz.data(),
-          .qw = qw.data(), .qx = qx.data(), .qy = qy.data(), .qz = qz.data(),
-          .vx = vx.data(), .vy = vy.data(), .vz = vz.data(),
-          .lx = lx.data(), .ly = ly.data(), .lz = lz.data(),
-          .wx = wx.data(), .wy = wy.data(), .wz = wz.data(),
-          .work_ground = work_ground.data(), .work_gravity = work_gravity.data(),
-          .loss_damping = loss_damping.data(), .loss_dashpot = loss_dashpot.data(),
-          .mass = mass.data(), .inv_mass = inv_mass.data(), .alpha = alpha.data(),
-          .ixx = ixx.data(), .iyy = iyy.data(), .izz = izz.data(), .ixy = ixy.data(), .ixz = ixz.data(), .iyz = iyz.data()};
+  return {.ux = ux.data(),
+          .uy = uy.data(),
+          .uz = uz.data(),
+          .qw = qw.data(),
+          .qx = qx.data(),
+          .qy = qy.data(),
+          .qz = qz.data(),
+          .vx = vx.data(),
+          .vy = vy.data(),
+          .vz = vz.data(),
+          .lx = lx.data(),
+          .ly = ly.data(),
+          .lz = lz.data(),
+          .wx = wx.data(),
+          .wy = wy.data(),
+          .wz = wz.data(),
+          .work_ground = work_ground.data(),
+          .work_gravity = work_gravity.data(),
+          .loss_damping = loss_damping.data(),
+          .loss_dashpot = loss_dashpot.data(),
+          .mass = mass.data(),
+          .inv_mass = inv_mass.data(),
+          .alpha = alpha.data(),
+          .ixx = ixx.data(),
+          .iyy = iyy.data(),
+          .izz = izz.data(),
+          .ixy = ixy.data(),
+          .ixz = ixz.data(),
+          .iyz = iyz.data()};
 }
 
 kernels::FaceTable Faces::table() const noexcept {
@@ -36,8 +56,14 @@ kernels::Side Sides::side(std::int64_t id) const noexcept {
   const int l = static_cast<int>(id % kernels::kLanes);
   const auto i = static_cast<std::size_t>(id);
   const auto vec = [l](const double v[3][kernels::kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
-  return {.master = b.master[l], .slave = b.slave[l], .ca = vec(b.ca), .cb = vec(b.cb), .es = vec(b.es), .et = vec(b.et),
-          .mean = b.mean[l], .factor = factor[i],
+  return {.master = b.master[l],
+          .slave = b.slave[l],
+          .ca = vec(b.ca),
+          .cb = vec(b.cb),
+          .es = vec(b.es),
+          .et = vec(b.et),
+          .mean = b.mean[l],
+          .factor = factor[i],
           .k = {b.kn[l], b.ks[l], cn[i], cs[i]},
           .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l]}};
 }

@@ -14,8 +14,8 @@
 #include "kernels/side.h"
 #include "solver/array.h"
 
-/// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model by
-/// setup.h, or rebuilt from the state (rows, candidates).
+/// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
+/// by setup.h, or rebuilt from the state (rows, candidates).
 namespace voussoir::solver {
 
 /// How a run is computed; does not change what is computed, but for `merge_sides` (a test of physics.md's merging).
@@ -27,7 +27,8 @@ struct Options {
   std::optional<double> step;      // s; overrides the case
 };
 
-/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole vectors and is inert.
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole vectors and is
+/// inert.
 struct Elements {
   std::int32_t count = 0, base = 0;
   std::int64_t rows = 0;
@@ -37,12 +38,12 @@ struct Elements {
   Array<double> alpha;                                                  // 1/s (changes where debris loses its damping)
   Array<std::int32_t> bonds;                                            // bonded segment sides left
   // Constants.
-  Array<double> ref_x, ref_y, ref_z;                // m
-  Array<double> mass, inv_mass;                     // kg, 1/kg
-  Array<double> ixx, iyy, izz, ixy, ixz, iyz;       // inverse inertia, body axes
-  Array<double> beta;                               // 1/s, see ContactOptions
-  Array<double> radius;                             // m, round the centroid
-  Array<double> half_x, half_y, half_z;             // m, half extents of a body-frame box about the centroid
+  Array<double> ref_x, ref_y, ref_z;                 // m
+  Array<double> mass, inv_mass;                      // kg, 1/kg
+  Array<double> ixx, iyy, izz, ixy, ixz, iyz;        // inverse inertia, body axes
+  Array<double> beta;                                // 1/s, see ContactOptions
+  Array<double> radius;                              // m, round the centroid
+  Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
   std::vector<std::int32_t> first_face, face_count;  // into Faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
@@ -69,16 +70,16 @@ struct PointSets {
 /// Sides of joints, in blocks of kLanes that share a colour. A side's number is block × kLanes + lane.
 struct Sides {
   Array<kernels::SideBlock> blocks;
-  std::vector<std::int32_t> colour_first;    // blocks of colour c: [colour_first[c], colour_first[c + 1])
-  std::int32_t overflow_colour = -1;         // run serially; −1: none
+  std::vector<std::int32_t> colour_first;       // blocks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;            // run serially; −1: none
   std::vector<std::vector<std::int32_t>> live;  // per colour, blocks with a side that is not retired
   // Constants by side.
-  std::vector<std::int32_t> joint, set;      // joint −1: unused lane
+  std::vector<std::int32_t> joint, set;               // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces
-  std::vector<std::int64_t> first_segment;   // into the segment arrays
-  std::vector<std::uint8_t> faces;           // 2: a merged side, stands for both faces
-  std::vector<double> factor, cn, cs;        // Eq. 11; Pa s/m
-  std::vector<double> size;                  // m, segment size of the master
+  std::vector<std::int64_t> first_segment;            // into the segment arrays
+  std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
+  std::vector<double> factor, cn, cs;                 // Eq. 11; Pa s/m
+  std::vector<double> size;                           // m, segment size of the master
   // State by side.
   Array<kernels::Quick> quick;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -100,12 +101,12 @@ struct Sides {
 struct Patches {
   std::vector<kernels::Patch> patch;
   std::vector<std::int32_t> set;
-  std::vector<std::int64_t> first_point;     // into the point arrays
+  std::vector<std::int64_t> first_point;  // into the point arrays
   // State by patch.
-  std::vector<std::int32_t> from_side;       // the side it comes from, −1: never joined
-  std::vector<std::uint8_t> mastered;        // 1: its element was the master of from_side
-  Array<std::int32_t> touching;              // points with a partner
-  Array<double> stored, friction, impact;    // J
+  std::vector<std::int32_t> from_side;     // the side it comes from, −1: never joined
+  std::vector<std::uint8_t> mastered;      // 1: its element was the master of from_side
+  Array<std::int32_t> touching;            // points with a partner
+  Array<double> stored, friction, impact;  // J
   // State by point.
   Array<std::int32_t> partner, face;
   Array<double> slip_x, slip_y, slip_z, closure;
@@ -113,30 +114,30 @@ struct Patches {
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };
 
-/// Possible contacts since the last search: for each active patch a few candidates, each with a slot for its wrench; every element gathers its slots
-/// in a fixed order, so no two threads ever add to one row.
+/// Possible contacts since the last search: for each active patch a few candidates, each with a slot for its wrench; every element gathers
+/// its slots in a fixed order, so no two threads ever add to one row.
 struct Contacts {
   geometry::UniformGrid grid;
-  double skin = 0.0;                          // m
-  bool stale = true;                          // a search is due
+  double skin = 0.0;                                              // m
+  bool stale = true;                                              // a search is due
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search (state)
-  std::vector<std::int32_t> active;           // patches with candidates
-  std::vector<std::int64_t> first_slot;       // by active patch, count + 1 entries
-  std::vector<kernels::Candidate> candidate;  // by slot
+  std::vector<std::int32_t> active;                               // patches with candidates
+  std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
+  std::vector<kernels::Candidate> candidate;                      // by slot
   std::vector<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
-  std::vector<std::int32_t> elements;         // that have slots
-  std::vector<std::int64_t> first_gather;     // by entry of `elements`, count + 1 entries
-  std::vector<std::int64_t> gather;           // slot × 2 + (0: master, 1: slave)
-  std::int32_t largest_set = 0;               // points
+  std::vector<std::int32_t> elements;      // that have slots
+  std::vector<std::int64_t> first_gather;  // by entry of `elements`, count + 1 entries
+  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave)
+  std::int32_t largest_set = 0;            // points
   std::int64_t searches = 0;
 };
 
 /// Loads and supports that act on single elements.
 struct PointLoad {
   std::int32_t element = 0;
-  Vec3 force, moment, arm;                    // arm: from the centroid, body axes
-  double ramp_begin = 0, ramp_end = 0;        // s
+  Vec3 force, moment, arm;              // arm: from the centroid, body axes
+  double ramp_begin = 0, ramp_end = 0;  // s
 };
 struct Support {
   std::int32_t element = 0;
@@ -152,8 +153,8 @@ struct World {
   kernels::ContactOptions contact;
   bool has_base = false;
   bool drop_debris_damping = false;
-  double dt = 0.0;                            // s
-  double bound = 0.0;                         // s, Eq. 19
+  double dt = 0.0;     // s
+  double bound = 0.0;  // s, Eq. 19
   Elements elements;
   Faces faces;
   PointSets points;

@@ -150,7 +150,7 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
 TEST_CASE("a step far too large ends with exit code 1, says what to try, and keeps the results") {
   const TempFolder folder;
   std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0.0]", "[0.2,0.2,0.2]") << box("b", "[0,0,0.2]", "[0.2,0.2,0.4]")
-                                      << "[[load]]\nblock = \"b\"\nforce = [100.0, 0.0, -1000.0]\n";
+                                          << "[[load]]\nblock = \"b\"\nforce = [100.0, 0.0, -1000.0]\n";
   const Outcome o = voussoir("run " + folder.path("case.toml") + " --quiet -j 1 --dt 0.01 --duration 20 -o " + folder.path("out"));
   CHECK(o.code == 1);
   CHECK(says(o, {"numerical failure", "--dt"}));
@@ -161,7 +161,8 @@ TEST_CASE("SIGTERM stops a run after its step, with the results so far and exit 
   const TempFolder folder;
   std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
   const std::string out = folder.path("out");
-  const Outcome o = voussoir("run " + folder.path("case.toml") + " --quiet -j 1 --duration 100000 -o " + out + " & pid=$!; sleep 1; kill -TERM $pid; wait $pid; echo code $?");
+  const Outcome o = voussoir("run " + folder.path("case.toml") + " --quiet -j 1 --duration 100000 -o " + out +
+                             " & pid=$!; sleep 1; kill -TERM $pid; wait $pid; echo code $?");
   CHECK(says(o, {"code 143", "run.h5"}));
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
 }

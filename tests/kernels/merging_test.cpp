@@ -37,9 +37,11 @@ Difference difference(double turn, const Noise& like) {
   TwoBodies b;
   const Vec3 common = noise.vector(0.1);
   b.place(0, {}, common);
-  b.place(1, kernels::load_pose(b.pose.data(), 0).d * (merged.side.ca - merged.side.cb) + noise.vector(0.05 * turn), common + noise.vector(turn));
+  b.place(1, kernels::load_pose(b.pose.data(), 0).d * (merged.side.ca - merged.side.cb) + noise.vector(0.05 * turn),
+          common + noise.vector(turn));
   const kernels::PairWrench m = wrench_of(merged, b), p = wrench_of(one, b), q = wrench_of(other, b);
-  return {distance(m.force, p.force - q.force), distance(m.torque_a, p.torque_a + q.torque_b), distance(m.torque_b, p.torque_b + q.torque_a)};
+  return {distance(m.force, p.force - q.force), distance(m.torque_a, p.torque_a + q.torque_b),
+          distance(m.torque_b, p.torque_b + q.torque_a)};
 }
 
 }  // namespace

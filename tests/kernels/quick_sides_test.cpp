@@ -21,7 +21,10 @@ ClosedForm closed_form(const SideUnderTest& u, const TwoBodies& b, kernels::Fail
   quick[lane] = kernels::Quick::whole;
   const kernels::SideBlock block = u.block(lane);
   const unsigned done = kernels::quick_sides(block, quick, b.pose.data(), wrench, 2, o);
-  const auto row = [&](int e, int at) { return Vec3{wrench[e * kernels::kWrenchStride + at], wrench[e * kernels::kWrenchStride + at + 1], wrench[e * kernels::kWrenchStride + at + 2]}; };
+  const auto row = [&](int e, int at) {
+    return Vec3{wrench[e * kernels::kWrenchStride + at], wrench[e * kernels::kWrenchStride + at + 1],
+                wrench[e * kernels::kWrenchStride + at + 2]};
+  };
   return {(done >> lane & 1U) != 0, row(0, 0), row(0, 3), row(1, 0), row(1, 3)};
 }
 
@@ -85,7 +88,8 @@ TEST_CASE("the elastic energy of the closed form equals the sum over the segment
 
 TEST_CASE("the certificate never passes a side in which a segment yields, and passes most that are safe") {
   Noise noise(3);
-  const kernels::ShearInTension choices[] = {kernels::ShearInTension::cohesion, kernels::ShearInTension::none, kernels::ShearInTension::coulomb};
+  const kernels::ShearInTension choices[] = {kernels::ShearInTension::cohesion, kernels::ShearInTension::none,
+                                             kernels::ShearInTension::coulomb};
   int safe = 0, passed = 0, failing = 0;
   for (int i = 0; i < 6000; ++i) {
     SideUnderTest u(4, 4, 0.5);

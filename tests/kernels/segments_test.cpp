@@ -61,7 +61,9 @@ TEST_CASE("vector and plain segments go the same way through cracking, slip and 
   for (int option = 0; option < 4; ++option) {
     kernels::FailureOptions o;
     o.brittle = option == 1;
-    o.in_tension = option == 2 ? kernels::ShearInTension::none : option == 3 ? kernels::ShearInTension::coulomb : kernels::ShearInTension::cohesion;
+    o.in_tension = option == 2   ? kernels::ShearInTension::none
+                   : option == 3 ? kernels::ShearInTension::coulomb
+                                 : kernels::ShearInTension::cohesion;
     int broken = 0, slipped = 0, touching = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);  // 9 to 21 points: odd tails

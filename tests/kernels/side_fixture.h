@@ -26,7 +26,7 @@ class Noise {
 };
 
 struct TwoBodies {
-  std::array<double, 3 * kernels::kPoseStride> pose{};    // master, slave, base
+  std::array<double, 3 * kernels::kPoseStride> pose{};  // master, slave, base
   std::array<double, 3 * kernels::kTwistStride> twist{};
 
   void place(int body, Vec3 u, Vec3 turn) {

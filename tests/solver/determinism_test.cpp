@@ -15,7 +15,8 @@ namespace {
 
 /// Steps a simulation with a given number of threads, so that two can run side by side.
 struct Run {
-  Run(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g, int threads_, solver::Options o = {}) : threads(threads_), sim(c, m, g, o) {}
+  Run(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g, int threads_, solver::Options o = {})
+      : threads(threads_), sim(c, m, g, o) {}
   void step(bool ledger) {
     omp_set_num_threads(threads);
     sim.step({ledger, ledger});
