@@ -16,6 +16,7 @@
 #include "io/run_folder.h"
 #include "io/support_motion.h"
 #include "solver/errors.h"
+#include "solver/field_table.h"
 #include "solver/run.h"
 
 namespace voussoir::io {
@@ -44,7 +45,7 @@ std::vector<std::string> history_names(const cases::Case& c) {
   return names;
 }
 
-void print_summary(const solver::Summary& s, const std::string& folder) {
+void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder) {
   std::printf("collapsed            %s\n", s.collapsed ? "yes" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
   if (s.first_crack_time >= 0.0) {
@@ -57,6 +58,7 @@ void print_summary(const solver::Summary& s, const std::string& folder) {
   std::printf("peak base shear      %.1f kN\n", 1e-3 * s.peak_base_shear);
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy residual      %.2g at worst\n", s.worst_residual);
+  std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
   if (!s.settled) std::printf("warning              gravity did not come to rest before the shaking began\n");
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
@@ -90,7 +92,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
     const solver::RunResult r = solver::run(sim, c.value, c.value.time.duration, results, tick);
     progress.finish();
     r.stopped ? results.flush() : static_cast<void>(results.finish());
-    print_summary(r.summary, folder.path());
+    print_summary(r.summary, solver::state_hash(sim.world()), folder.path());
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     progress.finish();

@@ -67,23 +67,41 @@ bool separated(const Patch& p, const InSlave& y, const FaceTable& faces, Candida
   return false;
 }
 
-bool inside(double s, double t, const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
-  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
-    if (plane_field(y, faces, f).at(s, t) >= 0.0) return false;
+/// All faces of a candidate over the patch.
+struct PlaneFields {
+  PlaneField g[kMostFaces];
+  int count = 0;
+};
+PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+  PlaneFields p;
+  for (int f = 0; f < c.face_count; ++f) p.g[f] = plane_field(y, faces, c.first_face + f);
+  p.count = c.face_count;
+  return p;
+}
+
+/// Signed distance of every point to the candidate, the largest over its faces: negative inside.
+void distances(PointsView p, const PlaneFields& planes, double* distance) noexcept {
+  std::fill_n(distance, p.n, -1e300);
+  for (int f = 0; f < planes.count; ++f) {
+    const PlaneField g = planes.g[f];
+    for (int i = 0; i < p.n; ++i) {
+      const double d = g.at(p.s[i], p.t[i]);
+      distance[i] = distance[i] > d ? distance[i] : d;
+    }
   }
-  return true;
 }
 
 /// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
-std::int32_t entry_face(double s, double t, const InSlave& y, const FaceTable& faces, const Candidate& c, double& depth) noexcept {
+std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
+                        double& depth) noexcept {
   std::int32_t best = kNoFace;
   depth = 1e300;
-  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
-    if (dot(y.normal, faces.normal[f]) >= kOpposing) continue;
-    const double d = -plane_field(y, faces, f).at(s, t);
+  for (int f = 0; f < planes.count; ++f) {
+    if (dot(y.normal, faces.normal[c.first_face + f]) >= kOpposing) continue;
+    const double d = -planes.g[f].at(s, t);
     if (d < depth) {
       depth = d;
-      best = f;
+      best = c.first_face + f;
     }
   }
   return depth > kDeepest ? kNoFace : best;
@@ -234,10 +252,15 @@ InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
 /// Releases the points that have left candidate k, and notes where it is the deepest new partner of a free point.
 void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  PlaneFields planes;
+  if (!apart) {
+    planes = plane_fields(y, w.faces, c);
+    distances(w.points, planes, w.scratch.distance);
+  }
   for (int i = 0; i < w.points.n; ++i) {
     const double s = w.points.s[i], t = w.points.t[i];
     if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
-    const bool in = !apart && inside(s, t, y, w.faces, c);
+    const bool in = !apart && w.scratch.distance[i] < 0.0;
     if (w.q.partner[i] == c.element) {
       if (in) continue;
       if (w.q.face[i] != kNoFace) {
@@ -247,7 +270,7 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
       release(w.q, i);
     } else if (in) {
       double depth = 0.0;
-      const std::int32_t face = entry_face(s, t, y, w.faces, c, depth);
+      const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
       if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) continue;
       w.scratch.candidate[i] = k;
       w.scratch.face[i] = face;
@@ -277,11 +300,14 @@ void take_partners(Work& w) noexcept {
 /// Forces of all points that touch candidate k. Returns whether any carries force.
 bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  int first = 0;
+  while (first < w.points.n && w.q.partner[first] != c.element) ++first;
+  if (first == w.points.n) return false;
   const InSlave y = slave_frame(w, c);
   GlobalSums total, dash;
   Facing f;
   std::int32_t face = kNoFace;
-  for (int i = 0; i < w.points.n; ++i) {
+  for (int i = first; i < w.points.n; ++i) {
     if (w.q.partner[i] != c.element) continue;
     ++w.r.touching;
     if (w.q.face[i] == kNoFace) continue;

@@ -18,6 +18,7 @@ namespace voussoir::kernels {
 
 inline constexpr double kDeepest = 3e-3;   // m, a point found deeper than this was not stopped by a face: it came in through a side
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
+inline constexpr int kMostFaces = 64;           // of one element
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 
@@ -73,7 +74,7 @@ struct Bodies {
 };
 
 struct PatchScratch {
-  double* depth = nullptr;  // room for one value a point
+  double *depth = nullptr, *distance = nullptr;  // room for one value a point
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
 };

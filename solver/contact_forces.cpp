@@ -11,8 +11,8 @@ namespace {
 /// One thread's room for the points of a patch.
 struct Scratch {
   explicit Scratch(std::int32_t points)
-      : depth(static_cast<std::size_t>(points)), candidate(static_cast<std::size_t>(points)), face(static_cast<std::size_t>(points)) {}
-  std::vector<double> depth;
+      : depth(static_cast<std::size_t>(points)), distance(depth.size()), candidate(static_cast<std::size_t>(points)), face(static_cast<std::size_t>(points)) {}
+  std::vector<double> depth, distance;
   std::vector<std::int32_t> candidate, face;
 };
 
@@ -23,7 +23,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
   const kernels::PatchResult r = kernels::advance_patch(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)),
                                                         p.touching[i] > 0, {c.candidate.data() + first, count}, bodies, faces, w.contact,
-                                                        {scratch.depth.data(), scratch.candidate.data(), scratch.face.data()},
+                                                        {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
                                                         c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
@@ -55,6 +55,7 @@ void gather_one(World& w, std::size_t k) {
 void contact_forces(World& w) {
   Contacts& c = w.contacts;
   if (c.active.empty()) return;
+  if (c.gather_stale) build_gather(w);
   const kernels::Bodies bodies = w.bodies();
   const kernels::FaceTable faces = w.faces.table();
   const auto patches = static_cast<std::int64_t>(c.active.size()), elements = static_cast<std::int64_t>(c.elements.size());

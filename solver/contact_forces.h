@@ -8,10 +8,14 @@
 namespace voussoir::solver {
 
 /// True if some element may have moved more than half the skin since the last search.
-bool search_due(const World& w);
+/// Call once a step: it also counts down to the search that retired sides ask for.
+bool search_due(World& w);
 
 /// Broad phase on the uniform grid, then patch against element by separating planes; rebuilds candidates, slots and gather lists.
 void search_contacts(World& w);
+
+/// Lists for every element the slots that push it. search_contacts does it; so must whoever adds slots in between.
+void build_gather(World& w);
 
 /// Forces of all active patches, gathered by every element in a fixed order.
 void contact_forces(World& w);

@@ -149,6 +149,20 @@ void build_slots(World& w, const std::vector<Found>& found) {
   c.on.assign(c.candidate.size(), 0);
 }
 
+/// Patches by element: first entries (count + 1) and the list.
+void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::vector<std::int32_t>& list) {
+  first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  for (const kernels::Patch& p : w.patches.patch) ++first[static_cast<std::size_t>(p.element) + 1];
+  for (std::size_t e = 1; e < first.size(); ++e) first[e] += first[e - 1];
+  list.resize(w.patches.patch.size());
+  std::vector<std::int64_t> at(first.begin(), first.end() - 1);
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
+  }
+}
+
+}  // namespace
+
 void build_gather(World& w) {
   Contacts& c = w.contacts;
   const auto rows = static_cast<std::size_t>(w.elements.rows);
@@ -175,25 +189,13 @@ void build_gather(World& w) {
   c.first_gather.push_back(count[rows]);
   c.gather.resize(static_cast<std::size_t>(count[rows]));
   each([&](std::int32_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(count[static_cast<std::size_t>(e)]++)] = code; });
+  c.gather_stale = false;
 }
 
-/// Patches by element: first entries (count + 1) and the list.
-void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::vector<std::int32_t>& list) {
-  first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
-  for (const kernels::Patch& p : w.patches.patch) ++first[static_cast<std::size_t>(p.element) + 1];
-  for (std::size_t e = 1; e < first.size(); ++e) first[e] += first[e - 1];
-  list.resize(w.patches.patch.size());
-  std::vector<std::int64_t> at(first.begin(), first.end() - 1);
-  for (std::size_t p = 0; p < list.size(); ++p) {
-    list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
-  }
-}
-
-}  // namespace
-
-bool search_due(const World& w) {
-  const Contacts& c = w.contacts;
+bool search_due(World& w) {
+  Contacts& c = w.contacts;
   if (c.stale) return true;
+  if (c.countdown > 0 && --c.countdown == 0) return true;
   const Elements& e = w.elements;
   double worst = 0.0;  // a maximum is exact in any order
 #pragma omp parallel for schedule(static) reduction(max : worst)
@@ -243,6 +245,7 @@ void search_contacts(World& w) {
   }
   remember_poses(w);
   c.stale = false;
+  c.countdown = 0;
   ++c.searches;
 }
 

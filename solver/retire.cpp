@@ -57,6 +57,23 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   }
 }
 
+/// A retired side's patches go on against the element they were joined to at once; a search for other neighbours follows soon. (A search at every
+/// retirement would be one at every step of a collapse.)
+constexpr std::int32_t kStepsToSearch = 10;
+
+void activate_last_patch(World& w) {
+  Contacts& c = w.contacts;
+  const kernels::Patch& p = w.patches.patch.back();
+  const auto origin = static_cast<std::size_t>(p.origin);
+  if (c.first_slot.empty()) c.first_slot.push_back(0);
+  c.active.push_back(static_cast<std::int32_t>(w.patches.patch.size()) - 1);
+  c.candidate.push_back({p.origin, w.elements.first_face[origin], w.elements.face_count[origin], w.elements.first_face[origin]});
+  c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
+  c.wrench.emplace_back();
+  c.on.push_back(0);
+  c.gather_stale = true;
+}
+
 }  // namespace
 
 void retire_side(World& w, std::int32_t side) {
@@ -69,14 +86,16 @@ void retire_side(World& w, std::int32_t side) {
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
   append_patch(w, patch_of(w, id, s, false), sides.set[i], side, true);
   hand_over(w, id, s, f, false);
+  activate_last_patch(w);
   if (sides.faces[i] == 2) {
     append_patch(w, patch_of(w, id, s, true), sides.set[i], side, false);
     hand_over(w, id, s, f, true);
+    activate_last_patch(w);
   }
   sides.retired[i] = 1;
   sides.quick[i] = kernels::Quick::segments;
   sides.stored_bonds[i] = sides.stored_contact[i] = 0.0;
-  w.contacts.stale = true;
+  if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
 }
 
 void list_live_blocks(World& w) {
