@@ -123,7 +123,9 @@ void let_threads_sleep(char** argv) {
   }
   setenv("GOMP_SPINCOUNT", "100", 1);
   setenv("KMP_BLOCKTIME", "0", 1);
-  execv("/proc/self/exe", argv);  // returns only if it could not
+  std::error_code none;
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();
+  execv(self.c_str(), argv);  // returns only if it could not
 }
 
 }  // namespace
