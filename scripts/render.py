@@ -101,14 +101,18 @@ def main():
     run = Run(a.folder)
     times = a.time or list(np.linspace(run.time[0], run.time[-1], 4))
     axis = view(a.azimuth, a.elevation)
-    figure, all_axes = plt.subplots(1, len(times), figsize=(4.2 * len(times), 3.6), squeeze=False)
+    columns = min(2, len(times))
+    rows = (len(times) + columns - 1) // columns
+    figure, grid = plt.subplots(rows, columns, figsize=(5.0 * columns, 3.3 * rows), squeeze=False)
+    for axes in grid.flat:
+        axes.set_axis_off()
     everything = np.concatenate([run.frames["position"][int(np.argmin(abs(run.time - t)))] for t in times]) @ axis.T
-    for axes, t in zip(all_axes[0], times):
+    for axes, t in zip(grid.flat, times):
         draw(axes, run, int(np.argmin(abs(run.time - t))), axis)
         axes.set_xlim(everything[:, 0].min() - 0.3, everything[:, 0].max() + 0.3)
         axes.set_ylim(everything[:, 1].min() - 0.3, everything[:, 1].max() + 0.3)
     figure.tight_layout()
-    figure.savefig(a.output, dpi=150)
+    figure.savefig(a.output, dpi=110)
 
 
 if __name__ == "__main__":

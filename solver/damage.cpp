@@ -48,7 +48,7 @@ void book_event(World& w, const kernels::SegmentEvent& event, double time, Damag
   }
   // A segment that had slipped before it broke leaves that count.
   const bool slipped_before =
-      w.sides.segments(event.side).first_mode[event.point] == kernels::Mode::shear && event.reached == kernels::Mode::none;
+      w.sides.segments(event.side).first_mode[event.point] == kernels::Mode::shear && event.reached != kernels::Mode::shear;
   if (slipped_before) d.slipped -= n;
   d.bonded -= n;
   count_of(d, event.broke) += n;

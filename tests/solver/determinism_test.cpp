@@ -59,6 +59,21 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   step_side_by_side(runs, 5000);
   const solver::Simulation& s = runs[0]->sim;
   CHECK(s.damage().tension > 500);
+  // The running counts are those of the state.
+  std::int64_t bonded = 0, slipped = 0;
+  solver::World& w = runs[0]->sim.world();
+  for (std::int64_t id = 0; id < w.sides.count(); ++id) {
+    const auto side = static_cast<std::size_t>(id);
+    if (w.sides.joint[side] < 0 || w.sides.retired[side]) continue;
+    const kernels::SegmentsView q = w.sides.segments(id);
+    for (int i = 0; i < w.points.count[static_cast<std::size_t>(w.sides.set[side])]; ++i) {
+      bonded += kernels::holds(q.bond[i]) ? w.sides.faces[side] : 0;
+      slipped += q.bond[i] == kernels::Bond::slipped ? w.sides.faces[side] : 0;
+    }
+  }
+  CHECK(s.damage().slipped == slipped);
+  CHECK(s.damage().bonded == bonded);
+  CHECK(slipped > 100);
   CHECK(s.world().contacts.searches > 10);
   CHECK(std::any_of(s.world().patches.touching.begin(), s.world().patches.touching.end(), [](int n) { return n > 0; }));
   CHECK(s.worst_residual() < 1e-4);
