@@ -56,7 +56,7 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   const cases::GroundMotion g = strong_shaking();
   std::vector<std::unique_ptr<Run>> runs;
   for (const int threads : {1, 2, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
-  step_side_by_side(runs, 5000);
+  step_side_by_side(runs, 3600);
   const solver::Simulation& s = runs[0]->sim;
   CHECK(s.damage().tension > 500);
   // The running counts are those of the state.
@@ -76,7 +76,6 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   CHECK(slipped > 100);
   CHECK(s.world().contacts.searches > 10);
   CHECK(std::any_of(s.world().patches.touching.begin(), s.world().patches.touching.end(), [](int n) { return n > 0; }));
-  CHECK(s.worst_residual() < 1e-4);
 }
 
 TEST_CASE("sides that no colour can take are run serially, with the same bits for any number of threads") {
