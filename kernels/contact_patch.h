@@ -18,7 +18,7 @@ namespace voussoir::kernels {
 
 inline constexpr double kDeepest = 3e-3;   // m, a point found deeper than this was not stopped by a face: it came in through a side
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
-inline constexpr int kMostFaces = 64;           // of one element
+inline constexpr int kMostFaces = 64;      // of one element
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 

@@ -11,7 +11,10 @@ namespace {
 /// One thread's room for the points of a patch.
 struct Scratch {
   explicit Scratch(std::int32_t points)
-      : depth(static_cast<std::size_t>(points)), distance(depth.size()), candidate(static_cast<std::size_t>(points)), face(static_cast<std::size_t>(points)) {}
+      : depth(static_cast<std::size_t>(points)),
+        distance(depth.size()),
+        candidate(static_cast<std::size_t>(points)),
+        face(static_cast<std::size_t>(points)) {}
   std::vector<double> depth, distance;
   std::vector<std::int32_t> candidate, face;
 };
@@ -21,10 +24,10 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
-  const kernels::PatchResult r = kernels::advance_patch(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)),
-                                                        p.touching[i] > 0, {c.candidate.data() + first, count}, bodies, faces, w.contact,
-                                                        {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
-                                                        c.wrench.data() + first, c.on.data() + first);
+  const kernels::PatchResult r = kernels::advance_patch(
+      p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0, {c.candidate.data() + first, count},
+      bodies, faces, w.contact, {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
+      c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
   p.friction[i] += r.friction;

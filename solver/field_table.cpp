@@ -22,23 +22,37 @@ Field field(const char* name, const char* unit, const char* shape, Array<T>& a) 
 
 void add_elements(std::vector<Field>& t, Elements& e) {
   const char* shape = "element";
-  t.insert(t.end(), {field("ux", "m", shape, e.ux), field("uy", "m", shape, e.uy), field("uz", "m", shape, e.uz),
-                     field("qw", "-", shape, e.qw), field("qx", "-", shape, e.qx), field("qy", "-", shape, e.qy), field("qz", "-", shape, e.qz),
-                     field("vx", "m/s", shape, e.vx), field("vy", "m/s", shape, e.vy), field("vz", "m/s", shape, e.vz),
-                     field("lx", "kg m2/s", shape, e.lx), field("ly", "kg m2/s", shape, e.ly), field("lz", "kg m2/s", shape, e.lz),
-                     field("wx", "rad/s", shape, e.wx), field("wy", "rad/s", shape, e.wy), field("wz", "rad/s", shape, e.wz),
-                     field("work_ground", "J", shape, e.work_ground), field("work_gravity", "J", shape, e.work_gravity),
-                     field("loss_damping", "J", shape, e.loss_damping), field("loss_dashpot", "J", shape, e.loss_dashpot),
-                     field("alpha", "1/s", shape, e.alpha), field("bonds", "-", shape, e.bonds)});
+  t.insert(t.end(), {field("ux", "m", shape, e.ux),
+                     field("uy", "m", shape, e.uy),
+                     field("uz", "m", shape, e.uz),
+                     field("qw", "-", shape, e.qw),
+                     field("qx", "-", shape, e.qx),
+                     field("qy", "-", shape, e.qy),
+                     field("qz", "-", shape, e.qz),
+                     field("vx", "m/s", shape, e.vx),
+                     field("vy", "m/s", shape, e.vy),
+                     field("vz", "m/s", shape, e.vz),
+                     field("lx", "kg m2/s", shape, e.lx),
+                     field("ly", "kg m2/s", shape, e.ly),
+                     field("lz", "kg m2/s", shape, e.lz),
+                     field("wx", "rad/s", shape, e.wx),
+                     field("wy", "rad/s", shape, e.wy),
+                     field("wz", "rad/s", shape, e.wz),
+                     field("work_ground", "J", shape, e.work_ground),
+                     field("work_gravity", "J", shape, e.work_gravity),
+                     field("loss_damping", "J", shape, e.loss_damping),
+                     field("loss_dashpot", "J", shape, e.loss_dashpot),
+                     field("alpha", "1/s", shape, e.alpha),
+                     field("bonds", "-", shape, e.bonds)});
 }
 
 void add_sides(std::vector<Field>& t, Sides& s) {
-  t.insert(t.end(), {field("side_quick", "-", "side", s.quick), field("side_retired", "-", "side", s.retired), field("side_held", "-", "side", s.held),
-                     field("side_friction", "J", "side", s.friction), field("side_impact", "J", "side", s.impact),
-                     field("side_fracture", "J", "side", s.fracture), field("segment_bond", "-", "segment", s.bond),
-                     field("segment_first_mode", "-", "segment", s.first_mode), field("segment_first_time", "s", "segment", s.first_time),
-                     field("segment_slip1", "m", "segment", s.slip1), field("segment_slip2", "m", "segment", s.slip2),
-                     field("segment_closure", "m", "segment", s.closure)});
+  t.insert(t.end(), {field("side_quick", "-", "side", s.quick), field("side_retired", "-", "side", s.retired),
+                     field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
+                     field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
+                     field("segment_bond", "-", "segment", s.bond), field("segment_first_mode", "-", "segment", s.first_mode),
+                     field("segment_first_time", "s", "segment", s.first_time), field("segment_slip1", "m", "segment", s.slip1),
+                     field("segment_slip2", "m", "segment", s.slip2), field("segment_closure", "m", "segment", s.closure)});
 }
 
 void add_patches(std::vector<Field>& t, Patches& p) {
@@ -53,9 +67,10 @@ void add_patches(std::vector<Field>& t, Patches& p) {
 // When the next search is due depends on where elements were at the last one, and contacts begin with a search.
 void add_search(std::vector<Field>& t, Contacts& c) {
   const char* shape = "element";
-  t.insert(t.end(), {field("searched_ux", "m", shape, c.at_ux), field("searched_uy", "m", shape, c.at_uy), field("searched_uz", "m", shape, c.at_uz),
-                     field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
-                     field("searched_qz", "-", shape, c.at_qz)});
+  t.insert(t.end(),
+           {field("searched_ux", "m", shape, c.at_ux), field("searched_uy", "m", shape, c.at_uy), field("searched_uz", "m", shape, c.at_uz),
+            field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
+            field("searched_qz", "-", shape, c.at_qz)});
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "solver/world.h"
 
-/// The one list of everything that makes up the state of a world. Whoever copies, compares or hashes a state walks it; a field that is not in the
-/// table does not exist.
+/// The one list of everything that makes up the state of a world. Whoever copies, compares or hashes a state walks it; a field that is not
+/// in the table does not exist.
 namespace voussoir::solver {
 
 enum class FieldType : std::uint8_t { f64, i32, u8 };

@@ -57,8 +57,8 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   }
 }
 
-/// A retired side's patches go on against the element they were joined to at once; a search for other neighbours follows soon. (A search at every
-/// retirement would be one at every step of a collapse.)
+/// A retired side's patches go on against the element they were joined to at once; a search for other neighbours follows soon. (A search at
+/// every retirement would be one at every step of a collapse.)
 constexpr std::int32_t kStepsToSearch = 10;
 
 void activate_last_patch(World& w) {

@@ -103,8 +103,8 @@ struct Patches {
   std::vector<std::int32_t> set;
   std::vector<std::int64_t> first_point;  // into the point arrays
   // State by patch.
-  Array<std::int32_t> from_side;     // the side it comes from, −1: never joined
-  Array<std::uint8_t> mastered;      // 1: its element was the master of from_side
+  Array<std::int32_t> from_side;           // the side it comes from, −1: never joined
+  Array<std::uint8_t> mastered;            // 1: its element was the master of from_side
   Array<std::int32_t> touching;            // points with a partner
   Array<double> stored, friction, impact;  // J
   // State by point.
@@ -119,9 +119,9 @@ struct Patches {
 struct Contacts {
   geometry::UniformGrid grid;
   double skin = 0.0;                                              // m
-  bool stale = true;            // a search is due at once
-  std::int32_t countdown = 0;   // steps to the search that retired sides asked for, 0: none (state)
-  bool gather_stale = false;    // slots were added since the gather lists were made
+  bool stale = true;                                              // a search is due at once
+  std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
+  bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search (state)
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
