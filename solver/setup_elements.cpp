@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "solver/setup.h"
 
@@ -103,6 +104,10 @@ void set_up_faces(World& w) {
   const cases::Model& m = w.model;
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const geometry::Element& e = m.assembly.elements[i];
+    if (e.face_count > kernels::kMostFaces) {
+      throw cases::InputError("", cases::describe(m.blocks[i], i) + " has " + std::to_string(e.face_count) + " faces; allowed: at most " +
+                                      std::to_string(kernels::kMostFaces));
+    }
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
       const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
