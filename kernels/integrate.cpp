@@ -22,16 +22,6 @@ VOUSSOIR_INLINE void store3(double* x, double* y, double* z, std::int64_t i, Vec
   store_lanes(z + i, v.z);
 }
 
-/// Three columns of the rows of kWidth elements.
-VOUSSOIR_INLINE VecLanes columns(const double* rows, int stride, int column, std::int64_t i) noexcept {
-  VecLanes v;
-  for (int l = 0; l < kWidth; ++l) {
-    const double* r = rows + (i + l) * stride + column;
-    v.x[l] = r[0], v.y[l] = r[1], v.z[l] = r[2];
-  }
-  return v;
-}
-
 /// R(q) − I, as in rotation_minus_identity.
 VOUSSOIR_INLINE MatLanes rotation_minus_identity(QuaternionLanes q) noexcept {
   const Lanes xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
@@ -71,24 +61,46 @@ VOUSSOIR_INLINE QuaternionLanes turned(QuaternionLanes q, VecLanes h) noexcept {
   return product({c, s * h.x, s * h.y, s * h.z}, q);
 }
 
+/// One step of the series is exact: the length is 1 but for round-off and the h⁶ of `turned`.
 VOUSSOIR_INLINE QuaternionLanes normalised(QuaternionLanes p) noexcept {
-  const Lanes f = 1.0 / sqrt(p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
+  const Lanes f = 1.5 - 0.5 * (p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
   return {f * p.w, f * p.x, f * p.y, f * p.z};
+}
+
+VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t i) noexcept {
+  return {load_lanes(e.qw + i), load_lanes(e.qx + i), load_lanes(e.qy + i), load_lanes(e.qz + i)};
 }
 
 VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
 
 VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v,
                                 VecLanes w) noexcept {
-  for (int l = 0; l < kWidth; ++l) {
-    double* p = pose + (i + l) * kPoseStride;
-    p[0] = u.x[l], p[1] = u.y[l], p[2] = u.z[l];
-    p[3] = d.r0.x[l], p[4] = d.r0.y[l], p[5] = d.r0.z[l];
-    p[6] = d.r1.x[l], p[7] = d.r1.y[l], p[8] = d.r1.z[l];
-    p[9] = d.r2.x[l], p[10] = d.r2.y[l], p[11] = d.r2.z[l];
-    double* t = twist + (i + l) * kTwistStride;
-    t[0] = v.x[l], t[1] = v.y[l], t[2] = v.z[l], t[3] = w.x[l], t[4] = w.y[l], t[5] = w.z[l];
-  }
+  const auto pose_row = [=](int l) { return pose + (i + l) * kPoseStride; };
+  store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
+  store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
+  store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
+  const auto twist_row = [=](int l) { return twist + (i + l) * kTwistStride; };
+  store_columns(twist_row, 0, v.x, v.y, v.z, w.x);
+  store_columns(twist_row, 4, w.y, w.z, Lanes{}, Lanes{});
+}
+
+/// One step of kWidth elements with the angular velocity w: positions, orientations, rows.
+VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, VecLanes w, double* wrench, double* pose, double* twist,
+                             double dt) noexcept {
+  const Lanes half = lanes(0.5 * dt);
+  const VecLanes v = load3(e.vx, e.vy, e.vz, i), old = load3(e.wx, e.wy, e.wz, i);
+  const VecLanes u = load3(e.ux, e.uy, e.uz, i) + lanes(dt) * v;
+  store3(e.ux, e.uy, e.uz, i, u);
+  const QuaternionLanes next = normalised(turned(orientation(e, i), half * w));
+  store_lanes(e.qw + i, next.w);
+  store3(e.qx, e.qy, e.qz, i, {next.x, next.y, next.z});
+  store3(e.wx, e.wy, e.wz, i, w);
+  Lanes unused;
+  VecLanes dash;
+  load_columns([=](int r) { return wrench + (i + r) * kWrenchStride; }, 8, unused, dash.x, dash.y, dash.z);
+  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - half * dot(dash, old + w));
+  write_rows(pose, twist, i, u, rotation_minus_identity(next), v, w);
+  __builtin_memset(wrench + i * kWrenchStride, 0, sizeof(double) * kWrenchStride * kWidth);
 }
 
 }  // namespace
@@ -97,8 +109,12 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
   const VecLanes body = spread(f.gravity - f.ground), mean_gravity = spread(f.mean_gravity), mean_ground = spread(f.mean_ground);
   const Lanes dt = lanes(f.dt);
   for (std::int64_t i = first; i < last; i += kWidth) {
-    const VecLanes force = columns(wrench, kWrenchStride, 0, i), torque = columns(wrench, kWrenchStride, 3, i);
-    const VecLanes dash = columns(wrench, kWrenchStride, 6, i);
+    const auto row = [=](int l) { return wrench + (i + l) * kWrenchStride; };
+    VecLanes force, torque, dash;
+    Lanes unused;
+    load_columns(row, 0, force.x, force.y, force.z, torque.x);
+    load_columns(row, 4, torque.y, torque.z, dash.x, dash.y);
+    load_columns(row, 8, dash.z, unused, unused, unused);
     const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
     const LaneMask fixed = im == 0.0;
     const Lanes a = 0.5 * alpha * dt;
@@ -118,24 +134,19 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
 }
 
 void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept {
-  const Lanes step = lanes(dt), half = lanes(0.5 * dt), quarter = lanes(0.25 * dt);
-  for (std::int64_t i = first; i < last; i += kWidth) {
-    const VecLanes v = load3(e.vx, e.vy, e.vz, i);
-    const VecLanes u = load3(e.ux, e.uy, e.uz, i) + step * v;
-    store3(e.ux, e.uy, e.uz, i, u);
-    const MatLanes inverse = inverse_inertia(e, i);
-    const QuaternionLanes q{load_lanes(e.qw + i), load_lanes(e.qx + i), load_lanes(e.qy + i), load_lanes(e.qz + i)};
-    const VecLanes l = load3(e.lx, e.ly, e.lz, i), old = load3(e.wx, e.wy, e.wz, i);
-    VecLanes w = spin(inverse, q, l);
-    for (int pass = 0; pass < 2; ++pass) w = spin(inverse, turned(q, quarter * w), l);
-    const QuaternionLanes next = normalised(turned(q, half * w));
-    store_lanes(e.qw + i, next.w);
-    store3(e.qx, e.qy, e.qz, i, {next.x, next.y, next.z});
-    store3(e.wx, e.wy, e.wz, i, w);
-    const VecLanes dash = columns(wrench, kWrenchStride, 9, i);
-    store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - half * dot(dash, old + w));
-    write_rows(pose, twist, i, u, rotation_minus_identity(next), v, w);
-    __builtin_memset(wrench + i * kWrenchStride, 0, sizeof(double) * kWrenchStride * kWidth);
+  const Lanes quarter = lanes(0.25 * dt);
+  constexpr int kGroups = kLanes / kWidth;  // side by side: the chain from ω to the next ω is long, and one alone leaves the machine waiting
+  for (std::int64_t i = first; i < last; i += kLanes) {
+    VecLanes w[kGroups];
+    // The last ω is as good a start as L at the last orientation, and free.
+    for (int g = 0; g < kGroups; ++g) w[g] = load3(e.wx, e.wy, e.wz, i + g * kWidth);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int g = 0; g < kGroups; ++g) {
+        const std::int64_t k = i + g * kWidth;
+        w[g] = spin(inverse_inertia(e, k), turned(orientation(e, k), quarter * w[g]), load3(e.lx, e.ly, e.lz, k));
+      }
+    }
+    for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, w[g], wrench, pose, twist, dt);
   }
 }
 

@@ -31,7 +31,7 @@ struct BodyForces {
 };
 
 /// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T. Books the work of the step
-/// but that of the dashpots' torques. Elements [first, last), both multiples of kWidth.
+/// but that of the dashpots' torques. Elements [first, last), both multiples of kLanes.
 /// \param wrench  rows: force, torque, and those of the dashpots alone
 void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 

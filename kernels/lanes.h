@@ -58,6 +58,110 @@ VOUSSOIR_INLINE LaneMask widened(const unsigned char* p) noexcept {
   return __builtin_convertvector(b, LaneMask);
 }
 
+/// Four doubles: the unit in which rows are read and written whatever the width of the lanes.
+typedef double Quad __attribute__((vector_size(32)));
+typedef double Pair __attribute__((vector_size(16)));
+
+VOUSSOIR_INLINE Quad load_quad(const double* p) noexcept {
+  Quad x;
+  __builtin_memcpy(&x, p, sizeof x);
+  return x;
+}
+VOUSSOIR_INLINE Pair load_pair(const double* p) noexcept {
+  Pair x;
+  __builtin_memcpy(&x, p, sizeof x);
+  return x;
+}
+VOUSSOIR_INLINE void store_quad(double* p, Quad x) noexcept { __builtin_memcpy(p, &x, sizeof x); }
+VOUSSOIR_INLINE void add_quad(double* p, Quad x) noexcept {
+  store_quad(p, load_quad(p) + x);
+}
+VOUSSOIR_INLINE void add_pair(double* p, Pair x) noexcept {
+  x = load_pair(p) + x;
+  __builtin_memcpy(p, &x, sizeof x);
+}
+/// Rows to columns and back.
+VOUSSOIR_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) noexcept {
+  const Quad ab02 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Quad cd02 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd13 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab02, cd02, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7);
+}
+#if defined(__AVX512F__)
+VOUSSOIR_INLINE Quad quad_of(Lanes x, int at) noexcept {
+  return at == 0 ? __builtin_shufflevector(x, x, 0, 1, 2, 3) : __builtin_shufflevector(x, x, 4, 5, 6, 7);
+}
+VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return __builtin_shufflevector(q[0], q[1], 0, 1, 2, 3, 4, 5, 6, 7); }
+#else
+VOUSSOIR_INLINE Quad quad_of(Lanes x, int) noexcept { return x; }
+VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return q[0]; }
+#endif
+inline constexpr int kQuads = kWidth / 4;
+
+/// Four columns from `at` of the rows that `row(lane)` points to, one row a lane. By halves: the join of two halves comes with the load.
+template <class Row>
+VOUSSOIR_INLINE void load_columns(Row row, int at, Lanes& c0, Lanes& c1, Lanes& c2, Lanes& c3) noexcept {
+  Quad c[4][kQuads];
+  for (int k = 0; k < kQuads; ++k) {
+    const auto halves = [&](int l, int from) {
+      return __builtin_shufflevector(load_pair(row(4 * k + l) + from), load_pair(row(4 * k + l + 2) + from), 0, 1, 2, 3);
+    };
+    for (int h = 0; h < 2; ++h) {
+      const Quad even = halves(0, at + 2 * h), odd = halves(1, at + 2 * h);
+      c[2 * h][k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
+      c[2 * h + 1][k] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
+    }
+  }
+  c0 = joined(c[0]), c1 = joined(c[1]), c2 = joined(c[2]), c3 = joined(c[3]);
+}
+
+/// The way back: `row(lane)` may be written.
+template <class Row>
+VOUSSOIR_INLINE void store_columns(Row row, int at, Lanes c0, Lanes c1, Lanes c2, Lanes c3) noexcept {
+  for (int k = 0; k < kQuads; ++k) {
+    Quad r[4] = {quad_of(c0, k), quad_of(c1, k), quad_of(c2, k), quad_of(c3, k)};
+    transpose(r[0], r[1], r[2], r[3]);
+    for (int l = 0; l < 4; ++l) store_quad(row(4 * k + l) + at, r[l]);
+  }
+}
+
+/// Sums over the lanes of a, b, c and d.
+VOUSSOIR_INLINE Quad sums_of(Lanes a, Lanes b, Lanes c, Lanes d) noexcept {
+  Quad sum{};
+  for (int k = 0; k < kQuads; ++k) {
+    Quad q[4] = {quad_of(a, k), quad_of(b, k), quad_of(c, k), quad_of(d, k)};
+    transpose(q[0], q[1], q[2], q[3]);
+    sum = sum + ((q[0] + q[1]) + (q[2] + q[3]));
+  }
+  return sum;
+}
+
+/// Rows of a force and a torque, one a lane.
+struct SixColumns {
+  Quad head[kWidth];  // fx fy fz tx
+  Pair tail[kWidth];  // ty tz
+};
+VOUSSOIR_INLINE SixColumns rows_of(const Lanes (&c)[6]) noexcept {
+  SixColumns r;
+  for (int k = 0; k < kQuads; ++k) {
+    for (int l = 0; l < 4; ++l) r.head[4 * k + l] = quad_of(c[l], k);
+    transpose(r.head[4 * k], r.head[4 * k + 1], r.head[4 * k + 2], r.head[4 * k + 3]);
+    const Quad ty = quad_of(c[4], k), tz = quad_of(c[5], k);
+    const Quad even = __builtin_shufflevector(ty, tz, 0, 4, 2, 6), odd = __builtin_shufflevector(ty, tz, 1, 5, 3, 7);
+    r.tail[4 * k] = __builtin_shufflevector(even, even, 0, 1);
+    r.tail[4 * k + 1] = __builtin_shufflevector(odd, odd, 0, 1);
+    r.tail[4 * k + 2] = __builtin_shufflevector(even, even, 2, 3);
+    r.tail[4 * k + 3] = __builtin_shufflevector(odd, odd, 2, 3);
+  }
+  return r;
+}
+VOUSSOIR_INLINE void add_row(double* row, const SixColumns& r, int lane) noexcept {
+  add_quad(row, r.head[lane]);
+  add_pair(row + 4, r.tail[lane]);
+}
+
 /// Vec3 over lanes.
 struct VecLanes {
   Lanes x, y, z;
@@ -73,5 +177,8 @@ struct MatLanes {
   VecLanes r0, r1, r2;
 };
 VOUSSOIR_INLINE VecLanes operator*(const MatLanes& m, VecLanes v) noexcept { return {dot(m.r0, v), dot(m.r1, v), dot(m.r2, v)}; }
+VOUSSOIR_INLINE MatLanes operator-(const MatLanes& a, const MatLanes& b) noexcept { return {a.r0 - b.r0, a.r1 - b.r1, a.r2 - b.r2}; }
+VOUSSOIR_INLINE MatLanes operator+(const MatLanes& a, const MatLanes& b) noexcept { return {a.r0 + b.r0, a.r1 + b.r1, a.r2 + b.r2}; }
+VOUSSOIR_INLINE MatLanes operator*(Lanes f, const MatLanes& m) noexcept { return {f * m.r0, f * m.r1, f * m.r2}; }
 
 }  // namespace voussoir::kernels

@@ -6,13 +6,17 @@
 
 #include "geometry/vec3.h"
 
-/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs two
-/// loads, not twelve. Rows are derived from the state arrays (solver/elements.h) each step and never stored.
+/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs a
+/// few vector loads, not twelve of its own. Rows are derived from the state arrays (solver/elements.h) each step and never stored.
 namespace voussoir::kernels {
 
-inline constexpr int kPoseStride = 16;    // u (3) [m], R − I by rows (9), 4 spare
+/// Sides of a block, and the multiple that element arrays are padded to.
+inline constexpr int kLanes = 8;
+
+inline constexpr int kPoseStride = 12;    // for each axis i: row i of R − I (3), u_i [m]
 inline constexpr int kTwistStride = 8;    // velocity (3) [m/s], angular velocity in space (3) [rad/s], 2 spare
-inline constexpr int kWrenchStride = 16;  // force (3) [N], torque about the centroid (3) [N m], the same of the dashpots alone (6), 4 spare
+inline constexpr int kDashpotColumn = 6;  // of a wrench row, where the dashpots' share begins
+inline constexpr int kWrenchStride = 12;  // force (3) [N], torque about the centroid (3) [N m], the same of the dashpots alone (6)
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).
 struct Pose {
@@ -25,7 +29,11 @@ struct Twist {
 
 inline Pose load_pose(const double* rows, std::int64_t e) noexcept {
   const double* r = rows + e * kPoseStride;
-  return {{r[0], r[1], r[2]}, {{r[3], r[4], r[5]}, {r[6], r[7], r[8]}, {r[9], r[10], r[11]}}};
+  return {{r[3], r[7], r[11]}, {{r[0], r[1], r[2]}, {r[4], r[5], r[6]}, {r[8], r[9], r[10]}}};
+}
+inline void store_displacement(double* rows, std::int64_t e, Vec3 u) noexcept {
+  double* r = rows + e * kPoseStride;
+  r[3] = u.x, r[7] = u.y, r[11] = u.z;
 }
 inline Twist load_twist(const double* rows, std::int64_t e) noexcept {
   const double* r = rows + e * kTwistStride;
@@ -45,7 +53,7 @@ inline void add_wrench(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
   r[3] += t.x, r[4] += t.y, r[5] += t.z;
 }
 inline void add_dashpot(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
-  double* r = rows + e * kWrenchStride + 6;
+  double* r = rows + e * kWrenchStride + kDashpotColumn;
   r[0] += f.x, r[1] += f.y, r[2] += f.z;
   r[3] += t.x, r[4] += t.y, r[5] += t.z;
 }

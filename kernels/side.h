@@ -14,8 +14,6 @@
 /// the closed form of whole joints runs over lanes without gathers of parameters.
 namespace voussoir::kernels {
 
-inline constexpr int kLanes = 8;
-
 /// Constants of kLanes sides. Reference configuration: body frames and global axes coincide at the start.
 /// An unused lane has area = sss = sst = stt = 0 and both elements at the resting base row.
 struct alignas(64) SideBlock {
@@ -28,6 +26,7 @@ struct alignas(64) SideBlock {
   double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, rectangle round all contact points
   double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
+  std::uint32_t on_base;                       // bit mask: the slave is the base, which takes no force
 };
 
 /// One side, taken out of its block, for the segment-by-segment kernels.
@@ -64,14 +63,19 @@ struct SideFrame {
 };
 SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept;
 
-/// What the segments of one side did in a step.
-struct SideResult {
-  PairWrench wrench;
-  double stored_bonds = 0.0, stored_contact = 0.0;      // J
+/// Sums of tractions over a side, in its frame: Σ f dA, Σ s f dA, Σ t f dA.
+struct SideSums {
+  Local f, sf, tf;
+};
+/// Force on the master and torques about both centroids from the sums.
+void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
+
+/// What segments did in a step.
+struct SegmentTotals {
+  SideSums total, dash;                                 // springs and dashpots; dashpots alone
   double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step
-  int held = 0;                                         // bonded segments after the step
+  int held = 0;                                         // bonded after the step
   bool touching = false;                                // some segment that is not bonded carries force
-  double gap = 0.0;                                     // m, least opening of the segments that are not bonded
 };
 
 /// One break or first yield of a segment.
@@ -86,21 +90,49 @@ struct EventSink {
   int count = 0;
 };
 
-/// Advances all segments of a side by one step, one by one (the plain twin, and the judge of every rare event).
-/// Writes `q`; appends events. \pre sink has room for points.n more.
-SideResult advance_side_reference(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
-                                  double time, FailureOptions o, EventSink& sink) noexcept;
+/// Advances the segments of a side by one step, one by one, by the literal law. Writes `q`; appends events. \pre sink has room for points.n.
+SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
+                               FailureOptions o, EventSink& sink) noexcept;
 
-/// The same, vectorised over the segments; falls back to the reference in a step in which a bond breaks or a cap is reached.
-SideResult advance_side(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
-                        FailureOptions o, EventSink& sink) noexcept;
-
-/// Sums of tractions over a side, in its frame: Σ f dA, Σ s f dA, Σ t f dA.
-struct SideSums {
-  Local f, sf, tf;
+/// Elastic energy in the springs of a side as they are [J]: of bonded segments, of contacts.
+struct SideEnergy {
+  double bonds = 0.0, contact = 0.0;
 };
-/// Force on the master and torques about both centroids from the sums.
-void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
+SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept;
+
+/// One lane of a block for the kernels that look at its segments.
+struct SideParts {
+  std::int32_t id = 0;
+  double factor = 0.0, cn = 0.0, cs = 0.0;  // Eq. 11; Pa s/m
+  PointsView points;
+  SegmentsView segments;
+};
+
+/// Rows of the elements.
+struct Rows {
+  const double *pose = nullptr, *twist = nullptr;
+  double* wrench = nullptr;
+};
+
+/// What became of a side whose segments were looked at.
+struct DamagedSide {
+  double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step
+  int held = 0, events = 0;
+  bool touching = false;
+  double slide2 = 0.0, tilt2 = 0.0;  // m2, rad2: relative slide of the faces at the centre, and tilt
+  double gap = 0.0;                  // m, least opening over the rectangle round the points
+};
+
+/// One step of the chosen lanes of a block, segment by segment: histories, events, forces on the elements' rows.
+/// \param parts, result  by lane; only the chosen are read and written
+/// \pre  sink has room for all points of the chosen lanes
+using DamagedSides = void(const SideBlock& block, unsigned lanes, const SideParts* parts, const Rows& rows, double step, double time,
+                          FailureOptions o, DamagedSide* result, EventSink& sink) noexcept;
+DamagedSides damaged_sides;            // vectorised over segments; a rare event goes to the literal law
+DamagedSides damaged_sides_reference;  // the plain twin
+
+/// Side `lane` of a block, with the rest of its constants.
+Side side_of(const SideBlock& block, int lane, const SideParts& parts) noexcept;
 
 /// What is known of a side from the last step, so that most need no look at their segments.
 enum class Quick : std::uint8_t {
@@ -109,16 +141,11 @@ enum class Quick : std::uint8_t {
   open = 2       // none bonded, none touched: no force, if the corners prove that none touches now
 };
 
-/// The quick sides of a block.
-///
-/// \param wrench    rows; master and slave of every whole lane that is certified get their share. Elements from `free_rows` on are fixed at
-/// the
-///                  base and take none.
+/// The quick sides of a block: master and slave of every whole lane that is certified get their share of force.
 /// \return bit mask of the lanes that are done; the other used lanes need their segments looked at.
-unsigned quick_sides(const SideBlock& block, const Quick* quick, const double* pose, double* wrench, std::int32_t free_rows,
-                     FailureOptions o) noexcept;
+unsigned quick_sides(const SideBlock& block, const Quick* quick, const Rows& rows, FailureOptions o) noexcept;
 
-/// Elastic energy of a whole side [J], same closed form.
-double whole_side_energy(const SideBlock& block, int lane, const double* pose) noexcept;
+/// Elastic energy of the sides of a block, taken as whole [J]: kLanes values, same closed form.
+void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept;
 
 }  // namespace voussoir::kernels

@@ -46,4 +46,18 @@ void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torq
   torque_b = -(cross(f.arm_b, force) + moment);
 }
 
+Side side_of(const SideBlock& b, int l, const SideParts& parts) noexcept {
+  const auto vec = [l](const double v[3][kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
+  return {.master = b.master[l],
+          .slave = b.slave[l],
+          .ca = vec(b.ca),
+          .cb = vec(b.cb),
+          .es = vec(b.es),
+          .et = vec(b.et),
+          .mean = b.mean[l],
+          .factor = parts.factor,
+          .k = {b.kn[l], b.ks[l], parts.cn, parts.cs},
+          .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l]}};
+}
+
 }  // namespace voussoir::kernels

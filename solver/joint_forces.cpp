@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace voussoir::solver {
 
@@ -15,83 +16,68 @@ constexpr double kTilt = 0.15;              // rad, relative rotation
 constexpr double kSlideShare = 0.5;         // of a segment
 constexpr std::int64_t kOpenInterval = 16;  // steps between two looks at sides that are open all over
 
-/// One thread's findings.
-struct Findings {
-  std::vector<kernels::SegmentEvent> events, room;  // room: for the side in hand
-  std::vector<std::int32_t> coming_apart;
-};
-
-bool comes_apart(const World& w, std::int64_t id, const kernels::SideFrame& f, const kernels::SideResult& r) {
-  const double slide = kSlideShare * w.sides.size[static_cast<std::size_t>(id)];
-  if (f.d.s1 * f.d.s1 + f.d.s2 * f.d.s2 > slide * slide) return true;
-  if (dot(f.ds, f.ds) + dot(f.dt, f.dt) > kTilt * kTilt) return true;
+bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) {
+  const double slide = kSlideShare * w.sides.size[id];
+  if (r.slide2 > slide * slide || r.tilt2 > kTilt * kTilt) return true;
   return r.held == 0 && r.gap > w.contacts.skin;
 }
 
-bool still_whole(const kernels::SegmentsView& q, int n, int held) {
-  if (held != n) return false;
-  for (int i = 0; i < n; ++i) {
-    if (q.bond[i] != kernels::Bond::bonded) return false;
-  }
-  return true;
+/// Books what became of one side whose segments were looked at.
+void book(World& w, std::size_t id, const kernels::DamagedSide& r, JointFindings& found) {
+  Sides& s = w.sides;
+  s.held[id] = r.held;
+  s.friction[id] += r.friction, s.impact[id] += r.impact, s.fracture[id] += r.fracture;
+  // A whole side that failed its certificate, but in which nothing happened, is still whole.
+  if (s.quick[id] == kernels::Quick::whole && r.events == 0) return;
+  s.quick[id] = r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
+  if (comes_apart(w, id, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
 }
 
-/// Advances one side segment by segment and adds its forces.
-void advance_damaged(World& w, std::int64_t id, double time, Findings& found) {
-  Sides& s = w.sides;
-  const auto i = static_cast<std::size_t>(id);
-  const kernels::Side side = s.side(id);
-  double* pose = w.elements.pose.data();
-  double* twist = w.elements.twist.data();
-  const kernels::SideFrame f = kernels::side_frame(side, kernels::load_pose(pose, side.master), kernels::load_pose(pose, side.slave),
-                                                   kernels::load_twist(twist, side.master), kernels::load_twist(twist, side.slave));
-  const kernels::PointsView points = w.points.view(s.set[i]);
-  const kernels::SegmentsView q = s.segments(id);
-  if (found.room.size() < static_cast<std::size_t>(points.n)) found.room.resize(static_cast<std::size_t>(points.n));
+/// The chosen sides of a block, segment by segment.
+void advance_damaged(World& w, const kernels::Rows& rows, std::size_t block, unsigned lanes, double time, JointFindings& found) {
+  kernels::SideParts parts[kernels::kLanes];
+  kernels::DamagedSide result[kernels::kLanes];
+  const std::size_t first = block * kernels::kLanes;
+  std::size_t points = 0;
+  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+    const auto l = static_cast<std::size_t>(std::countr_zero(rest));
+    parts[l] = w.sides.parts(static_cast<std::int64_t>(first + l), w.points);
+    points += static_cast<std::size_t>(parts[l].points.n);
+  }
+  if (found.room.size() < points) found.room.resize(points);
   kernels::EventSink sink{found.room.data(), 0};
-  const auto advance = w.options.reference_kernels ? kernels::advance_side_reference : kernels::advance_side;
-  const kernels::SideResult r = advance(side, static_cast<std::int32_t>(id), f, points, q, w.dt, time, w.failure, sink);
+  const auto advance = w.options.reference_kernels ? kernels::damaged_sides_reference : kernels::damaged_sides;
+  advance(w.sides.blocks[block], lanes, parts, rows, w.dt, time, w.failure, result, sink);
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
-  s.held[i] = r.held;
-  s.friction[i] += r.friction, s.impact[i] += r.impact, s.fracture[i] += r.fracture;
-  s.stored_bonds[i] = r.stored_bonds, s.stored_contact[i] = r.stored_contact;
-  const bool whole = s.quick[i] == kernels::Quick::whole && sink.count == 0 && still_whole(q, points.n, r.held);
-  s.quick[i] = whole ? kernels::Quick::whole : r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
-  if (!whole && comes_apart(w, id, f, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
-  double* rows = w.elements.wrench.data();
-  const kernels::PairWrench& wrench = r.wrench;
-  kernels::add_wrench(rows, side.master, wrench.force, wrench.torque_a);
-  if (side.slave < w.elements.count) kernels::add_wrench(rows, side.slave, -wrench.force, wrench.torque_b);
-  if (!r.touching) return;
-  kernels::add_dashpot(rows, side.master, wrench.dash_force, wrench.dash_torque_a);
-  if (side.slave < w.elements.count) kernels::add_dashpot(rows, side.slave, -wrench.dash_force, wrench.dash_torque_b);
+  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+    const auto l = static_cast<std::size_t>(std::countr_zero(rest));
+    book(w, first + l, result[l], found);
+  }
+}
+
+unsigned open_lanes(const kernels::Quick* quick) {
+  unsigned open = 0;
+  for (int l = 0; l < kernels::kLanes; ++l) open |= (quick[l] == kernels::Quick::open ? 1U : 0U) << l;
+  return open;
 }
 
 /// `look_closely`: also at open sides, which may have come apart.
-void advance_block(World& w, std::int32_t block, double time, bool look_closely, Findings& found) {
-  Sides& s = w.sides;
-  const std::int64_t first = static_cast<std::int64_t>(block) * kernels::kLanes;
+void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, double time, bool look_closely, JointFindings& found) {
+  const Sides& s = w.sides;
+  const auto block = static_cast<std::size_t>(number);
+  const kernels::Quick* quick = s.quick.data() + block * kernels::kLanes;
   unsigned done = 0;
-  if (!w.options.reference_kernels) {
-    done = kernels::quick_sides(s.blocks[static_cast<std::size_t>(block)], s.quick.data() + first, w.elements.pose.data(),
-                                w.elements.wrench.data(), w.elements.count, w.failure);
-  }
-  if (look_closely) {
-    for (int l = 0; l < kernels::kLanes; ++l) {
-      if (s.quick[static_cast<std::size_t>(first + l)] == kernels::Quick::open) done &= ~(1U << l);
-    }
-  }
-  for (int l = 0; l < kernels::kLanes; ++l) {
-    if ((done >> l & 1U) || s.retired[static_cast<std::size_t>(first + l)]) continue;
-    advance_damaged(w, first + l, time, found);
-  }
+  if (!w.options.reference_kernels) done = kernels::quick_sides(s.blocks[block], quick, rows, w.failure);
+  if (look_closely) done &= ~open_lanes(quick);
+  const unsigned left = s.live_lanes[block] & ~done;
+  if (left != 0) advance_damaged(w, rows, block, left, time, found);
 }
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling.
-void collect(std::vector<Findings>& parts, JointEvents& out) {
+void collect(JointEvents& out) {
   out.events.clear();
   out.coming_apart.clear();
-  for (Findings& p : parts) {
+  for (JointFindings& p : out.by_thread) {
     out.events.insert(out.events.end(), p.events.begin(), p.events.end());
     out.coming_apart.insert(out.coming_apart.end(), p.coming_apart.begin(), p.coming_apart.end());
     p.events.clear();
@@ -106,39 +92,61 @@ void collect(std::vector<Findings>& parts, JointEvents& out) {
 
 void joint_forces(World& w, double time, std::int64_t step, JointEvents& out) {
   const bool look_closely = step % kOpenInterval == 0;
-  std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()));
+  const kernels::Rows rows = w.rows();
+  out.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
 #pragma omp parallel
   {
-    Findings& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
+    JointFindings& mine = out.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
     for (std::size_t c = 0; c < w.sides.live.size(); ++c) {
       const std::vector<std::int32_t>& blocks = w.sides.live[c];
       const auto n = static_cast<std::int64_t>(blocks.size());
       if (static_cast<std::int32_t>(c) == w.sides.overflow_colour) {
 #pragma omp single
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
       } else {
-#pragma omp for schedule(dynamic, 8)
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
+        // Few blocks in turn: damage is clustered, and the same thread meets the same blocks in every step.
+#pragma omp for schedule(static, 4)
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
       }
     }
   }
-  collect(parts, out);
+  collect(out);
 }
 
-StoredEnergy joint_energy(const World& w) {
-  StoredEnergy e;
-  for (std::int64_t id = 0; id < w.sides.count(); ++id) {
-    const auto i = static_cast<std::size_t>(id);
-    if (w.sides.retired[i]) continue;
-    if (w.sides.quick[i] == kernels::Quick::whole) {
-      e.bonds +=
-          kernels::whole_side_energy(w.sides.blocks[i / kernels::kLanes], static_cast<int>(id % kernels::kLanes), w.elements.pose.data());
-    } else {
-      e.bonds += w.sides.stored_bonds[i];
-      e.contact += w.sides.stored_contact[i];
+namespace {
+
+StoredEnergy energy_of(World& w, std::size_t id, double whole) {
+  Sides& s = w.sides;
+  if (s.retired[id]) return {};
+  if (s.quick[id] == kernels::Quick::whole) return {whole, 0.0};
+  if (s.quick[id] == kernels::Quick::open) return {};
+  const kernels::Side side = s.side(static_cast<std::int64_t>(id), w.points);
+  const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
+  const kernels::SideFrame f = kernels::side_frame(side, kernels::load_pose(pose, side.master), kernels::load_pose(pose, side.slave),
+                                                   kernels::load_twist(twist, side.master), kernels::load_twist(twist, side.slave));
+  const kernels::SideParts parts = s.parts(static_cast<std::int64_t>(id), w.points);
+  const kernels::SideEnergy e = kernels::segment_energy(side, f, parts.points, parts.segments);
+  return {e.bonds, e.contact};
+}
+
+}  // namespace
+
+StoredEnergy joint_energy(World& w) {
+  const auto blocks = static_cast<std::int64_t>(w.sides.blocks.size());
+  std::vector<StoredEnergy> by_block(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(static, 16)
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    double whole[kernels::kLanes];
+    const auto block = static_cast<std::size_t>(b);
+    kernels::whole_side_energies(w.sides.blocks[block], w.elements.pose.data(), whole);
+    for (std::size_t l = 0; l < kernels::kLanes; ++l) {
+      const StoredEnergy e = energy_of(w, block * kernels::kLanes + l, whole[l]);
+      by_block[block].bonds += e.bonds, by_block[block].contact += e.contact;
     }
   }
-  return e;
+  StoredEnergy sum;  // in one fixed order
+  for (const StoredEnergy& e : by_block) sum.bonds += e.bonds, sum.contact += e.contact;
+  return sum;
 }
 
 }  // namespace voussoir::solver

@@ -45,7 +45,7 @@ void Ledger::add_support_work(const World& w) {
   }
 }
 
-void Ledger::before_kick(const World& w) {
+void Ledger::before_kick(World& w) {
   const Elements& e = w.elements;
   const auto n = static_cast<std::size_t>(e.count);
   v_.resize(3 * n), w_.resize(3 * n), l_.resize(3 * n), dash_.resize(6 * n);

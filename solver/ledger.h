@@ -24,7 +24,7 @@ class Ledger {
   void add_load_work(double work) { loads_ += work; }
 
   /// Brackets the kick and drift of a step in which a row is due.
-  void before_kick(const World& w);
+  void before_kick(World& w);
   EnergyRow after_drift(const World& w, double time);
 
   [[nodiscard]] double kinetic_over_elastic() const { return last_.kinetic / (last_.strain + last_.contact + 1e-300); }

@@ -80,7 +80,7 @@ void retire_side(World& w, std::int32_t side) {
   const std::int64_t id = side;
   const auto i = static_cast<std::size_t>(id);
   Sides& sides = w.sides;
-  const kernels::Side s = sides.side(id);
+  const kernels::Side s = sides.side(id, w.points);
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
@@ -94,19 +94,19 @@ void retire_side(World& w, std::int32_t side) {
   }
   sides.retired[i] = 1;
   sides.quick[i] = kernels::Quick::segments;
-  sides.stored_bonds[i] = sides.stored_contact[i] = 0.0;
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
 }
 
 void list_live_blocks(World& w) {
-  const Sides& s = w.sides;
-  w.sides.live.assign(s.colour_first.size() - 1, {});
+  Sides& s = w.sides;
+  s.live.assign(s.colour_first.size() - 1, {});
+  s.live_lanes.assign(s.blocks.size(), 0);
+  for (std::size_t id = 0; id < s.retired.size(); ++id) {
+    if (!s.retired[id]) s.live_lanes[id / kernels::kLanes] |= static_cast<std::uint8_t>(1U << id % kernels::kLanes);
+  }
   for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
     for (std::int32_t b = s.colour_first[c]; b < s.colour_first[c + 1]; ++b) {
-      bool any = false;
-      for (int l = 0; l < kernels::kLanes; ++l)
-        any = any || !s.retired[static_cast<std::size_t>(b) * kernels::kLanes + static_cast<std::size_t>(l)];
-      if (any) w.sides.live[c].push_back(b);
+      if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live[c].push_back(b);
     }
   }
 }

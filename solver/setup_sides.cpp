@@ -119,7 +119,7 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
   s.blocks.assign(blocks, kernels::SideBlock{});
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   for (auto* column : {&s.factor, &s.cn, &s.cs, &s.size}) column->assign(n, 0.0);
-  for (auto* column : {&s.friction, &s.impact, &s.fracture, &s.stored_bonds, &s.stored_contact}) column->assign(n, 0.0);
+  for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
   s.first_segment.assign(n, 0);
   s.faces.assign(n, 1);
   s.quick.assign(n, kernels::Quick::segments);
@@ -152,6 +152,7 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   put(b.es, side.frame.axis_s);
   put(b.et, side.frame.axis_t);
   b.master[l] = side.master, b.slave[l] = side.slave;
+  if (side.slave == w.elements.base) b.on_base |= 1U << l;
   // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
   // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
   // comparison.

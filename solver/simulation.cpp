@@ -108,8 +108,7 @@ void Simulation::place_supports() {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 u = displacement_at(*s.history, t);
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
-    double* pose = e.pose.data() + i * kernels::kPoseStride;
-    pose[0] = u.x, pose[1] = u.y, pose[2] = u.z;
+    kernels::store_displacement(e.pose.data(), s.element, u);
   }
 }
 

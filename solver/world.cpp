@@ -51,21 +51,17 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
   return {s.data() + at, t.data() + at, area.data() + at, count[i]};
 }
 
-kernels::Side Sides::side(std::int64_t id) const noexcept {
-  const kernels::SideBlock& b = blocks[static_cast<std::size_t>(id / kernels::kLanes)];
-  const int l = static_cast<int>(id % kernels::kLanes);
+kernels::Rows World::rows() noexcept {
+  return {elements.pose.data(), elements.twist.data(), elements.wrench.data()};
+}
+
+kernels::SideParts Sides::parts(std::int64_t id, const PointSets& points) noexcept {
   const auto i = static_cast<std::size_t>(id);
-  const auto vec = [l](const double v[3][kernels::kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
-  return {.master = b.master[l],
-          .slave = b.slave[l],
-          .ca = vec(b.ca),
-          .cb = vec(b.cb),
-          .es = vec(b.es),
-          .et = vec(b.et),
-          .mean = b.mean[l],
-          .factor = factor[i],
-          .k = {b.kn[l], b.ks[l], cn[i], cs[i]},
-          .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l]}};
+  return {static_cast<std::int32_t>(id), factor[i], cn[i], cs[i], points.view(set[i]), segments(id)};
+}
+
+kernels::Side Sides::side(std::int64_t id, const PointSets& points) noexcept {
+  return kernels::side_of(blocks[static_cast<std::size_t>(id / kernels::kLanes)], static_cast<int>(id % kernels::kLanes), parts(id, points));
 }
 
 kernels::SegmentsView Sides::segments(std::int64_t id) noexcept {

@@ -73,6 +73,7 @@ struct Sides {
   std::vector<std::int32_t> colour_first;       // blocks of colour c: [colour_first[c], colour_first[c + 1])
   std::int32_t overflow_colour = -1;            // run serially; −1: none
   std::vector<std::vector<std::int32_t>> live;  // per colour, blocks with a side that is not retired
+  std::vector<std::uint8_t> live_lanes;         // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces
@@ -85,15 +86,14 @@ struct Sides {
   Array<std::uint8_t> retired;               // lives on as free patches
   Array<std::int32_t> held;                  // bonded segments
   Array<double> friction, impact, fracture;  // J, lost so far
-  // Derived by side, valid after joint_forces: J in the springs of a side that is not whole.
-  Array<double> stored_bonds, stored_contact;
   // State by segment.
   Array<kernels::Bond> bond;
   Array<kernels::Mode> first_mode;
   Array<double> first_time, slip1, slip2, closure;
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
-  [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  [[nodiscard]] kernels::Side side(std::int64_t id, const PointSets& points) noexcept;
+  [[nodiscard]] kernels::SideParts parts(std::int64_t id, const PointSets& points) noexcept;
   [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) noexcept;
 };
 
@@ -164,6 +164,7 @@ struct World {
   Patches patches;
   Contacts contacts;
   [[nodiscard]] kernels::Bodies bodies() const noexcept;
+  [[nodiscard]] kernels::Rows rows() noexcept;
 
   std::vector<PointLoad> loads;
   std::vector<Support> supports;

@@ -12,7 +12,11 @@ namespace {
 kernels::PairWrench wrench_of(SideUnderTest u, const TwoBodies& b) {
   std::vector<kernels::SegmentEvent> events(u.s.size());
   kernels::EventSink sink{events.data(), 0};
-  return kernels::advance_side_reference(u.side, 0, u.frame(b), u.points(), u.segments(), 5e-5, 0.0, {}, sink).wrench;
+  const kernels::SideFrame f = u.frame(b);
+  const kernels::SegmentTotals r = kernels::advance_segments(u.side, 0, f, u.points(), u.segments(), 5e-5, 0.0, {}, sink);
+  kernels::PairWrench w;
+  kernels::to_wrench(f, r.total, w.force, w.torque_a, w.torque_b);
+  return w;
 }
 
 /// The same joint mastered by the other face: tangents swapped, so that their product points out of it.

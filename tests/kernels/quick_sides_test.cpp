@@ -9,6 +9,8 @@ using namespace voussoir::testing;
 
 namespace {
 
+kernels::Rows rows_of(const TwoBodies& b, double* wrench) { return {b.pose.data(), b.twist.data(), wrench}; }
+
 struct ClosedForm {
   bool certified = false;
   Vec3 force_a, torque_a, force_b, torque_b;
@@ -20,7 +22,7 @@ ClosedForm closed_form(const SideUnderTest& u, const TwoBodies& b, kernels::Fail
   kernels::Quick quick[kernels::kLanes] = {};
   quick[lane] = kernels::Quick::whole;
   const kernels::SideBlock block = u.block(lane);
-  const unsigned done = kernels::quick_sides(block, quick, b.pose.data(), wrench, 2, o);
+  const unsigned done = kernels::quick_sides(block, quick, rows_of(b, wrench), o);
   const auto row = [&](int e, int at) {
     return Vec3{wrench[e * kernels::kWrenchStride + at], wrench[e * kernels::kWrenchStride + at + 1],
                 wrench[e * kernels::kWrenchStride + at + 2]};
@@ -28,16 +30,9 @@ ClosedForm closed_form(const SideUnderTest& u, const TwoBodies& b, kernels::Fail
   return {(done >> lane & 1U) != 0, row(0, 0), row(0, 3), row(1, 0), row(1, 3)};
 }
 
-struct BySegments {
-  kernels::SideResult result;
-  int events = 0;
-};
-
-BySegments by_segments(SideUnderTest u, const TwoBodies& b, kernels::FailureOptions o = {}) {
-  std::vector<kernels::SegmentEvent> events(u.s.size());
-  kernels::EventSink sink{events.data(), 0};
-  const auto r = kernels::advance_side_reference(u.side, 0, u.frame(b), u.points(), u.segments(), 5e-5, 0.0, o, sink);
-  return {r, sink.count};
+SideStep by_segments(SideUnderTest u, const TwoBodies& b, kernels::FailureOptions o = {}) {
+  std::vector<kernels::SegmentEvent> events;
+  return advance(kernels::damaged_sides_reference, u, b, 5e-5, 0.0, o, events);
 }
 
 /// Both bodies moved together by up to 0.3 m and 0.2 rad, and apart by about `opening` [m].
@@ -60,16 +55,16 @@ TEST_CASE("the closed form of a whole side equals the sum over its segments to 1
       u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
       const TwoBodies b = random_pose(u, noise, 1e-6);
       const ClosedForm c = closed_form(u, b);
-      const BySegments s = by_segments(u, b);
+      const SideStep s = by_segments(u, b);
       REQUIRE(c.certified);
-      REQUIRE(s.events == 0);
+      REQUIRE(s.result.events == 0);
       const kernels::SideFrame f = u.frame(b);
       const double largest = norm(Vec3{f.d.n, f.d.s1, f.d.s2}) + 0.1 * (std::sqrt(dot(f.ds, f.ds)) + std::sqrt(dot(f.dt, f.dt)));
       const double unit = u.side.k.kn * 8 * 5 * 0.025 * 0.025 * largest;  // k A max|u|
-      CHECK(distance(c.force_a, s.result.wrench.force) < 1e-11 * unit);
-      CHECK(distance(c.force_b, -s.result.wrench.force) < 1e-11 * unit);
-      CHECK(distance(c.torque_a, s.result.wrench.torque_a) < 1e-11 * unit);
-      CHECK(distance(c.torque_b, s.result.wrench.torque_b) < 1e-11 * unit);
+      CHECK(distance(c.force_a, s.force_a) < 1e-11 * unit);
+      CHECK(distance(c.force_b, s.force_b) < 1e-11 * unit);
+      CHECK(distance(c.torque_a, s.torque_a) < 1e-11 * unit);
+      CHECK(distance(c.torque_b, s.torque_b) < 1e-11 * unit);
       CHECK(norm(c.force_a) > 1e-9 * unit);
     }
   }
@@ -81,8 +76,10 @@ TEST_CASE("the elastic energy of the closed form equals the sum over the segment
     SideUnderTest u(4, 8, i % 2 ? 0.5 : 0.0);
     u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
     const TwoBodies b = random_pose(u, noise, 1e-6);
-    const double by_points = by_segments(u, b).result.stored_bonds;
-    CHECK(kernels::whole_side_energy(u.block(3), 3, b.pose.data()) == doctest::Approx(by_points).epsilon(1e-11));
+    const double by_points = energy(u, b).bonds;
+    double closed[kernels::kLanes];
+    kernels::whole_side_energies(u.block(3), b.pose.data(), closed);
+    CHECK(closed[3] == doctest::Approx(by_points).epsilon(1e-11));
   }
 }
 
@@ -98,7 +95,7 @@ TEST_CASE("the certificate never passes a side in which a segment yields, and pa
     o.shear = i % 7 != 0;
     const TwoBodies b = random_pose(u, noise, 6e-5 * std::pow(10.0, noise()));
     const bool certified = closed_form(u, b, o).certified;
-    const bool fails = by_segments(u, b, o).events > 0;
+    const bool fails = by_segments(u, b, o).result.events > 0;
     CHECK_FALSE((certified && fails));
     failing += fails;
     safe += !fails;
@@ -118,7 +115,7 @@ TEST_CASE("lanes do not see each other, and the base takes no force") {
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
   kernels::Quick quick[kernels::kLanes] = {kernels::Quick::whole};
   kernels::SideBlock block = u.block(0);
-  const unsigned done = kernels::quick_sides(block, quick, b.pose.data(), wrench, 2, {});
+  const unsigned done = kernels::quick_sides(block, quick, rows_of(b, wrench), {});
   CHECK(done == 1U);
   CHECK(wrench[0] != 0.0);
   for (int k = 0; k < 6; ++k) CHECK(wrench[2 * kernels::kWrenchStride + k] == 0.0);
@@ -133,7 +130,7 @@ TEST_CASE("an open side is passed over only where no segment touches") {
     const TwoBodies b = random_pose(u, noise, 1e-5);
     kernels::Quick quick[kernels::kLanes] = {kernels::Quick::segments, kernels::Quick::open};
     alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
-    const bool passed = (kernels::quick_sides(u.block(1), quick, b.pose.data(), wrench, 2, {}) >> 1 & 1U) != 0;
+    const bool passed = (kernels::quick_sides(u.block(1), quick, rows_of(b, wrench), {}) >> 1 & 1U) != 0;
     const bool touches = by_segments(u, b).result.touching;
     CHECK(passed == !touches);
     open += passed, touching += touches;

@@ -34,7 +34,7 @@ struct TwoBodies {
     const double f = 1.0 / std::sqrt(1.0 + h2);
     const Mat3 d = rotation_minus_identity({f, 0.5 * f * turn.x, 0.5 * f * turn.y, 0.5 * f * turn.z});
     double* r = pose.data() + body * kernels::kPoseStride;
-    const double values[12] = {u.x, u.y, u.z, d.r0.x, d.r0.y, d.r0.z, d.r1.x, d.r1.y, d.r1.z, d.r2.x, d.r2.y, d.r2.z};
+    const double values[12] = {d.r0.x, d.r0.y, d.r0.z, u.x, d.r1.x, d.r1.y, d.r1.z, u.y, d.r2.x, d.r2.y, d.r2.z, u.z};
     std::copy_n(values, 12, r);
   }
   void move(int body, Vec3 v, Vec3 w) {
@@ -89,6 +89,7 @@ struct SideUnderTest {
     }
     const auto put = [lane](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z; };
     put(b.ca, side.ca), put(b.cb, side.cb), put(b.es, side.es), put(b.et, side.et);
+    if (side.slave == 2) b.on_base |= 1U << lane;
     b.master[lane] = side.master, b.slave[lane] = side.slave, b.mean[lane] = side.mean;
     b.kn[lane] = side.k.kn, b.ks[lane] = side.k.ks;
     b.tension[lane] = side.strength.tension, b.cohesion[lane] = side.strength.cohesion, b.tan_phi[lane] = side.strength.tan_phi;
@@ -107,6 +108,36 @@ struct SideUnderTest {
                                kernels::load_twist(b.twist.data(), side.master), kernels::load_twist(b.twist.data(), side.slave));
   }
 };
+
+/// One step of a side under test on its own block: what it did, and the forces it left on the rows of both bodies.
+struct SideStep {
+  kernels::DamagedSide result;
+  Vec3 force_a, torque_a, dash_a, force_b, torque_b;
+};
+
+inline SideStep advance(kernels::DamagedSides& kernel, SideUnderTest& u, const TwoBodies& b, double step, double time,
+                        kernels::FailureOptions o, std::vector<kernels::SegmentEvent>& events) {
+  constexpr int kLane = 5;
+  alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
+  kernels::SideParts parts[kernels::kLanes];
+  parts[kLane] = {7, u.side.factor, u.side.k.cn, u.side.k.cs, u.points(), u.segments()};
+  kernels::DamagedSide result[kernels::kLanes];
+  const std::size_t before = events.size();
+  events.resize(before + u.s.size());
+  kernels::EventSink sink{events.data() + before, 0};
+  kernel(u.block(kLane), 1U << kLane, parts, {b.pose.data(), b.twist.data(), wrench}, step, time, o, result, sink);
+  events.resize(before + static_cast<std::size_t>(sink.count));
+  const auto row = [&](int e, int at) {
+    const double* r = wrench + e * kernels::kWrenchStride + at;
+    return Vec3{r[0], r[1], r[2]};
+  };
+  return {result[kLane], row(0, 0), row(0, 3), row(0, kernels::kDashpotColumn), row(1, 0), row(1, 3)};
+}
+
+/// Elastic energy in the segments of a side under test.
+inline kernels::SideEnergy energy(SideUnderTest& u, const TwoBodies& b) {
+  return kernels::segment_energy(u.side, u.frame(b), u.points(), u.segments());
+}
 
 inline double distance(Vec3 a, Vec3 b) { return norm(a - b); }
 

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "kernels/side.h"
+
+namespace voussoir::kernels {
+
+namespace {
+
+void add(SideSums& sums, Local f, double s, double t) noexcept {
+  sums.f = sums.f + f;
+  sums.sf = sums.sf + s * f;
+  sums.tf = sums.tf + t * f;
+}
+
+void record(const SegmentStep& step, SegmentsView q, int i, std::int32_t id, double time, EventSink& sink) noexcept {
+  if (step.reached == Mode::none && step.broke == Mode::none) return;
+  if (q.first_mode[i] == Mode::none && step.reached != Mode::none) {
+    q.first_mode[i] = step.reached;
+    q.first_time[i] = time;
+  }
+  sink.data[sink.count++] = {id, i, step.reached, step.broke};
+}
+
+/// Least u_n over the rectangle round the points.
+double least_opening(const SideBlock& b, int l, const SideFrame& f) noexcept {
+  return f.d.n + std::min(b.s_low[l] * f.ds.n, b.s_high[l] * f.ds.n) + std::min(b.t_low[l] * f.dt.n, b.t_high[l] * f.dt.n);
+}
+
+void add_wrenches(const Side& side, bool on_base, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
+  PairWrench w;
+  to_wrench(f, r.total, w.force, w.torque_a, w.torque_b);
+  to_wrench(f, r.dash, w.dash_force, w.dash_torque_a, w.dash_torque_b);
+  add_wrench(rows.wrench, side.master, w.force, w.torque_a);
+  add_dashpot(rows.wrench, side.master, w.dash_force, w.dash_torque_a);
+  if (on_base) return;
+  add_wrench(rows.wrench, side.slave, -w.force, w.torque_b);
+  add_dashpot(rows.wrench, side.slave, -w.dash_force, w.dash_torque_b);
+}
+
+}  // namespace
+
+SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
+                               FailureOptions o, EventSink& sink) noexcept {
+  SegmentTotals r;
+  for (int i = 0; i < p.n; ++i) {
+    const double s = p.s[i], t = p.t[i], da = side.factor * p.area[i];
+    const Local u = f.d + s * f.ds + t * f.dt;
+    const Local rate = f.v + s * f.vs + t * f.vt;
+    SegmentState state{q.bond[i], q.slip1[i], q.slip2[i], q.closure[i]};
+    const SegmentStep out = advance_segment(state, u, rate, step, side.k, side.strength, o);
+    q.bond[i] = state.bond;
+    q.slip1[i] = state.slip1, q.slip2[i] = state.slip2, q.closure[i] = state.closure;
+    record(out, q, i, id, time, sink);
+    add(r.total, da * out.traction, s, t);
+    add(r.dash, da * out.dashpot, s, t);
+    r.friction += da * out.friction;
+    r.impact += da * out.impact;
+    r.fracture += da * out.fracture;
+    const bool held = holds(state.bond);
+    r.held += held;
+    r.touching = r.touching || (!held && u.n < state.closure);
+  }
+  return r;
+}
+
+SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept {
+  SideEnergy e;
+  for (int i = 0; i < p.n; ++i) {
+    const Local u = f.d + p.s[i] * f.ds + p.t[i] * f.dt;
+    const bool held = holds(q.bond[i]);
+    const double n = u.n - q.closure[i];
+    if (!held && n >= 0.0) continue;
+    const Local x = held ? Local{n, u.s1 - q.slip1[i], u.s2 - q.slip2[i]} : Local{n, q.slip1[i], q.slip2[i]};
+    (held ? e.bonds : e.contact) += side.factor * p.area[i] * detail::stored_energy(x, side.k);
+  }
+  return e;
+}
+
+void damaged_sides_reference(const SideBlock& block, unsigned lanes, const SideParts* parts, const Rows& rows, double step, double time,
+                             FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
+  for (int l = 0; l < kLanes; ++l) {
+    if (!(lanes >> l & 1U)) continue;
+    const Side side = side_of(block, l, parts[l]);
+    const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
+                                   load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
+    const int before = sink.count;
+    const SegmentTotals r = advance_segments(side, parts[l].id, f, parts[l].points, parts[l].segments, step, time, o, sink);
+    add_wrenches(side, (block.on_base >> l & 1U) != 0, f, r, rows);
+    result[l] = {.friction = r.friction,
+                 .impact = r.impact,
+                 .fracture = r.fracture,
+                 .held = r.held,
+                 .events = sink.count - before,
+                 .touching = r.touching,
+                 .slide2 = f.d.s1 * f.d.s1 + f.d.s2 * f.d.s2,
+                 .tilt2 = dot(f.ds, f.ds) + dot(f.dt, f.dt),
+                 .gap = least_opening(block, l, f)};
+  }
+}
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kernels/lanes.h"
+#include "kernels/side.h"
+
+/// kWidth sides of a block at a time: how they move, and how their forces reach the elements. Shared by the kernels of quick and of damaged
+/// sides; not for other code. `at` is the first lane, a multiple of kWidth.
+namespace voussoir::kernels {
+
+VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept {
+  return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
+}
+
+/// Relative displacement of the lanes and the frame it acts in. Differences of R − I are taken before anything is added, so an opening of
+/// 1e-12 m on a body 5 m away keeps its digits.
+struct Kinematics {
+  VecLanes d, a, b;  // u(s,t) = d + s a + t b, global axes [m]
+  VecLanes n;        // mean normal, not yet of length 1
+  VecLanes es, et;
+  VecLanes arm_a, arm_b;
+};
+
+/// Where the rows of kWidth elements stand.
+struct RowPointers {
+  const double* at[kWidth];
+};
+VOUSSOIR_INLINE RowPointers row_pointers(const double* rows, int stride, const std::int32_t* elements) noexcept {
+  RowPointers r;
+  for (int l = 0; l < kWidth; ++l) r.at[l] = rows + static_cast<std::int64_t>(elements[l]) * stride;
+  return r;
+}
+
+/// Row i of R − I of kWidth elements, and u_i.
+struct PoseRow {
+  VecLanes d;
+  Lanes u;
+};
+VOUSSOIR_INLINE PoseRow pose_row(const RowPointers& rows, int i) noexcept {
+  PoseRow r;
+  load_columns([&](int l) { return rows.at[l]; }, 4 * i, r.d.x, r.d.y, r.d.z, r.u);
+  return r;
+}
+
+/// One axis of the kinematics after the other: the rows of two matrices fit the registers, two matrices do not.
+VOUSSOIR_INLINE void kinematics_of_axis(const SideBlock& s, int at, int i, const RowPointers& a, const RowPointers& b, VecLanes n0,
+                                        Lanes VecLanes::*x, Kinematics& k) noexcept {
+  const PoseRow p = pose_row(a, i), q = pose_row(b, i);
+  const Lanes w = load_lanes(s.mean + at);
+  const VecLanes es = load3(s.es, at), et = load3(s.et, at);
+  const VecLanes relative = q.d - p.d, carried = p.d + w * relative;
+  const Lanes da = dot(p.d, load3(s.ca, at)), db = dot(q.d, load3(s.cb, at)), d = (q.u - p.u) + (db - da);
+  k.d.*x = d;
+  k.arm_a.*x = load_lanes(s.ca[i] + at) + da + w * d;
+  k.arm_b.*x = load_lanes(s.cb[i] + at) + db - (1.0 - w) * d;
+  k.a.*x = dot(relative, es);
+  k.b.*x = dot(relative, et);
+  k.n.*x = n0.*x + dot(carried, n0);
+  k.es.*x = es.*x + dot(carried, es);
+  k.et.*x = et.*x + dot(carried, et);
+}
+
+VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& s, int at, const double* pose) noexcept {
+  const RowPointers a = row_pointers(pose, kPoseStride, s.master + at), b = row_pointers(pose, kPoseStride, s.slave + at);
+  const VecLanes n0 = cross(load3(s.es, at), load3(s.et, at));
+  Kinematics k;
+  kinematics_of_axis(s, at, 0, a, b, n0, &VecLanes::x, k);
+  kinematics_of_axis(s, at, 1, a, b, n0, &VecLanes::y, k);
+  kinematics_of_axis(s, at, 2, a, b, n0, &VecLanes::z, k);
+  return k;
+}
+
+/// Least u_n = dn + s an + t bn over the rectangles round the points.
+VOUSSOIR_INLINE Lanes least_opening(const SideBlock& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
+  const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;
+  const Lanes t0 = load_lanes(s.t_low + at) * bn, t1 = load_lanes(s.t_high + at) * bn;
+  return dn + (min(s0, s1) + min(t0, t1));
+}
+
+/// Sums of tractions over each lane's side, global axes: Σ f dA, Σ s f dA, Σ t f dA.
+struct SumLanes {
+  VecLanes f, sf, tf;
+};
+
+struct WrenchLanes {
+  VecLanes force, torque_a, torque_b;  // on the master; about its centroid; about the slave's, with the sign of the master's
+};
+
+VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums) noexcept {
+  const VecLanes m = cross(k.es, sums.sf) + cross(k.et, sums.tf);
+  return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
+}
+
+/// Adds the wrenches of the chosen lanes to the rows of their elements, from column `column` on.
+VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, const WrenchLanes& w, unsigned chosen, double* rows, int column) noexcept {
+  constexpr unsigned kAll = (1U << kWidth) - 1U;
+  const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
+  const SixColumns on_b = rows_of({-w.force.x, -w.force.y, -w.force.z, -w.torque_b.x, -w.torque_b.y, -w.torque_b.z});
+  const auto add_a = [&](int l) { add_row(rows + static_cast<std::int64_t>(s.master[at + l]) * kWrenchStride + column, on_a, l); };
+  const auto add_b = [&](int l) { add_row(rows + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride + column, on_b, l); };
+  const unsigned pushed = chosen & ~(s.on_base >> at);
+  if (pushed == kAll) {  // nearly always
+    for (int l = 0; l < kWidth; ++l) add_a(l), add_b(l);
+    return;
+  }
+  for (int l = 0; l < kWidth; ++l) {
+    if (chosen >> l & 1U) add_a(l);
+    if (pushed >> l & 1U) add_b(l);
+  }
+}
+
+}  // namespace voussoir::kernels
