@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernels/side_lanes.h"
+#include "kernels/damaged_sides.h"
 
 // Damaged sides. Frames and wrenches are made for kWidth sides at a time, their segments are run through for one side, kWidth points at a
 // time. Only what happens all the time is here: elastic, slipping, touching, open. A chunk of points in which a bond breaks, first yields or
@@ -21,6 +21,9 @@ VOUSSOIR_INLINE LocalLanes operator*(Lanes f, LocalLanes a) noexcept { return {f
 VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {
   return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
 }
+VOUSSOIR_INLINE VecLanes select3(LaneMask m, VecLanes a, VecLanes b) noexcept {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
 VOUSSOIR_INLINE Lanes square(Lanes a, Lanes b) noexcept { return a * a + b * b; }
 
 // ---- kWidth sides at a time: the frame of each, and the affine fields in it
@@ -32,7 +35,7 @@ struct alignas(64) FieldTable {
 };
 
 struct Frames {
-  Kinematics k;
+  const Kinematics& k;
   VecLanes t1, t2;
 };
 
@@ -54,13 +57,10 @@ VOUSSOIR_INLINE TwistLanes gather_twists(const double* rows, const std::int32_t*
   return t;
 }
 
-VOUSSOIR_INLINE Frames frames(const SideBlock& block, int at, const Rows& rows, FieldTable& fields) noexcept {
-  Frames f;
-  f.k = kinematics(block, at, rows.pose);
-  f.k.n = (1.0 / sqrt(dot(f.k.n, f.k.n))) * f.k.n;
-  const VecLanes along = f.k.es - dot(f.k.es, f.k.n) * f.k.n;
-  f.t1 = (1.0 / sqrt(dot(along, along))) * along;
-  f.t2 = cross(f.k.n, f.t1);
+VOUSSOIR_INLINE Frames frames(const SideBlock& block, int at, const Kinematics& k, const Rows& rows, FieldTable& fields) noexcept {
+  const VecLanes along = k.es - dot(k.es, k.n) * k.n;
+  Frames f{k, (1.0 / sqrt(dot(along, along))) * along, {}};
+  f.t2 = cross(k.n, f.t1);
   put(fields, 0, f, f.k.d);
   put(fields, 1, f, f.k.a);
   put(fields, 2, f, f.k.b);
@@ -297,8 +297,8 @@ struct Literal {
 void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf, a.tf + b.tf}; }
 
 /// The literal law for the points from `i` on, at most kWidth.
-[[gnu::noinline]] void advance_literally(const Side& side, const FieldTable& f, int lane, const SideParts& parts, int i, double step,
-                                         double time, FailureOptions o, Literal& found, EventSink& sink) noexcept {
+[[gnu::noinline]] void advance_literally(const Side& side, const FieldTable& f, int lane, const SideParts& parts, int i, StepClock clock,
+                                         FailureOptions o, Literal& found, EventSink& sink) noexcept {
   SideFrame frame{};
   frame.d = field(f, 0, lane), frame.ds = field(f, 1, lane), frame.dt = field(f, 2, lane);
   frame.v = field(f, 3, lane), frame.vs = field(f, 4, lane), frame.vt = field(f, 5, lane);
@@ -307,7 +307,7 @@ void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf,
   const int live = p.n - i < kWidth ? p.n - i : kWidth, first = sink.count;
   const SegmentTotals r =
       advance_segments(side, parts.id, frame, {p.s + i, p.t + i, p.area + i, live},
-                       {q.bond + i, q.first_mode + i, q.first_time + i, q.slip1 + i, q.slip2 + i, q.closure + i}, step, time, o, sink);
+                       {q.bond + i, q.first_mode + i, q.first_time + i, q.slip1 + i, q.slip2 + i, q.closure + i}, clock.dt, clock.time, o, sink);
   for (int e = first; e < sink.count; ++e) sink.data[e].point += i;
   add(found.sum.total, r.total);
   add(found.sum.dash, r.dash);
@@ -328,22 +328,25 @@ struct SumRows {
 };
 
 /// All segments of one side.
-VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTable& f, int lane, const SideParts& parts, double step,
-                                  double time, FailureOptions o, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
-  const Law law = law_of(block, l, f, lane, parts, step, o);
+VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTable& f, int lane, const SideParts& parts, StepClock clock,
+                                  FailureOptions o, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
+  const Law law = law_of(block, l, f, lane, parts, clock.dt, o);
   Totals sum;
   Literal found;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
     if (advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
-    advance_literally(side_of(block, l, parts), f, lane, parts, i, step, time, o, found, sink);
+    advance_literally(side_of(block, l, parts), f, lane, parts, i, clock, o, found, sink);
   }
   write_row(sum.total, sum.friction, sum.impact, rows.total);
-  if (sum.touching) write_row(sum.dash, Lanes{}, Lanes{}, rows.dash);
+  if (sum.touching) {
+    write_row(sum.dash, Lanes{}, Lanes{}, rows.dash);
+  } else {
+    std::fill_n(rows.dash, 12, 0.0);
+  }
   result.friction = rows.total[9], result.impact = rows.total[10], result.fracture = 0.0;
   result.held = sum.held, result.events = sink.count - before, result.touching = sum.touching;
   if (!found.any) return;
-  if (!sum.touching) std::fill_n(rows.dash, 12, 0.0);
   add(rows.total, found.sum.total);
   add(rows.dash, found.sum.dash);
   result.friction += found.sum.friction, result.impact += found.sum.impact, result.fracture += found.sum.fracture;
@@ -380,24 +383,27 @@ void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned
 
 }  // namespace
 
-void damaged_sides(const SideBlock& block, unsigned lanes_wanted, const SideParts* parts, const Rows& rows, double step, double time,
-                   FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
-  for (int at = 0; at < kLanes; at += kWidth) {
-    const unsigned chosen = lanes_wanted >> at & ((1U << kWidth) - 1U);
-    if (chosen == 0) continue;
-    FieldTable fields;
-    const Frames f = frames(block, at, rows, fields);
-    SumRows sums[kWidth] = {};
-    unsigned touching = 0;
-    for (int l = 0; l < kWidth; ++l) {
-      if (!(chosen >> l & 1U)) continue;
-      advance_side(block, at + l, fields, l, parts[at + l], step, time, o, sums[l], result[at + l], sink);
-      touching |= static_cast<unsigned>(result[at + l].touching) << l;
+void advance_damaged(const SideBlock& block, int at, unsigned chosen, const SideParts* parts, Kinematics& k, const Rows& rows,
+                     StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept {
+  k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
+  FieldTable fields;
+  const Frames f = frames(block, at, k, rows, fields);
+  SumRows by_lane[kWidth];
+  unsigned touching = 0;
+  LaneMask mask{};
+  for (int l = 0; l < kWidth; ++l) {
+    if (!(chosen >> l & 1U)) {
+      by_lane[l] = {};
+      continue;
     }
-    scatter(block, at, wrench_of(f.k, global_sums(f, sums, &SumRows::total)), chosen, rows.wrench, 0);
-    if (touching != 0) scatter(block, at, wrench_of(f.k, global_sums(f, sums, &SumRows::dash)), touching, rows.wrench, kDashpotColumn);
-    report_facing(block, at, fields, chosen, result + at);
+    advance_side(block, at + l, fields, l, parts[l], clock, o, by_lane[l], result[l], sink);
+    touching |= static_cast<unsigned>(result[l].touching) << l;
+    mask[l] = -1;
   }
+  const SumLanes found = global_sums(f, by_lane, &SumRows::total);
+  sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
+  if (touching != 0) scatter(block, at, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows.wrench, kDashpotColumn);
+  report_facing(block, at, fields, chosen, result);
 }
 
 }  // namespace voussoir::kernels

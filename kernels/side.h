@@ -123,17 +123,6 @@ struct DamagedSide {
   double gap = 0.0;                  // m, least opening over the rectangle round the points
 };
 
-/// One step of the chosen lanes of a block, segment by segment: histories, events, forces on the elements' rows.
-/// \param parts, result  by lane; only the chosen are read and written
-/// \pre  sink has room for all points of the chosen lanes
-using DamagedSides = void(const SideBlock& block, unsigned lanes, const SideParts* parts, const Rows& rows, double step, double time,
-                          FailureOptions o, DamagedSide* result, EventSink& sink) noexcept;
-DamagedSides damaged_sides;            // vectorised over segments; a rare event goes to the literal law
-DamagedSides damaged_sides_reference;  // the plain twin
-
-/// Side `lane` of a block, with the rest of its constants.
-Side side_of(const SideBlock& block, int lane, const SideParts& parts) noexcept;
-
 /// What is known of a side from the last step, so that most need no look at their segments.
 enum class Quick : std::uint8_t {
   segments = 0,  // look at each
@@ -141,9 +130,31 @@ enum class Quick : std::uint8_t {
   open = 2       // none bonded, none touched: no force, if the corners prove that none touches now
 };
 
-/// The quick sides of a block: master and slave of every whole lane that is certified get their share of force.
-/// \return bit mask of the lanes that are done; the other used lanes need their segments looked at.
-unsigned quick_sides(const SideBlock& block, const Quick* quick, const Rows& rows, FailureOptions o) noexcept;
+/// The sides of a block as they stand.
+struct BlockState {
+  const Quick* quick = nullptr;       // kLanes
+  const SideParts* parts = nullptr;   // kLanes
+  unsigned live = 0;                  // bit mask of the lanes that take part
+  bool look_closely = false;          // look also at open sides, which may have come apart
+};
+
+/// The clock of a step.
+struct StepClock {
+  double dt = 0.0, time = 0.0;  // s
+};
+
+/// One step of the live sides of a block: histories, events, forces on the elements' rows. A side that is whole and certified, or open and
+/// certain to stay so, is done in closed form; of the others each segment is looked at.
+/// \param result  by lane, written for the lanes that are returned
+/// \pre  sink has room for all points of the live lanes
+/// \return bit mask of the lanes whose segments were looked at
+using AdvanceSides = unsigned(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
+                              DamagedSide* result, EventSink& sink) noexcept;
+AdvanceSides advance_sides;            // several lanes, or several segments of one, at a time
+AdvanceSides advance_sides_reference;  // the plain twin: all segments of all lanes, one by one
+
+/// Side `lane` of a block, with the rest of its constants.
+Side side_of(const SideBlock& block, int lane, const SideParts& parts) noexcept;
 
 /// Elastic energy of the sides of a block, taken as whole [J]: kLanes values, same closed form.
 void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept;

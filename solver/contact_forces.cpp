@@ -64,7 +64,7 @@ void contact_forces(World& w) {
   const auto patches = static_cast<std::int64_t>(c.active.size()), elements = static_cast<std::int64_t>(c.elements.size());
 #pragma omp parallel
   {
-    Scratch scratch(c.largest_set);
+    Scratch scratch(w.points.largest);
 #pragma omp for schedule(dynamic, 16)
     for (std::int64_t a = 0; a < patches; ++a) advance_one(w, static_cast<std::size_t>(a), bodies, faces, scratch);
 #pragma omp for schedule(static)

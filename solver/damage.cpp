@@ -40,7 +40,7 @@ CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::
 }
 
 void book_event(World& w, const kernels::SegmentEvent& event, double time, Damage& d, std::vector<CrackRow>& cracks) {
-  const kernels::Side s = w.sides.side(event.side, w.points);
+  const kernels::Side s = w.sides.side(event.side);
   const std::int64_t n = w.sides.faces[static_cast<std::size_t>(event.side)];
   if (event.broke == kernels::Mode::none) {
     d.slipped += n;

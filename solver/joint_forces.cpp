@@ -33,44 +33,22 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, JointFindings
   if (comes_apart(w, id, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
 }
 
-/// The chosen sides of a block, segment by segment.
-void advance_damaged(World& w, const kernels::Rows& rows, std::size_t block, unsigned lanes, double time, JointFindings& found) {
-  kernels::SideParts parts[kernels::kLanes];
-  kernels::DamagedSide result[kernels::kLanes];
+void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, kernels::StepClock clock, bool look_closely,
+                   JointFindings& found) {
+  const Sides& s = w.sides;
+  const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
-  std::size_t points = 0;
-  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-    const auto l = static_cast<std::size_t>(std::countr_zero(rest));
-    parts[l] = w.sides.parts(static_cast<std::int64_t>(first + l), w.points);
-    points += static_cast<std::size_t>(parts[l].points.n);
-  }
-  if (found.room.size() < points) found.room.resize(points);
+  kernels::DamagedSide result[kernels::kLanes];
   kernels::EventSink sink{found.room.data(), 0};
-  const auto advance = w.options.reference_kernels ? kernels::damaged_sides_reference : kernels::damaged_sides;
-  advance(w.sides.blocks[block], lanes, parts, rows, w.dt, time, w.failure, result, sink);
+  const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
+  const unsigned looked_at = advance(s.blocks[block], {s.quick.data() + first, s.parts.data() + first, s.live_lanes[block], look_closely},
+                                     rows, clock, w.failure, result, sink);
+  if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
-  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+  for (unsigned rest = looked_at; rest != 0; rest &= rest - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(rest));
     book(w, first + l, result[l], found);
   }
-}
-
-unsigned open_lanes(const kernels::Quick* quick) {
-  unsigned open = 0;
-  for (int l = 0; l < kernels::kLanes; ++l) open |= (quick[l] == kernels::Quick::open ? 1U : 0U) << l;
-  return open;
-}
-
-/// `look_closely`: also at open sides, which may have come apart.
-void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, double time, bool look_closely, JointFindings& found) {
-  const Sides& s = w.sides;
-  const auto block = static_cast<std::size_t>(number);
-  const kernels::Quick* quick = s.quick.data() + block * kernels::kLanes;
-  unsigned done = 0;
-  if (!w.options.reference_kernels) done = kernels::quick_sides(s.blocks[block], quick, rows, w.failure);
-  if (look_closely) done &= ~open_lanes(quick);
-  const unsigned left = s.live_lanes[block] & ~done;
-  if (left != 0) advance_damaged(w, rows, block, left, time, found);
 }
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling.
@@ -93,7 +71,9 @@ void collect(JointEvents& out) {
 void joint_forces(World& w, double time, std::int64_t step, JointEvents& out) {
   const bool look_closely = step % kOpenInterval == 0;
   const kernels::Rows rows = w.rows();
+  const kernels::StepClock clock{w.dt, time};
   out.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  for (JointFindings& f : out.by_thread) f.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));
 #pragma omp parallel
   {
     JointFindings& mine = out.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
@@ -102,11 +82,11 @@ void joint_forces(World& w, double time, std::int64_t step, JointEvents& out) {
       const auto n = static_cast<std::int64_t>(blocks.size());
       if (static_cast<std::int32_t>(c) == w.sides.overflow_colour) {
 #pragma omp single
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], clock, look_closely, mine);
       } else {
         // Few blocks in turn: damage is clustered, and the same thread meets the same blocks in every step.
 #pragma omp for schedule(static, 4)
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], time, look_closely, mine);
+        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], clock, look_closely, mine);
       }
     }
   }
@@ -120,11 +100,11 @@ StoredEnergy energy_of(World& w, std::size_t id, double whole) {
   if (s.retired[id]) return {};
   if (s.quick[id] == kernels::Quick::whole) return {whole, 0.0};
   if (s.quick[id] == kernels::Quick::open) return {};
-  const kernels::Side side = s.side(static_cast<std::int64_t>(id), w.points);
+  const kernels::Side side = s.side(static_cast<std::int64_t>(id));
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(side, kernels::load_pose(pose, side.master), kernels::load_pose(pose, side.slave),
                                                    kernels::load_twist(twist, side.master), kernels::load_twist(twist, side.slave));
-  const kernels::SideParts parts = s.parts(static_cast<std::int64_t>(id), w.points);
+  const kernels::SideParts& parts = s.parts[id];
   const kernels::SideEnergy e = kernels::segment_energy(side, f, parts.points, parts.segments);
   return {e.bonds, e.contact};
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/point_sets.h"
 
+#include <algorithm>
+
 namespace voussoir::solver {
 
 std::int32_t PointSetBuilder::add(std::span<const geometry::Segment> points) {
@@ -10,6 +12,7 @@ std::int32_t PointSetBuilder::add(std::span<const geometry::Segment> points) {
   if (!is_new) return found->second;
   sets_.first.push_back(static_cast<std::int32_t>(sets_.s.size()));
   sets_.count.push_back(static_cast<std::int32_t>(points.size()));
+  sets_.largest = std::max(sets_.largest, static_cast<std::int32_t>(points.size()));
   for (const geometry::Segment& p : points) {
     sets_.s.push_back(p.s);
     sets_.t.push_back(p.t);

@@ -80,7 +80,7 @@ void retire_side(World& w, std::int32_t side) {
   const std::int64_t id = side;
   const auto i = static_cast<std::size_t>(id);
   Sides& sides = w.sides;
-  const kernels::Side s = sides.side(id, w.points);
+  const kernels::Side s = sides.side(id);
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));

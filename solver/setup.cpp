@@ -26,7 +26,6 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   p.partner.resize(end, kernels::kNobody);
   p.face.resize(end, kernels::kNoFace);
   for (auto* column : {&p.slip_x, &p.slip_y, &p.slip_z, &p.closure}) column->resize(end, 0.0);
-  w.contacts.largest_set = std::max(w.contacts.largest_set, static_cast<std::int32_t>(n));
 }
 
 void set_up_patches(World& w) {
@@ -105,6 +104,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_damping_bound(*w);
   set_up_sides(*w, c);
   set_up_patches(*w);
+  set_up_side_views(*w);
   set_up_loads(*w, c);
   w->contacts.skin = choose_skin(m);
   return w;

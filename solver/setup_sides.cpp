@@ -118,9 +118,9 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
   const std::size_t n = blocks * kernels::kLanes;
   s.blocks.assign(blocks, kernels::SideBlock{});
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
-  for (auto* column : {&s.factor, &s.cn, &s.cs, &s.size}) column->assign(n, 0.0);
+  s.size.assign(n, 0.0);
   for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
-  s.first_segment.assign(n, 0);
+  s.parts.assign(n, {});
   s.faces.assign(n, 1);
   s.quick.assign(n, kernels::Quick::segments);
   s.retired.assign(n, 1);
@@ -164,7 +164,7 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   const kernels::Strength s = strength_of(law, law_index == 0, c.contact.friction);
   b.kn[l] = k.kn, b.ks[l] = k.ks;
   b.tension[l] = s.tension, b.cohesion[l] = s.cohesion, b.tan_phi[l] = s.tan_phi, b.compression[l] = s.compression, b.cap[l] = s.cap;
-  w.sides.cn[id] = k.cn, w.sides.cs[id] = k.cs;
+  w.sides.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = k.cn, .cs = k.cs, .points = {}, .segments = {}};
 }
 
 /// Bookkeeping and the initial state of one side.
@@ -174,10 +174,8 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.joint[id] = side.joint;
   s.set[id] = set;
   s.master_face[id] = side.master_face, s.slave_face[id] = side.slave_face;
-  s.factor[id] = side.factor;
   s.faces[id] = static_cast<std::uint8_t>(side.faces);
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
-  s.first_segment[id] = static_cast<std::int64_t>(s.bond.size());
   s.retired[id] = 0;
   s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
   const auto n = static_cast<std::int32_t>(side.segments.size());
@@ -233,6 +231,18 @@ void set_up_sides(World& w, const cases::Case& c) {
   const std::size_t n = w.sides.bond.size();
   w.sides.first_mode.assign(n, kernels::Mode::none);
   for (auto* column : {&w.sides.first_time, &w.sides.slip1, &w.sides.slip2, &w.sides.closure}) column->assign(n, 0.0);
+}
+
+void set_up_side_views(World& w) {
+  Sides& s = w.sides;
+  std::size_t at = 0;
+  for (std::size_t id = 0; id < s.parts.size(); ++id) {
+    if (s.joint[id] < 0) continue;
+    s.parts[id].points = w.points.view(s.set[id]);
+    s.parts[id].segments = {s.bond.data() + at,  s.first_mode.data() + at, s.first_time.data() + at,
+                            s.slip1.data() + at, s.slip2.data() + at,      s.closure.data() + at};
+    at += static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes));
+  }
 }
 
 }  // namespace voussoir::solver

@@ -55,18 +55,9 @@ kernels::Rows World::rows() noexcept {
   return {elements.pose.data(), elements.twist.data(), elements.wrench.data()};
 }
 
-kernels::SideParts Sides::parts(std::int64_t id, const PointSets& points) noexcept {
+kernels::Side Sides::side(std::int64_t id) const noexcept {
   const auto i = static_cast<std::size_t>(id);
-  return {static_cast<std::int32_t>(id), factor[i], cn[i], cs[i], points.view(set[i]), segments(id)};
-}
-
-kernels::Side Sides::side(std::int64_t id, const PointSets& points) noexcept {
-  return kernels::side_of(blocks[static_cast<std::size_t>(id / kernels::kLanes)], static_cast<int>(id % kernels::kLanes), parts(id, points));
-}
-
-kernels::SegmentsView Sides::segments(std::int64_t id) noexcept {
-  const auto at = static_cast<std::size_t>(first_segment[static_cast<std::size_t>(id)]);
-  return {bond.data() + at, first_mode.data() + at, first_time.data() + at, slip1.data() + at, slip2.data() + at, closure.data() + at};
+  return kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
 }
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {

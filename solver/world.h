@@ -64,6 +64,7 @@ struct Faces {
 struct PointSets {
   std::vector<std::int32_t> first, count;  // by set; first is a multiple of kLanes
   Array<double> s, t, area;                // padded to kLanes with area 0
+  std::int32_t largest = 0;                // points
   [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
 };
 
@@ -77,9 +78,8 @@ struct Sides {
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces
-  std::vector<std::int64_t> first_segment;            // into the segment arrays
   std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
-  std::vector<double> factor, cn, cs;                 // Eq. 11; Pa s/m
+  std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
   std::vector<double> size;                           // m, segment size of the master
   // State by side.
   Array<kernels::Quick> quick;
@@ -92,9 +92,8 @@ struct Sides {
   Array<double> first_time, slip1, slip2, closure;
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
-  [[nodiscard]] kernels::Side side(std::int64_t id, const PointSets& points) noexcept;
-  [[nodiscard]] kernels::SideParts parts(std::int64_t id, const PointSets& points) noexcept;
-  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) noexcept;
+  [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
 };
 
 /// Free patches: segments in no joint, or whose joint has come apart. Grows as sides retire.
@@ -131,7 +130,6 @@ struct Contacts {
   std::vector<std::int32_t> elements;      // that have slots
   std::vector<std::int64_t> first_gather;  // by entry of `elements`, count + 1 entries
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave)
-  std::int32_t largest_set = 0;            // points
   std::int64_t searches = 0;
 };
 

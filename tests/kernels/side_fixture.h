@@ -111,27 +111,36 @@ struct SideUnderTest {
 
 /// One step of a side under test on its own block: what it did, and the forces it left on the rows of both bodies.
 struct SideStep {
-  kernels::DamagedSide result;
-  Vec3 force_a, torque_a, dash_a, force_b, torque_b;
+  bool looked_at = false;       // at its segments
+  kernels::DamagedSide result;  // then
+  Vec3 force_a, torque_a, dash_a, force_b, torque_b, force_base;
 };
 
-inline SideStep advance(kernels::DamagedSides& kernel, SideUnderTest& u, const TwoBodies& b, double step, double time,
-                        kernels::FailureOptions o, std::vector<kernels::SegmentEvent>& events) {
+inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const TwoBodies& b, double step, double time,
+                        kernels::FailureOptions o, std::vector<kernels::SegmentEvent>& events,
+                        kernels::Quick state = kernels::Quick::segments) {
   constexpr int kLane = 5;
+  SideStep s;
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
   kernels::SideParts parts[kernels::kLanes];
   parts[kLane] = {7, u.side.factor, u.side.k.cn, u.side.k.cs, u.points(), u.segments()};
   kernels::DamagedSide result[kernels::kLanes];
+  kernels::Quick quick[kernels::kLanes] = {};
+  quick[kLane] = state;
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  kernel(u.block(kLane), 1U << kLane, parts, {b.pose.data(), b.twist.data(), wrench}, step, time, o, result, sink);
+  s.looked_at = kernel(u.block(kLane), {quick, parts, 1U << kLane, false}, {b.pose.data(), b.twist.data(), wrench}, {step, time}, o, result,
+                       sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));
   const auto row = [&](int e, int at) {
     const double* r = wrench + e * kernels::kWrenchStride + at;
     return Vec3{r[0], r[1], r[2]};
   };
-  return {result[kLane], row(0, 0), row(0, 3), row(0, kernels::kDashpotColumn), row(1, 0), row(1, 3)};
+  if (s.looked_at) s.result = result[kLane];
+  s.force_a = row(0, 0), s.torque_a = row(0, 3), s.dash_a = row(0, kernels::kDashpotColumn), s.force_b = row(1, 0), s.torque_b = row(1, 3);
+  s.force_base = row(2, 0);
+  return s;
 }
 
 /// Elastic energy in the segments of a side under test.

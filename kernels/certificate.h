@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#pragma once
+
 #include "kernels/side_lanes.h"
 
-// The relative displacement of two rigid faces is affine, u = d + s·a + t·b, so the force of all springs of a side is A·G d and its moment
-// needs only the discrete second moments of the points. All limits are convex in (s, t) once split as below, so four corners bound every
-// segment.
+/// Sides that need no look at their segments, kWidth at a time. The relative displacement of two rigid faces is affine, u = d + s·a + t·b, so
+/// the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the points. All limits are
+/// convex in (s, t) once split as below, so four corners bound every segment.
 namespace voussoir::kernels {
 
-namespace {
-
 // Certificates keep this distance from a limit, so that their round-off can only send a side to its segments, never past them.
-constexpr double kMargin = 1.0 - 1e-9;
-constexpr double kRound = 1e-13;
+inline constexpr double kMargin = 1.0 - 1e-9;
+inline constexpr double kRound = 1e-13;
+inline constexpr double kSeries = 1e-4;  // see normalise
 
 /// Lanes in which every contact point has u_n > 0: no segment that is not bonded touches.
 VOUSSOIR_INLINE LaneMask all_open(const SideBlock& s, int at, const Kinematics& k) noexcept {
@@ -19,8 +20,7 @@ VOUSSOIR_INLINE LaneMask all_open(const SideBlock& s, int at, const Kinematics& 
 }
 
 /// Gives the mean normal the length 1. It falls short of it by the square of the relative rotation, so a series does, without root and
-/// quotient; lanes it is not exact for are returned.
-constexpr double kSeries = 1e-4;  // terms left out: 35/128 of its fourth power, under round-off
+/// quotient. Returns the lanes in which that square is over kSeries: the terms left out, 35/128 of its fourth power, would show.
 VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
   const Lanes e = dot(n, n) - 1.0;
   n = (1.0 - e * (0.5 - e * (0.375 - e * 0.3125))) * n;
@@ -68,37 +68,6 @@ VOUSSOIR_INLINE SumLanes elastic_sums(const SideBlock& s, int at, const Kinemati
   const Lanes sss = load_lanes(s.sss + at), sst = load_lanes(s.sst + at), stt = load_lanes(s.stt + at);
   const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b);
   return {load_lanes(s.area + at) * spring(ks, extra, k.n, k.d), sss * ga + sst * gb, sst * ga + stt * gb};
-}
-
-}  // namespace
-
-unsigned quick_sides(const SideBlock& block, const Quick* quick, const Rows& rows, FailureOptions o) noexcept {
-  unsigned done = 0;
-  for (int at = 0; at < kLanes; at += kWidth) {
-    const LaneMask state = widened(reinterpret_cast<const unsigned char*>(quick + at));
-    const unsigned whole = bits(state == static_cast<long long>(Quick::whole)), open = bits(state == static_cast<long long>(Quick::open));
-    if ((whole | open) == 0) continue;
-    Kinematics k = kinematics(block, at, rows.pose);
-    if (open != 0) done |= (open & bits(all_open(block, at, k))) << at;
-    if (whole == 0) continue;
-    const LaneMask turned = normalise(k.n);
-    const unsigned ok = whole & bits(certified(block, at, k, o) & ~turned);
-    scatter(block, at, wrench_of(k, elastic_sums(block, at, k)), ok, rows.wrench, 0);
-    done |= ok << at;
-  }
-  return done;
-}
-
-void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept {
-  for (int at = 0; at < kLanes; at += kWidth) {
-    Kinematics k = kinematics(block, at, pose);
-    k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
-    const Lanes ks = load_lanes(block.ks + at), extra = load_lanes(block.kn + at) - ks;
-    const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b), gd = spring(ks, extra, k.n, k.d);
-    const Lanes twice = load_lanes(block.area + at) * dot(k.d, gd) + load_lanes(block.sss + at) * dot(k.a, ga) +
-                        2.0 * load_lanes(block.sst + at) * dot(k.a, gb) + load_lanes(block.stt + at) * dot(k.b, gb);
-    store_lanes(energy + at, 0.5 * twice);
-  }
 }
 
 }  // namespace voussoir::kernels

@@ -78,15 +78,16 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
   return e;
 }
 
-void damaged_sides_reference(const SideBlock& block, unsigned lanes, const SideParts* parts, const Rows& rows, double step, double time,
-                             FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
+unsigned advance_sides_reference(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
+                                 DamagedSide* result, EventSink& sink) noexcept {
   for (int l = 0; l < kLanes; ++l) {
-    if (!(lanes >> l & 1U)) continue;
-    const Side side = side_of(block, l, parts[l]);
+    if (!(state.live >> l & 1U)) continue;
+    const SideParts& parts = state.parts[l];
+    const Side side = side_of(block, l, parts);
     const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
-    const SegmentTotals r = advance_segments(side, parts[l].id, f, parts[l].points, parts[l].segments, step, time, o, sink);
+    const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
     add_wrenches(side, (block.on_base >> l & 1U) != 0, f, r, rows);
     result[l] = {.friction = r.friction,
                  .impact = r.impact,
@@ -98,6 +99,7 @@ void damaged_sides_reference(const SideBlock& block, unsigned lanes, const SideP
                  .tilt2 = dot(f.ds, f.ds) + dot(f.dt, f.dt),
                  .gap = least_opening(block, l, f)};
   }
+  return state.live;
 }
 
 }  // namespace voussoir::kernels

@@ -14,7 +14,7 @@ constexpr double kStep = 5e-5;
 /// One twin: its history, its events, its running losses.
 struct Twin {
   SideUnderTest u;
-  kernels::DamagedSides& kernel;
+  kernels::AdvanceSides& kernel;
   std::vector<kernels::SegmentEvent> events{};
   double lost = 0.0;
   SideStep last{};
@@ -67,7 +67,7 @@ TEST_CASE("vector and plain segments go the same way through cracking, slip and 
     int broken = 0, slipped = 0, touching = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);  // 9 to 21 points: odd tails
-      Twin fast{u, kernels::damaged_sides}, plain{u, kernels::damaged_sides_reference};
+      Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
       Shaker shaker{Noise(seed)};
       double unit = 1.0;
       for (int i = 0; i < 800; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("vector and plain segments go the same way through cracking, slip and 
 
 TEST_CASE("the springs of a side give back no more than they took, whatever path they are led along") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Twin t{SideUnderTest(4, 4, 0.5), kernels::damaged_sides_reference};
+    Twin t{SideUnderTest(4, 4, 0.5), kernels::advance_sides_reference};
     Shaker shaker{Noise(100 + seed)};
     double work = 0.0;  // done on the springs, trapezoid rule
     Vec3 force{}, torque{};

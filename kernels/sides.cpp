@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/certificate.h"
+#include "kernels/damaged_sides.h"
+
+namespace voussoir::kernels {
+
+namespace {
+
+constexpr unsigned kGroup = (1U << kWidth) - 1U;
+
+unsigned lanes_in(const Quick* quick, Quick state) noexcept {
+  return bits(widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(state));
+}
+
+}  // namespace
+
+unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
+                       DamagedSide* result, EventSink& sink) noexcept {
+  unsigned looked_at = 0;
+  for (int at = 0; at < kLanes; at += kWidth) {
+    const unsigned live = state.live >> at & kGroup;
+    if (live == 0) continue;
+    const unsigned whole = live & lanes_in(state.quick + at, Quick::whole);
+    const unsigned open = state.look_closely ? 0U : live & lanes_in(state.quick + at, Quick::open);
+    Kinematics k = kinematics(block, at, rows.pose);
+    const unsigned still_open = open == 0 ? 0U : open & bits(all_open(block, at, k));
+    if (still_open == live) continue;
+    const LaneMask turned = normalise(k.n);
+    const unsigned certain = whole & bits(certified(block, at, k, o) & ~turned);
+    const unsigned left = live & ~(certain | still_open);
+    SumLanes sums = elastic_sums(block, at, k);
+    if (left != 0) {
+      advance_damaged(block, at, left, state.parts + at, k, rows, clock, o, sums, result + at, sink);
+      looked_at |= left << at;
+    }
+    scatter(block, at, wrench_of(k, sums), certain | left, rows.wrench, 0);
+  }
+  return looked_at;
+}
+
+void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept {
+  for (int at = 0; at < kLanes; at += kWidth) {
+    Kinematics k = kinematics(block, at, pose);
+    k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
+    const Lanes ks = load_lanes(block.ks + at), extra = load_lanes(block.kn + at) - ks;
+    const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b), gd = spring(ks, extra, k.n, k.d);
+    const Lanes twice = load_lanes(block.area + at) * dot(k.d, gd) + load_lanes(block.sss + at) * dot(k.a, ga) +
+                        2.0 * load_lanes(block.sst + at) * dot(k.a, gb) + load_lanes(block.stt + at) * dot(k.b, gb);
+    store_lanes(energy + at, 0.5 * twice);
+  }
+}
+
+}  // namespace voussoir::kernels
