@@ -288,7 +288,7 @@ VOUSSOIR_INLINE void write_row(const Sums& s, Lanes extra1, Lanes extra2, double
 
 Local field(const FieldTable& f, int k, int lane) noexcept { return {f.value[k][0][lane], f.value[k][1][lane], f.value[k][2][lane]}; }
 
-/// What the literal law found in the rare chunks of a side.
+/// What the literal law found in the rare chunks of a side; empty between two sides.
 struct Literal {
   SegmentTotals sum;
   bool any = false;
@@ -329,10 +329,9 @@ struct SumRows {
 
 /// All segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTable& f, int lane, const SideParts& parts, StepClock clock,
-                                  FailureOptions o, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
+                                  FailureOptions o, Literal& found, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
   const Law law = law_of(block, l, f, lane, parts, clock.dt, o);
   Totals sum;
-  Literal found;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
     if (advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
@@ -352,6 +351,7 @@ VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTabl
   result.friction += found.sum.friction, result.impact += found.sum.impact, result.fracture += found.sum.fracture;
   result.held += found.sum.held;
   result.touching |= found.sum.touching;
+  found = {};
 }
 
 // ---- kWidth sides again: from sums to forces on the elements
@@ -389,14 +389,16 @@ void advance_damaged(const SideBlock& block, int at, unsigned chosen, const Side
   FieldTable fields;
   const Frames f = frames(block, at, k, rows, fields);
   SumRows by_lane[kWidth];
+  Literal found_literally;
   unsigned touching = 0;
   LaneMask mask{};
   for (int l = 0; l < kWidth; ++l) {
     if (!(chosen >> l & 1U)) {
-      by_lane[l] = {};
+      std::fill_n(by_lane[l].total, 12, 0.0);
+      std::fill_n(by_lane[l].dash, 12, 0.0);
       continue;
     }
-    advance_side(block, at + l, fields, l, parts[l], clock, o, by_lane[l], result[l], sink);
+    advance_side(block, at + l, fields, l, parts[l], clock, o, found_literally, by_lane[l], result[l], sink);
     touching |= static_cast<unsigned>(result[l].touching) << l;
     mask[l] = -1;
   }

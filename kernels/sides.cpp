@@ -26,10 +26,14 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     Kinematics k = kinematics(block, at, rows.pose);
     const unsigned still_open = open == 0 ? 0U : open & bits(all_open(block, at, k));
     if (still_open == live) continue;
-    const LaneMask turned = normalise(k.n);
-    const unsigned certain = whole & bits(certified(block, at, k, o) & ~turned);
+    SumLanes sums{};
+    unsigned certain = 0;
+    if (whole != 0) {
+      const LaneMask turned = normalise(k.n);
+      certain = whole & bits(certified(block, at, k, o) & ~turned);
+      sums = elastic_sums(block, at, k);
+    }
     const unsigned left = live & ~(certain | still_open);
-    SumLanes sums = elastic_sums(block, at, k);
     if (left != 0) {
       advance_damaged(block, at, left, state.parts + at, k, rows, clock, o, sums, result + at, sink);
       looked_at |= left << at;
