@@ -383,8 +383,9 @@ void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned
 
 }  // namespace
 
-void advance_damaged(const SideBlock& block, int at, unsigned chosen, const SideParts* parts, Kinematics& k, const Rows& rows,
-                     StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept {
+unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::int64_t first, const SideParts* parts, Kinematics& k,
+                         const Rows& rows, StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result,
+                         EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   FieldTable fields;
   const Frames f = frames(block, at, k, rows, fields);
@@ -404,8 +405,9 @@ void advance_damaged(const SideBlock& block, int at, unsigned chosen, const Side
   }
   const SumLanes found = global_sums(f, by_lane, &SumRows::total);
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
-  if (touching != 0) scatter(block, at, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows.wrench, kDashpotColumn);
+  if (touching != 0) scatter(block, at, first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
   report_facing(block, at, fields, chosen, result);
+  return touching;
 }
 
 }  // namespace voussoir::kernels

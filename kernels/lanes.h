@@ -157,6 +157,10 @@ VOUSSOIR_INLINE SixColumns rows_of(const Lanes (&c)[6]) noexcept {
   }
   return r;
 }
+VOUSSOIR_INLINE void store_row(double* row, const SixColumns& r, int lane) noexcept {
+  store_quad(row, r.head[lane]);
+  __builtin_memcpy(row + 4, &r.tail[lane], sizeof r.tail[lane]);
+}
 VOUSSOIR_INLINE void add_row(double* row, const SixColumns& r, int lane) noexcept {
   add_quad(row, r.head[lane]);
   add_pair(row + 4, r.tail[lane]);

@@ -108,11 +108,24 @@ struct SideParts {
   SegmentsView segments;
 };
 
+/// Where sides leave their forces if they do not add them to the elements' rows: 12 numbers a side, the force and torque on the master, then
+/// those on the slave.
+inline constexpr int kPairStride = 12;
+struct PairBuffer {
+  double *wrench = nullptr, *dashpot = nullptr;  // the whole; the dashpots' share
+  std::uint8_t* on = nullptr;                    // by side: kOnWrench, kOnDashpot or both; 0: left nothing in this step
+};
+inline constexpr std::uint8_t kOnWrench = 1, kOnDashpot = 2;
+
 /// Rows of the elements.
 struct Rows {
   const double *pose = nullptr, *twist = nullptr;
   double* wrench = nullptr;
+  PairBuffer pairs;  // if it has a buffer, forces go there
 };
+
+/// Adds what sides left for one element to its row, in the order of `codes`: side × 2 + (0: as master, 1: as slave).
+void gather_sides(std::span<const std::int64_t> codes, const PairBuffer& pairs, double* row) noexcept;
 
 /// What became of a side whose segments were looked at.
 struct DamagedSide {
@@ -134,6 +147,7 @@ enum class Quick : std::uint8_t {
 struct BlockState {
   const Quick* quick = nullptr;       // kLanes
   const SideParts* parts = nullptr;   // kLanes
+  std::int64_t first = 0;             // number of the first side
   unsigned live = 0;                  // bit mask of the lanes that take part
   bool look_closely = false;          // look also at open sides, which may have come apart
 };

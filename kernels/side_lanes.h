@@ -92,13 +92,23 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
   return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
 }
 
-/// Adds the wrenches of the chosen lanes to the rows of their elements, from column `column` on.
-VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, const WrenchLanes& w, unsigned chosen, double* rows, int column) noexcept {
+/// Hands the wrenches of the chosen lanes to their elements, or leaves them in the buffer for pairs. `dashpot`: they are the dashpots' share.
+VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
+                             bool dashpot) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
   const SixColumns on_b = rows_of({-w.force.x, -w.force.y, -w.force.z, -w.torque_b.x, -w.torque_b.y, -w.torque_b.z});
-  const auto add_a = [&](int l) { add_row(rows + static_cast<std::int64_t>(s.master[at + l]) * kWrenchStride + column, on_a, l); };
-  const auto add_b = [&](int l) { add_row(rows + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride + column, on_b, l); };
+  if (rows.pairs.on != nullptr) {
+    double* buffer = (dashpot ? rows.pairs.dashpot : rows.pairs.wrench) + (first + at) * kPairStride;
+    for (int l = 0; l < kWidth; ++l) {
+      store_row(buffer + l * kPairStride, on_a, l);
+      store_row(buffer + l * kPairStride + 6, on_b, l);
+    }
+    return;
+  }
+  double* wrench = rows.wrench + (dashpot ? kDashpotColumn : 0);
+  const auto add_a = [&](int l) { add_row(wrench + static_cast<std::int64_t>(s.master[at + l]) * kWrenchStride, on_a, l); };
+  const auto add_b = [&](int l) { add_row(wrench + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride, on_b, l); };
   const unsigned pushed = chosen & ~(s.on_base >> at);
   if (pushed == kAll) {  // nearly always
     for (int l = 0; l < kWidth; ++l) add_a(l), add_b(l);

@@ -13,6 +13,14 @@ unsigned lanes_in(const Quick* quick, Quick state) noexcept {
   return bits(widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(state));
 }
 
+/// Notes which lanes left something in the buffer for pairs.
+VOUSSOIR_INLINE void mark(std::uint8_t* on, unsigned wrench, unsigned dashpot) noexcept {
+  if (on == nullptr) return;
+  for (int l = 0; l < kWidth; ++l) {
+    on[l] = static_cast<std::uint8_t>((wrench >> l & 1U ? kOnWrench : 0) | (dashpot >> l & 1U ? kOnDashpot : 0));
+  }
+}
+
 }  // namespace
 
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
@@ -21,11 +29,15 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned live = state.live >> at & kGroup;
     if (live == 0) continue;
+    std::uint8_t* on = rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
     const unsigned whole = live & lanes_in(state.quick + at, Quick::whole);
     const unsigned open = state.look_closely ? 0U : live & lanes_in(state.quick + at, Quick::open);
     Kinematics k = kinematics(block, at, rows.pose);
     const unsigned still_open = open == 0 ? 0U : open & bits(all_open(block, at, k));
-    if (still_open == live) continue;
+    if (still_open == live) {
+      mark(on, 0, 0);
+      continue;
+    }
     SumLanes sums{};
     unsigned certain = 0;
     if (whole != 0) {
@@ -34,13 +46,29 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
       sums = elastic_sums(block, at, k);
     }
     const unsigned left = live & ~(certain | still_open);
+    unsigned touching = 0;
     if (left != 0) {
-      advance_damaged(block, at, left, state.parts + at, k, rows, clock, o, sums, result + at, sink);
+      touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);
       looked_at |= left << at;
     }
-    scatter(block, at, wrench_of(k, sums), certain | left, rows.wrench, 0);
+    scatter(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
+    mark(on, certain | left, touching);
   }
   return looked_at;
+}
+
+void gather_sides(std::span<const std::int64_t> codes, const PairBuffer& pairs, double* row) noexcept {
+  const auto add = [](double* to, const double* from) {
+    add_quad(to, load_quad(from));
+    add_pair(to + 4, load_pair(from + 4));
+  };
+  for (const std::int64_t code : codes) {
+    const std::uint8_t on = pairs.on[code / 2];
+    if (on == 0) continue;
+    const std::int64_t from = code * (kPairStride / 2);
+    if (on & kOnWrench) add(row, pairs.wrench + from);
+    if (on & kOnDashpot) add(row + kDashpotColumn, pairs.dashpot + from);
+  }
 }
 
 void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept {

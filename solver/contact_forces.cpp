@@ -8,18 +8,7 @@ namespace voussoir::solver {
 
 namespace {
 
-/// One thread's room for the points of a patch.
-struct Scratch {
-  explicit Scratch(std::int32_t points)
-      : depth(static_cast<std::size_t>(points)),
-        distance(depth.size()),
-        candidate(static_cast<std::size_t>(points)),
-        face(static_cast<std::size_t>(points)) {}
-  std::vector<double> depth, distance;
-  std::vector<std::int32_t> candidate, face;
-};
-
-void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, Scratch& scratch) {
+void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
@@ -34,41 +23,40 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   p.impact[i] += r.impact;
 }
 
-void gather_one(World& w, std::size_t k) {
-  Contacts& c = w.contacts;
-  double* rows = w.elements.wrench.data();
-  const std::int32_t e = c.elements[k];
-  for (std::int64_t g = c.first_gather[k]; g < c.first_gather[k + 1]; ++g) {
-    const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
-    const auto slot = static_cast<std::size_t>(code / 2);
-    if (!c.on[slot]) continue;
-    const kernels::PairWrench& x = c.wrench[slot];
-    if (code % 2 == 0) {
-      kernels::add_wrench(rows, e, x.force, x.torque_a);
-      kernels::add_dashpot(rows, e, x.dash_force, x.dash_torque_a);
-    } else {
-      kernels::add_wrench(rows, e, -x.force, x.torque_b);
-      kernels::add_dashpot(rows, e, -x.dash_force, x.dash_torque_b);
-    }
-  }
-}
-
 }  // namespace
 
-void contact_forces(World& w) {
-  Contacts& c = w.contacts;
-  if (c.active.empty()) return;
-  if (c.gather_stale) build_gather(w);
+void ContactRoom::fit(std::int32_t points) {
+  const auto n = static_cast<std::size_t>(points);
+  depth.resize(n), distance.resize(n), candidate.resize(n), face.resize(n);
+}
+
+void advance_contacts(World& w, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
   const kernels::FaceTable faces = w.faces.table();
-  const auto patches = static_cast<std::int64_t>(c.active.size()), elements = static_cast<std::int64_t>(c.elements.size());
-#pragma omp parallel
-  {
-    Scratch scratch(w.points.largest);
-#pragma omp for schedule(dynamic, 16)
-    for (std::int64_t a = 0; a < patches; ++a) advance_one(w, static_cast<std::size_t>(a), bodies, faces, scratch);
-#pragma omp for schedule(static)
-    for (std::int64_t k = 0; k < elements; ++k) gather_one(w, static_cast<std::size_t>(k));
+  const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
+  room.fit(w.points.largest);
+#pragma omp for schedule(dynamic, 16) nowait
+  for (std::int64_t a = 0; a < patches; ++a) advance_one(w, static_cast<std::size_t>(a), bodies, faces, room);
+}
+
+void gather_contacts(World& w, std::int64_t first, std::int64_t last) {
+  const Contacts& c = w.contacts;
+  double* rows = w.elements.wrench.data();
+  for (std::int64_t e = first; e < last; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
+      const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
+      const auto slot = static_cast<std::size_t>(code / 2);
+      if (!c.on[slot]) continue;
+      const kernels::PairWrench& x = c.wrench[slot];
+      if (code % 2 == 0) {
+        kernels::add_wrench(rows, e, x.force, x.torque_a);
+        kernels::add_dashpot(rows, e, x.dash_force, x.dash_torque_a);
+      } else {
+        kernels::add_wrench(rows, e, -x.force, x.torque_b);
+        kernels::add_dashpot(rows, e, -x.dash_force, x.dash_torque_b);
+      }
+    }
   }
 }
 

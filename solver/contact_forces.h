@@ -7,9 +7,13 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// True if some element may have moved more than half the skin since the last search.
+/// Largest square of a bound on the move of any point of the elements [first, last) since the last search [m2]. A maximum: exact in any
+/// order.
+double largest_move2(const World& w, std::int64_t first, std::int64_t last);
+
+/// True if some element may have moved more than half the skin since the last search; `moved2` as of largest_move2 over all elements.
 /// Call once a step: it also counts down to the search that retired sides ask for.
-bool search_due(World& w);
+bool search_due(World& w, double moved2);
 
 /// Broad phase on the uniform grid, then patch against element by separating planes; rebuilds candidates, slots and gather lists.
 void search_contacts(World& w);
@@ -17,13 +21,23 @@ void search_contacts(World& w);
 /// Lists for every element the slots that push it. search_contacts does it; so must whoever adds slots in between.
 void build_gather(World& w);
 
-/// Forces of all active patches, gathered by every element in a fixed order.
-void contact_forces(World& w);
+/// One thread's room for the points of a patch.
+struct ContactRoom {
+  std::vector<double> depth, distance;
+  std::vector<std::int32_t> candidate, face;
+  void fit(std::int32_t points);
+};
+
+/// Forces of all active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
+void advance_contacts(World& w, ContactRoom& room);
+
+/// Adds to the rows of elements [first, last) what their slots hold, in slot order.
+void gather_contacts(World& w, std::int64_t first, std::int64_t last);
 
 /// Turns a side that has come apart into free patches of its two elements. Points that touch keep their partner, slip and closure.
 void retire_side(World& w, std::int32_t side);
 
-/// Blocks that still hold a side, by colour. Call after sides have retired.
+/// Blocks that still hold a side, by task. Call after sides have retired.
 void list_live_blocks(World& w);
 
 }  // namespace voussoir::solver

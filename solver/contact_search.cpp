@@ -165,50 +165,46 @@ void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::v
 
 void build_gather(World& w) {
   Contacts& c = w.contacts;
-  const auto rows = static_cast<std::size_t>(w.elements.rows);
-  std::vector<std::int64_t> count(rows + 1, 0);
+  const auto n = static_cast<std::size_t>(w.elements.count);
   const auto each = [&](auto&& use) {
     for (std::size_t a = 0; a < c.active.size(); ++a) {
       const std::int32_t master = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
       for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-        use(master, 2 * slot);
+        use(static_cast<std::size_t>(master), 2 * slot);
         const std::int32_t slave = c.candidate[static_cast<std::size_t>(slot)].element;
-        if (slave != w.elements.base) use(slave, 2 * slot + 1);
+        if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
       }
     }
   };
-  each([&](std::int32_t e, std::int64_t) { ++count[static_cast<std::size_t>(e) + 1]; });
-  for (std::size_t e = 0; e < rows; ++e) count[e + 1] += count[e];
-  c.elements.clear();
-  c.first_gather.clear();
-  for (std::size_t e = 0; e < rows; ++e) {
-    if (count[e + 1] == count[e]) continue;
-    c.elements.push_back(static_cast<std::int32_t>(e));
-    c.first_gather.push_back(count[e]);
-  }
-  c.first_gather.push_back(count[rows]);
-  c.gather.resize(static_cast<std::size_t>(count[rows]));
-  each([&](std::int32_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(count[static_cast<std::size_t>(e)]++)] = code; });
+  c.first_gather.assign(n + 1, 0);
+  each([&](std::size_t e, std::int64_t) { ++c.first_gather[e + 1]; });
+  for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
+  c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
+  std::vector<std::int64_t> at = c.first_gather;
+  each([&](std::size_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(at[e]++)] = code; });
   c.gather_stale = false;
 }
 
-bool search_due(World& w) {
-  Contacts& c = w.contacts;
-  if (c.stale) return true;
-  if (c.countdown > 0 && --c.countdown == 0) return true;
+double largest_move2(const World& w, std::int64_t first, std::int64_t last) {
+  const Contacts& c = w.contacts;
   const Elements& e = w.elements;
-  double worst = 0.0;  // a maximum is exact in any order
-#pragma omp parallel for schedule(static) reduction(max : worst)
-  for (std::int64_t i = 0; i < e.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  double worst = 0.0;
+  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
     const double dx = e.ux[k] - c.at_ux[k], dy = e.uy[k] - c.at_uy[k], dz = e.uz[k] - c.at_uz[k];
     const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
     // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
     const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
     const double moved2 = 2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2);
-    worst = std::max(worst, moved2);
+    worst = moved2 > worst ? moved2 : worst;
   }
-  return worst > 0.25 * c.skin * c.skin;
+  return worst;
+}
+
+bool search_due(World& w, double moved2) {
+  Contacts& c = w.contacts;
+  if (c.stale) return true;
+  if (c.countdown > 0 && --c.countdown == 0) return true;
+  return moved2 > 0.25 * c.skin * c.skin;
 }
 
 void search_contacts(World& w) {

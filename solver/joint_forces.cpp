@@ -41,7 +41,11 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   kernels::DamagedSide result[kernels::kLanes];
   kernels::EventSink sink{found.room.data(), 0};
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
-  const unsigned looked_at = advance(s.blocks[block], {s.quick.data() + first, s.parts.data() + first, s.live_lanes[block], look_closely},
+  const unsigned looked_at = advance(s.blocks[block], {.quick = s.quick.data() + first,
+                                                        .parts = s.parts.data() + first,
+                                                        .first = static_cast<std::int64_t>(first),
+                                                        .live = s.live_lanes[block],
+                                                        .look_closely = look_closely},
                                      rows, clock, w.failure, result, sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
@@ -51,46 +55,47 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   }
 }
 
-/// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling.
-void collect(JointEvents& out) {
+}  // namespace
+
+void advance_joints(World& w, double time, std::int64_t step, JointFindings& found) {
+  const Sides& s = w.sides;
+  const kernels::Rows rows = w.rows();
+  const kernels::StepClock clock{w.dt, time};
+  const bool look_closely = step % kOpenInterval == 0;
+  const auto blocks = [&](std::int32_t first, std::int32_t last) {
+    for (std::int32_t i = first; i < last; ++i) advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, look_closely, found);
+  };
+  found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));
+  if (w.options.gather) {
+    constexpr std::int32_t kRun = 8;  // blocks
+    const auto n = static_cast<std::int32_t>(s.live.size());
+#pragma omp for schedule(dynamic)
+    for (std::int32_t i = 0; i < n; i += kRun) blocks(i, std::min(i + kRun, n));
+    return;
+  }
+  if (s.colour_first.size() <= 1) {  // no joint: others still count on having been waited for
+#pragma omp barrier
+  }
+  for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
+#pragma omp for schedule(dynamic)
+    for (std::int32_t t = s.colour_first[c]; t < s.colour_first[c + 1]; ++t) {
+      blocks(s.live_first[static_cast<std::size_t>(t)], s.live_first[static_cast<std::size_t>(t) + 1]);
+    }
+  }
+}
+
+void collect(std::span<JointFindings*> found, JointEvents& out) {
   out.events.clear();
   out.coming_apart.clear();
-  for (JointFindings& p : out.by_thread) {
-    out.events.insert(out.events.end(), p.events.begin(), p.events.end());
-    out.coming_apart.insert(out.coming_apart.end(), p.coming_apart.begin(), p.coming_apart.end());
-    p.events.clear();
-    p.coming_apart.clear();
+  for (JointFindings* p : found) {
+    out.events.insert(out.events.end(), p->events.begin(), p->events.end());
+    out.coming_apart.insert(out.coming_apart.end(), p->coming_apart.begin(), p->coming_apart.end());
+    p->events.clear();
+    p->coming_apart.clear();
   }
   std::sort(out.events.begin(), out.events.end(),
             [](const auto& a, const auto& b) { return a.side != b.side ? a.side < b.side : a.point < b.point; });
   std::sort(out.coming_apart.begin(), out.coming_apart.end());
-}
-
-}  // namespace
-
-void joint_forces(World& w, double time, std::int64_t step, JointEvents& out) {
-  const bool look_closely = step % kOpenInterval == 0;
-  const kernels::Rows rows = w.rows();
-  const kernels::StepClock clock{w.dt, time};
-  out.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
-  for (JointFindings& f : out.by_thread) f.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));
-#pragma omp parallel
-  {
-    JointFindings& mine = out.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    for (std::size_t c = 0; c < w.sides.live.size(); ++c) {
-      const std::vector<std::int32_t>& blocks = w.sides.live[c];
-      const auto n = static_cast<std::int64_t>(blocks.size());
-      if (static_cast<std::int32_t>(c) == w.sides.overflow_colour) {
-#pragma omp single
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], clock, look_closely, mine);
-      } else {
-        // Few blocks in turn: damage is clustered, and the same thread meets the same blocks in every step.
-#pragma omp for schedule(static, 4)
-        for (std::int64_t i = 0; i < n; ++i) advance_block(w, rows, blocks[static_cast<std::size_t>(i)], clock, look_closely, mine);
-      }
-    }
-  }
-  collect(out);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solver/world.h"
@@ -9,7 +10,6 @@
 /// Stage 3 of the step: forces of all joints, colour by colour.
 namespace voussoir::solver {
 
-/// What the joints did in a step, in an order that does not depend on the threads.
 /// What one thread found; sorted together afterwards.
 struct JointFindings {
   std::vector<kernels::SegmentEvent> events;
@@ -17,20 +17,22 @@ struct JointFindings {
   std::vector<kernels::SegmentEvent> room;  // for the block in hand
 };
 
+/// What the joints did in a step, in an order that does not depend on the threads.
 struct JointEvents {
   std::vector<kernels::SegmentEvent> events;  // sorted by (side, point)
   std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
-  std::vector<JointFindings> by_thread;       // scratch
 };
 
-/// Adds the forces of all sides to the wrench rows; advances the history of damaged ones. \param time of the step [s], for first_time
-void joint_forces(World& w, double time, std::int64_t step, JointEvents& out);
+/// All joints, colour by colour, or all at once into the buffer for pairs. To be called by every thread of a team, each with its findings.
+void advance_joints(World& w, double time, std::int64_t step, JointFindings& found);
 
-/// Elastic energy now [J]: of bonded springs, and of contact springs of joints. Valid after joint_forces, before the positions move on.
+/// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
+void collect(std::span<JointFindings*> found, JointEvents& out);
+
 struct StoredEnergy {
   double bonds = 0.0, contact = 0.0;
 };
-/// Of all joints as they are after joint_forces.
+/// Of all joints as they are after this stage.
 StoredEnergy joint_energy(World& w);
 
 }  // namespace voussoir::solver

@@ -93,22 +93,26 @@ void retire_side(World& w, std::int32_t side) {
     activate_last_patch(w);
   }
   sides.retired[i] = 1;
+  if (w.options.gather) sides.pair_on[i] = 0;
   sides.quick[i] = kernels::Quick::segments;
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
 }
 
 void list_live_blocks(World& w) {
   Sides& s = w.sides;
-  s.live.assign(s.colour_first.size() - 1, {});
   s.live_lanes.assign(s.blocks.size(), 0);
   for (std::size_t id = 0; id < s.retired.size(); ++id) {
     if (!s.retired[id]) s.live_lanes[id / kernels::kLanes] |= static_cast<std::uint8_t>(1U << id % kernels::kLanes);
   }
-  for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
-    for (std::int32_t b = s.colour_first[c]; b < s.colour_first[c + 1]; ++b) {
-      if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live[c].push_back(b);
+  s.live.clear();
+  s.live_first.clear();
+  for (std::size_t t = 0; t + 1 < s.task_first.size(); ++t) {
+    s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
+    for (std::int32_t b = s.task_first[t]; b < s.task_first[t + 1]; ++b) {
+      if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live.push_back(b);
     }
   }
+  s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
 }
 
 }  // namespace voussoir::solver

@@ -105,6 +105,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_sides(*w, c);
   set_up_patches(*w);
   set_up_side_views(*w);
+  set_up_side_gather(*w);
   set_up_loads(*w, c);
   w->contacts.skin = choose_skin(m);
   return w;

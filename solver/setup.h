@@ -25,6 +25,8 @@ void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 /// Points each side at its points and its segments' history, when all arrays have their size.
 void set_up_side_views(World& w);
+/// The buffer for pairs and its lists, for --scatter gather.
+void set_up_side_gather(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
 /// Appends a free patch with no partners.

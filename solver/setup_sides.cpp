@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "solver/colouring.h"
+#include "solver/decomposition.h"
 #include "solver/point_sets.h"
 #include "solver/setup.h"
 
@@ -199,38 +199,71 @@ void clear_lane(World& w, std::size_t id) {
   b.kn[l] = b.ks[l] = 1.0;
 }
 
+/// Colours, tasks and blocks; returns the sides in the order of their numbers, −1: unused lane.
+std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sides) {
+  std::vector<Writes> writes;
+  for (const NewSide& s : sides) writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
+  std::vector<Vec3> centroids;
+  for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);
+  Decomposition d = decompose(writes, centroids, w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids));
+  Sides& s = w.sides;
+  if (!d.overflow.empty()) {
+    s.overflow_colour = static_cast<std::int32_t>(d.colours.size());
+    d.colours.push_back({d.overflow});
+  }
+  std::vector<std::int32_t> numbered;
+  for (const auto& tasks : d.colours) {
+    s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
+    for (const auto& task : tasks) {
+      s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
+      numbered.insert(numbered.end(), task.begin(), task.end());
+      numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
+    }
+  }
+  s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
+  s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
+  return numbered;
+}
+
 }  // namespace
 
 void set_up_sides(World& w, const cases::Case& c) {
   const std::vector<NewSide> sides = sides_of(w);
-  std::vector<Writes> writes;
-  for (const NewSide& s : sides) writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
-  Colouring colours = colour(writes, w.elements.count, w.options.max_colours);
-  if (!colours.overflow.empty()) {
-    w.sides.overflow_colour = static_cast<std::int32_t>(colours.colours.size());
-    colours.colours.push_back(colours.overflow);
-  }
-  std::size_t blocks = 0;
-  for (const auto& items : colours.colours) {
-    w.sides.colour_first.push_back(static_cast<std::int32_t>(blocks));
-    blocks += (items.size() + kernels::kLanes - 1) / kernels::kLanes;
-  }
-  w.sides.colour_first.push_back(static_cast<std::int32_t>(blocks));
-  size_side_arrays(w.sides, blocks);
-  for (std::size_t id = 0; id < blocks * kernels::kLanes; ++id) clear_lane(w, id);
+  const std::vector<std::int32_t> numbered = number_sides(w, sides);
+  size_side_arrays(w.sides, numbered.size() / kernels::kLanes);
   PointSetBuilder sets(w.points);
-  for (std::size_t k = 0; k < colours.colours.size(); ++k) {
-    std::size_t id = static_cast<std::size_t>(w.sides.colour_first[k]) * kernels::kLanes;
-    for (const std::int32_t i : colours.colours[k]) {
-      const NewSide& side = sides[static_cast<std::size_t>(i)];
-      set_constants(w, side, id, c);
-      set_state(w, side, id, sets.add(side.segments));
-      ++id;
-    }
+  for (std::size_t id = 0; id < numbered.size(); ++id) {
+    clear_lane(w, id);
+    if (numbered[id] < 0) continue;
+    const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+    set_constants(w, side, id, c);
+    set_state(w, side, id, sets.add(side.segments));
   }
   const std::size_t n = w.sides.bond.size();
   w.sides.first_mode.assign(n, kernels::Mode::none);
   for (auto* column : {&w.sides.first_time, &w.sides.slip1, &w.sides.slip2, &w.sides.closure}) column->assign(n, 0.0);
+}
+
+void set_up_side_gather(World& w) {
+  Sides& s = w.sides;
+  if (!w.options.gather) return;
+  const std::size_t n = s.parts.size();
+  s.pair_wrench.assign(n * kernels::kPairStride, 0.0);
+  s.pair_dashpot.assign(n * kernels::kPairStride, 0.0);
+  s.pair_on.assign(n, 0);
+  std::vector<std::vector<std::int64_t>> of_element(static_cast<std::size_t>(w.elements.count));
+  for (std::size_t id = 0; id < n; ++id) {
+    if (s.joint[id] < 0) continue;
+    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
+    const std::int32_t master = b.master[id % kernels::kLanes], slave = b.slave[id % kernels::kLanes];
+    of_element[static_cast<std::size_t>(master)].push_back(static_cast<std::int64_t>(2 * id));
+    if (slave != w.elements.base) of_element[static_cast<std::size_t>(slave)].push_back(static_cast<std::int64_t>(2 * id + 1));
+  }
+  for (const std::vector<std::int64_t>& codes : of_element) {
+    s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
+    s.gather.insert(s.gather.end(), codes.begin(), codes.end());
+  }
+  s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
 }
 
 void set_up_side_views(World& w) {

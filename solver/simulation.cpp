@@ -182,34 +182,84 @@ void Simulation::guard() {
   }
 }
 
+void Simulation::note_velocities() {
+  const Elements& e = world_->elements;
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k].element);
+    velocity_before_[k] = {e.vx[i], e.vy[i], e.vz[i]};
+  }
+}
+
+void Simulation::kick(const kernels::BodyForces& f) {
+  World& w = *world_;
+  const auto view = w.elements.view();
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
+    kernels::kick(view, w.elements.wrench.data(), f, i, i + kernels::kLanes);
+  }
+}
+
+void Simulation::drift(double dt) {
+  World& w = *world_;
+  const auto view = w.elements.view();
+  double moved2 = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : moved2)
+  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, i + kernels::kLanes);
+    moved2 = std::max(moved2, largest_move2(w, i, i + kernels::kLanes));
+  }
+  moved2_ = moved2;
+}
+
+// In one go where nobody looks in between: an element's rows are then still at hand.
+void Simulation::kick_and_drift(const kernels::BodyForces& f) {
+  World& w = *world_;
+  const auto view = w.elements.view();
+  double moved2 = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : moved2)
+  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
+    kernels::kick(view, w.elements.wrench.data(), f, i, i + kernels::kLanes);
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, i + kernels::kLanes);
+    moved2 = std::max(moved2, largest_move2(w, i, i + kernels::kLanes));
+  }
+  moved2_ = moved2;
+}
+
 void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
   place_supports();
-  if (search_due(w)) search_contacts(w);
-  joint_forces(w, t, step_, events_);
-  contact_forces(w);
-  if (due.ledger) ledger_.before_kick(w);
-  book_damage(w, events_, t, damage_, cracks_);
+  if (search_due(w, moved2_)) {
+    const StageTimer timer(times_, Stage::search);
+    search_contacts(w);
+  }
+  {
+    const StageTimer timer(times_, Stage::forces);
+    solver::forces(w, t, step_, forces_stage_);
+  }
+  if (due.ledger) {
+    const StageTimer timer(times_, Stage::ledger);
+    ledger_.before_kick(w);
+  }
+  {
+    const StageTimer timer(times_, Stage::damage);
+    book_damage(w, forces_stage_.events, t, damage_, cracks_);
+  }
+  const StageTimer timer(times_, Stage::update);
   ledger_.add_support_work(w);
   if (due.sample) {
     measure_base_forces();
-    for (std::size_t k = 0; k < followed_.size(); ++k) {
-      const auto i = static_cast<std::size_t>(followed_[k].element);
-      velocity_before_[k] = {w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]};
-    }
+    note_velocities();
   }
   apply_loads();
   move_supports_on();
   const kernels::BodyForces f = body_forces();
-  const auto view = w.elements.view();
-  const std::int64_t rows = w.elements.rows, chunk = kernels::kLanes;
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < rows; i += chunk) kernels::kick(view, w.elements.wrench.data(), f, i, i + chunk);
-  if (due.sample) take_samples();
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < rows; i += chunk) {
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, i + chunk);
+  if (due.sample) {
+    kick(f);
+    take_samples();
+    drift(f.dt);
+  } else {
+    kick_and_drift(f);
   }
   if (due.ledger) ledger_.after_drift(w, t);
   ++step_;

@@ -10,8 +10,10 @@
 #include "cases/model.h"
 #include "cases/motion.h"
 #include "solver/damage.h"
+#include "solver/forces.h"
 #include "solver/ledger.h"
 #include "solver/recorder.h"
+#include "solver/stages.h"
 #include "solver/world.h"
 
 /// One run: the world, its clock, and the step.
@@ -38,7 +40,7 @@ class Simulation {
   /// \throw cases::InputError
   Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
 
-  /// One step of dt. The stages, in order: supports, search, joints, contacts, damage, loads, kick, samples, drift, ledger.
+  /// One step of dt. The stages, in order: supports, search, forces, damage, loads, kick, samples, drift, ledger.
   /// \throw NumericalError if the state is no longer a number, or too fast to be a house
   void step(Due due);
 
@@ -65,6 +67,9 @@ class Simulation {
   /// Cracks since the last call; the caller clears it.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
+  /// Wall-clock by stage since the simulation was built; others add their own (output).
+  [[nodiscard]] StageTimes& stage_times() { return times_; }
+  [[nodiscard]] const StageTimes& stage_times() const { return times_; }
 
  private:
   void place_supports();
@@ -72,6 +77,10 @@ class Simulation {
   void apply_loads();
   void measure_base_forces();
   void take_samples();
+  void note_velocities();
+  void kick(const kernels::BodyForces& f);
+  void drift(double dt);
+  void kick_and_drift(const kernels::BodyForces& f);
   void guard();
   [[nodiscard]] kernels::BodyForces body_forces() const;
   [[nodiscard]] Vec3 gravity_at(double t) const;
@@ -87,7 +96,9 @@ class Simulation {
   double ramp_ = 0.0;            // s
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
-  JointEvents events_;
+  ForceStage forces_stage_;
+  double moved2_ = 0.0;  // m2, see largest_move2
+  StageTimes times_{};
   Damage damage_;
   Ledger ledger_;
   std::vector<CrackRow> cracks_;

@@ -52,7 +52,9 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
 }
 
 kernels::Rows World::rows() noexcept {
-  return {elements.pose.data(), elements.twist.data(), elements.wrench.data()};
+  kernels::PairBuffer pairs;
+  if (options.gather) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data()};
+  return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), pairs};
 }
 
 kernels::Side Sides::side(std::int64_t id) const noexcept {

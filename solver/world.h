@@ -22,7 +22,8 @@ namespace voussoir::solver {
 struct Options {
   bool reference_kernels = false;  // --kernels reference: every segment on its own, in plain scalar code
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
-  int max_colours = 64;            // sides that no colour can take go to an overflow colour, run serially
+  bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
+  double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
   int threads = 0;                 // 0: OpenMP's default
   std::optional<double> step;      // s; overrides the case
 };
@@ -68,19 +69,25 @@ struct PointSets {
   [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
 };
 
-/// Sides of joints, in blocks of kLanes that share a colour. A side's number is block × kLanes + lane.
+/// Sides of joints, in blocks of kLanes, blocks in tasks, tasks in colours (decomposition.h). A side's number is block × kLanes + lane.
 struct Sides {
   Array<kernels::SideBlock> blocks;
-  std::vector<std::int32_t> colour_first;       // blocks of colour c: [colour_first[c], colour_first[c + 1])
-  std::int32_t overflow_colour = -1;            // run serially; −1: none
-  std::vector<std::vector<std::int32_t>> live;  // per colour, blocks with a side that is not retired
-  std::vector<std::uint8_t> live_lanes;         // by block, bit mask of the sides that are not retired
+  std::vector<std::int32_t> task_first;     // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> colour_first;   // tasks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;        // one task, run serially; −1: none
+  std::vector<std::int32_t> live;           // blocks with a side that is not retired, ascending
+  std::vector<std::int32_t> live_first;     // by task, into `live`; tasks + 1 entries
+  std::vector<std::uint8_t> live_lanes;     // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces
   std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
   std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
   std::vector<double> size;                           // m, segment size of the master
+  // --scatter gather: what each side left, and where each element finds its own (side × 2 + (0: master, 1: slave), ascending).
+  Array<double> pair_wrench, pair_dashpot;
+  std::vector<std::uint8_t> pair_on;
+  std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
   // State by side.
   Array<kernels::Quick> quick;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -127,9 +134,8 @@ struct Contacts {
   std::vector<kernels::Candidate> candidate;                      // by slot
   std::vector<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
-  std::vector<std::int32_t> elements;      // that have slots
-  std::vector<std::int64_t> first_gather;  // by entry of `elements`, count + 1 entries
-  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave)
+  std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
+  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::int64_t searches = 0;
 };
 

@@ -28,15 +28,32 @@ double least_opening(const SideBlock& b, int l, const SideFrame& f) noexcept {
   return f.d.n + std::min(b.s_low[l] * f.ds.n, b.s_high[l] * f.ds.n) + std::min(b.t_low[l] * f.dt.n, b.t_high[l] * f.dt.n);
 }
 
-void add_wrenches(const Side& side, bool on_base, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
+/// Force and torque on the master, then on the slave.
+void add_pair(double* master, double* slave, Vec3 f, Vec3 ta, Vec3 tb) noexcept {
+  const double a[6] = {f.x, f.y, f.z, ta.x, ta.y, ta.z}, b[6] = {-f.x, -f.y, -f.z, tb.x, tb.y, tb.z};
+  for (int k = 0; k < 6; ++k) {
+    master[k] += a[k];
+    if (slave != nullptr) slave[k] += b[k];
+  }
+}
+
+void hand_out(const Side& side, std::int64_t id, bool on_base, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
   PairWrench w;
   to_wrench(f, r.total, w.force, w.torque_a, w.torque_b);
   to_wrench(f, r.dash, w.dash_force, w.dash_torque_a, w.dash_torque_b);
-  add_wrench(rows.wrench, side.master, w.force, w.torque_a);
-  add_dashpot(rows.wrench, side.master, w.dash_force, w.dash_torque_a);
-  if (on_base) return;
-  add_wrench(rows.wrench, side.slave, -w.force, w.torque_b);
-  add_dashpot(rows.wrench, side.slave, -w.dash_force, w.dash_torque_b);
+  if (rows.pairs.on != nullptr) {
+    double *total = rows.pairs.wrench + id * kPairStride, *dash = rows.pairs.dashpot + id * kPairStride;
+    std::fill_n(total, kPairStride, 0.0);
+    std::fill_n(dash, kPairStride, 0.0);
+    add_pair(total, total + 6, w.force, w.torque_a, w.torque_b);
+    add_pair(dash, dash + 6, w.dash_force, w.dash_torque_a, w.dash_torque_b);
+    rows.pairs.on[id] = kOnWrench | kOnDashpot;
+    return;
+  }
+  double* a = rows.wrench + static_cast<std::int64_t>(side.master) * kWrenchStride;
+  double* b = on_base ? nullptr : rows.wrench + static_cast<std::int64_t>(side.slave) * kWrenchStride;
+  add_pair(a, b, w.force, w.torque_a, w.torque_b);
+  add_pair(a + kDashpotColumn, b == nullptr ? nullptr : b + kDashpotColumn, w.dash_force, w.dash_torque_a, w.dash_torque_b);
 }
 
 }  // namespace
@@ -88,7 +105,7 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
     const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
-    add_wrenches(side, (block.on_base >> l & 1U) != 0, f, r, rows);
+    hand_out(side, state.first + l, (block.on_base >> l & 1U) != 0, f, r, rows);
     result[l] = {.friction = r.friction,
                  .impact = r.impact,
                  .fracture = r.fracture,

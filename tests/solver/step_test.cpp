@@ -3,9 +3,10 @@
 #include <doctest/doctest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "solver/colouring.h"
+#include "solver/decomposition.h"
 #include "solver/errors.h"
 #include "solver/simulation.h"
 #include "tests/solver/small_wall.h"
@@ -34,24 +35,44 @@ double largest_displacement(const solver::Simulation& s) {
 
 }  // namespace
 
-TEST_CASE("greedy colouring: no two items of a colour share an element; what fits no colour overflows") {
-  std::vector<solver::Writes> items;
-  for (std::int32_t i = 0; i < 40; ++i) items.push_back({i % 7, i % 5 == 0 ? -1 : 7 + i % 6});
-  for (const int limit : {2, 64}) {
-    const solver::Colouring c = solver::colour(items, 13, limit);
-    std::size_t placed = c.overflow.size();
-    for (const auto& colour : c.colours) {
-      std::vector<int> used(13, 0);
-      for (const std::int32_t i : colour) {
-        for (const std::int32_t e : items[static_cast<std::size_t>(i)]) {
-          if (e >= 0) CHECK(++used[static_cast<std::size_t>(e)] == 1);
+TEST_CASE("decomposition: no two tasks of a colour share an element, every side has one place") {
+  // A wall of 20 by 6 bricks, one beam along all of it, and sides on the base.
+  std::vector<Vec3> centroids;
+  std::vector<solver::Writes> sides;
+  for (int x = 0; x < 20; ++x) {
+    for (int z = 0; z < 6; ++z) {
+      const auto e = static_cast<std::int32_t>(centroids.size());
+      centroids.push_back({0.2 * x + 0.1 * (z % 2), 0.0, 0.1 * z});
+      sides.push_back({e, z == 0 ? -1 : e - 1});
+      if (x > 0) sides.push_back({e, e - 6});
+      if (x > 0 && z % 2 == 0 && z > 0) sides.push_back({e, e - 7});
+    }
+  }
+  const auto beam = static_cast<std::int32_t>(centroids.size());
+  centroids.push_back({2.0, 0.0, 0.6});
+  for (int x = 0; x < 20; ++x) sides.push_back({beam, 6 * x + 5});
+  const solver::Decomposition d = solver::decompose(sides, centroids, 0.25);
+  CHECK(d.colours.size() == 4);
+  std::vector<int> placed(sides.size(), 0);
+  for (const std::int32_t i : d.overflow) ++placed[static_cast<std::size_t>(i)];
+  for (const auto& tasks : d.colours) {
+    std::vector<int> owner(centroids.size(), -1);
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+      for (const std::int32_t i : tasks[t]) {
+        ++placed[static_cast<std::size_t>(i)];
+        for (const std::int32_t e : sides[static_cast<std::size_t>(i)]) {
+          if (e < 0) continue;
+          int& of = owner[static_cast<std::size_t>(e)];
+          CHECK((of == -1 || of == static_cast<int>(t)));
+          of = static_cast<int>(t);
         }
       }
-      placed += colour.size();
     }
-    CHECK(placed == items.size());
-    CHECK((limit == 2) == !c.overflow.empty());
   }
+  CHECK(std::all_of(placed.begin(), placed.end(), [](int n) { return n == 1; }));
+  CHECK(d.overflow.size() > 10);  // the beam's far ends
+  CHECK(d.overflow.size() < 20);
+  CHECK(solver::choose_cell(sides, centroids) > 0.2);
 }
 
 TEST_CASE("fast and reference kernels: the same wall until it cracks, the same damage after") {

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/forces.h"
+
+#include <omp.h>
+
+namespace voussoir::solver {
+
+namespace {
+
+/// What each element takes from the buffer for pairs and from the slots of its contacts.
+void gather(World& w) {
+  const Sides& s = w.sides;
+  const bool contacts = !w.contacts.active.empty();
+  if (!w.options.gather && !contacts) return;
+  const kernels::PairBuffer pairs = w.rows().pairs;
+#pragma omp for schedule(static)
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (w.options.gather) {
+      const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
+      kernels::gather_sides({s.gather.data() + first, last - first}, pairs, w.elements.wrench.data() + i * kernels::kWrenchStride);
+    }
+    if (contacts) gather_contacts(w, e, e + 1);
+  }
+}
+
+}  // namespace
+
+void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
+  if (w.contacts.gather_stale) build_gather(w);
+  stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
+#pragma omp parallel
+  {
+    ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
+    advance_contacts(w, mine.contacts);
+    advance_joints(w, time, step, mine.joints);
+    gather(w);
+  }
+  std::vector<JointFindings*> found;
+  for (ThreadRoom& r : stage.by_thread) found.push_back(&r.joints);
+  collect(found, stage.events);
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "solver/contact_forces.h"
+#include "solver/joint_forces.h"
+
+/// Stage 3 of the step: the forces of joints and contacts on the elements' rows.
+namespace voussoir::solver {
+
+/// One thread's room.
+struct ThreadRoom {
+  JointFindings joints;
+  ContactRoom contacts;
+};
+
+struct ForceStage {
+  JointEvents events;  // of the last step
+  std::vector<ThreadRoom> by_thread;
+};
+
+/// One team of threads from the first side to the last slot: contacts and joints need nothing of each other, so only colours, and the gather
+/// behind them, wait.
+void forces(World& w, double time, std::int64_t step, ForceStage& stage);
+
+}  // namespace voussoir::solver
