@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "io/bench_command.h"
 #include "io/case_file.h"
 #include "io/errors.h"
 #include "io/motion_command.h"
@@ -22,9 +23,10 @@ struct Words {
   std::string name;                 // CASE
   std::vector<std::string> set;     // --set key=value
   std::vector<std::string> motion;  // --motion axis=file
-  std::string direction, record, scale, duration, dt, frames, kernels = "fast";
+  std::string direction, record, scale, duration, dt, frames, kernels, scatter = "fast";
   std::vector<std::string> files;  // of `motion`
   io::RunOptions run;
+  io::BenchOptions bench;
   io::MotionOptions motion_options;
 };
 
@@ -74,9 +76,22 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("--frames", w.frames, "interval of frames, s");
   run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
+  run->add_option("--scatter", w.scatter, "colour: tasks of one colour at a time add to the elements; gather: each element adds up its own")
+      ->check(CLI::IsMember({"colour", "gather"}));
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
+}
+
+void add_bench(CLI::App& app, Words& w) {
+  CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment; thread scaling");
+  add_case(bench, w);
+  bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(CLI::NonNegativeNumber);
+  bench->add_option("--batches", w.bench.batches, "a figure is the median of so many batches of steps (default: 7)")->check(CLI::Range(1, 1000));
+  bench->add_option("--steps", w.bench.steps, "steps in a batch (default: about 0.1 s of them)")->check(CLI::Range(1, 1000000));
+  bench->add_option("--csv", w.bench.csv, "also write the table to this file");
+  bench->add_flag("--overwrite", w.bench.overwrite, "replace that file");
+  bench->footer("example: voussoir bench flat20n -j 2 --after 3.5");
 }
 
 void add_motion(CLI::App& app, Words& w) {
@@ -109,7 +124,12 @@ int dispatch(const CLI::App& app, Words& w) {
   }
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
+  if (app.got_subcommand("bench")) {
+    w.bench.threads = w.run.threads;
+    return with_case(w, [&](const auto& c) { return io::bench_command(c, w.bench); });
+  }
   w.run.reference_kernels = w.kernels == "reference";
+  w.run.gather = w.scatter == "gather";
   if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.name).stem().string();
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
@@ -142,6 +162,7 @@ int main(int argc, char** argv) {
   add_case(check, w);
   check->footer("example: voussoir check my-house.toml");
   add_motion(app, w);
+  add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
   app.add_subcommand("keys", "all keys of the case file");
   try {

@@ -63,6 +63,17 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
 
+/// Wall-clock by stage, of the stages that take any.
+void print_stages(const solver::StageTimes& times) {
+  double total = 0.0;
+  for (const double t : times) total += t;
+  std::printf("time by stage       ");
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] > 0.001 * total) std::printf(" %s %.1f s (%.1f %%)", solver::kStageNames[k], times[k], 100.0 * times[k] / total);
+  }
+  std::printf("\n");
+}
+
 }  // namespace
 
 int run_command(const LoadedCase& c, const RunOptions& o) {
@@ -72,6 +83,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
+  options.gather = o.gather;
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
 
@@ -93,6 +105,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
     progress.finish();
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, solver::state_hash(sim.world()), folder.path());
+    print_stages(sim.stage_times());
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     progress.finish();

@@ -17,6 +17,7 @@ struct RunOptions {
   std::string folder;  // of the results
   int threads = 0;     // 0: as OpenMP decides
   bool reference_kernels = false;
+  bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
 };
 

@@ -141,8 +141,12 @@ RunResult run(Simulation& sim, const cases::Case& c, double end, Recorder& out, 
       const std::int64_t n = sim.steps();
       const double time = sim.time();
       const Due due{n % history == 0, n % ledger == 0 || n == last};
-      if (n % frame == 0) report.frame();
+      if (n % frame == 0) {
+        const StageTimer timer(sim.stage_times(), Stage::output);
+        report.frame();
+      }
       sim.step(due);
+      const StageTimer timer(sim.stage_times(), Stage::output);
       if (due.sample) report.samples(time);
       if (due.ledger) {
         if (due.sample) out.forces(sim.forces());

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/bench_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+#include "cases/census.h"
+#include "io/errors.h"
+#include "io/motion_files.h"
+#include "io/progress.h"
+#include "io/run_command.h"
+#include "io/support_motion.h"
+#include "solver/field_table.h"
+#include "solver/machine.h"
+#include "solver/simulation.h"
+
+namespace voussoir::io {
+
+namespace {
+
+/// What is measured on: one case, built once.
+struct Subject {
+  const LoadedCase& c;
+  cases::Model model;
+  cases::GroundMotion motion;
+  cases::Census census;
+};
+
+/// One line of the table.
+struct Row {
+  int threads = 1;
+  bool gather = false;
+  double step = 0.0;  // s
+  solver::StageTimes stages{};  // s a step
+};
+
+/// Sides by what they are now.
+struct Sides {
+  std::int64_t whole = 0, open = 0, damaged = 0, points = 0, contacts = 0;
+};
+Sides sides_now(const solver::World& w) {
+  Sides n;
+  for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
+    if (w.sides.joint[id] < 0 || w.sides.retired[id]) continue;
+    const kernels::Quick state = w.sides.quick[id];
+    n.whole += state == kernels::Quick::whole;
+    n.open += state == kernels::Quick::open;
+    if (state != kernels::Quick::segments) continue;
+    ++n.damaged;
+    n.points += w.points.count[static_cast<std::size_t>(w.sides.set[id])];
+  }
+  n.contacts = static_cast<std::int64_t>(w.contacts.active.size());
+  return n;
+}
+
+/// Brings a simulation to where it is to be measured.
+void advance_to(solver::Simulation& sim, double after) {
+  if (after <= 0.0) return;
+  while (sim.phase() == solver::Phase::settling && !sim.at_rest() && !sim.settled_too_long()) sim.step({false, sim.steps() % 200 == 0});
+  sim.start_shaking();
+  while (sim.time() < after) sim.step({});
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Medians over batches of steps.
+Row measure(solver::Simulation& sim, int threads, bool gather, const BenchOptions& o) {
+  omp_set_num_threads(threads);
+  int steps = o.steps;
+  if (steps == 0) {
+    const double start = omp_get_wtime();
+    for (int i = 0; i < 10; ++i) sim.step({});
+    steps = std::max(10, static_cast<int>(0.1 / ((omp_get_wtime() - start) / 10.0)));
+  }
+  std::vector<double> all;
+  std::vector<std::vector<double>> by_stage(solver::kStageNames.size());
+  for (int batch = 0; batch < o.batches; ++batch) {
+    const solver::StageTimes before = sim.stage_times();
+    const double start = omp_get_wtime();
+    for (int i = 0; i < steps; ++i) sim.step({});
+    all.push_back((omp_get_wtime() - start) / steps);
+    for (std::size_t k = 0; k < by_stage.size(); ++k) by_stage[k].push_back((sim.stage_times()[k] - before[k]) / steps);
+  }
+  Row row{threads, gather, median(all), {}};
+  for (std::size_t k = 0; k < by_stage.size(); ++k) row.stages[k] = median(by_stage[k]);
+  return row;
+}
+
+std::vector<int> thread_counts(int most) {
+  std::vector<int> counts;
+  for (int n = 1; n < most; n *= 2) counts.push_back(n);
+  counts.push_back(most);
+  return counts;
+}
+
+std::string header() {
+  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,ns_per_joint,ns_per_segment_side";
+  for (const char* name : solver::kStageNames) line += std::string(",ms_") + name;
+  return line;
+}
+
+/// One line as CSV; `one`: the time of one thread.
+std::string line(const Row& r, double one, const cases::Census& n) {
+  const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
+  char text[400];
+  int at = std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
+                         1.0 / r.step, one / r.step, 1e9 * r.step / joints, 1e9 * r.step / segments);
+  for (const double s : r.stages) at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), ",%.4f", 1e3 * s);
+  return text;
+}
+
+/// CSV with its commas turned into columns.
+void print_columns(const std::string& csv) {
+  std::string cell;
+  for (const char ch : csv + ",") {
+    if (ch != ',') {
+      cell += ch;
+      continue;
+    }
+    std::printf("%*s ", std::max(9, static_cast<int>(cell.size())), cell.c_str());
+    cell.clear();
+  }
+  std::printf("\n");
+}
+
+void print_subject(const Subject& s, const solver::World& w) {
+  const Sides n = sides_now(w);
+  std::printf("elements                 %s\n", format_count(s.census.elements).c_str());
+  std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(s.census.joints + s.census.base_joints).c_str(),
+              w.sides.task_first.size() - 1, w.sides.colour_first.size() - 1);
+  std::printf("segment sides            %s\n", format_count(s.census.joint_sides).c_str());
+  std::printf("joints now               %s whole, %s open, %s damaged with %s segments; %s patches near others\n", format_count(n.whole).c_str(),
+              format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.points).c_str(), format_count(n.contacts).c_str());
+}
+
+std::ofstream open_table(const BenchOptions& o) {
+  if (o.csv.empty()) return {};
+  if (!o.overwrite && std::filesystem::exists(o.csv)) throw FileError(o.csv, "exists; give another name or --overwrite");
+  std::ofstream file(o.csv);
+  if (!file) throw FileError(o.csv, "cannot be written");
+  return file;
+}
+
+}  // namespace
+
+int bench_command(const LoadedCase& c, const BenchOptions& o) {
+  std::ofstream table = open_table(o);
+  Subject s{c, cases::build_model(c.value), {}, {}};
+  load_support_motions(s.model, c.value.folder);
+  if (c.value.motion) s.motion = load_motion(*c.value.motion, c.value.folder);
+  s.census = cases::census(s.model);
+  const int most = o.threads > 0 ? o.threads : omp_get_num_procs();
+  for (const bool gather : {false, true}) {
+    solver::Options options;
+    options.gather = gather;
+    omp_set_num_threads(most);
+    solver::Simulation sim(c.value, s.model, s.motion, options);
+    advance_to(sim, o.after);
+    if (!gather) {
+      print_subject(s, sim.world());
+      std::printf("machine at best          %.1f Gflop/s on one thread; %.1f GB/s on %d\n\n", 1e-9 * solver::peak_flops(1),
+                  1e-9 * solver::peak_bandwidth(most), most);
+      print_columns(header());
+      if (table) table << header() << '\n';
+    }
+    double one = 0.0;
+    for (const int threads : thread_counts(most)) {
+      const Row row = measure(sim, threads, gather, o);
+      if (threads == 1) one = row.step;
+      print_columns(line(row, one, s.census));
+      if (table) table << line(row, one, s.census) << '\n';
+    }
+  }
+  return kDone;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "io/case_file.h"
+
+/// `voussoir bench`: how long a step takes, and where.
+namespace voussoir::io {
+
+struct BenchOptions {
+  double after = 0.0;   // s of shaking until the measurement; 0: intact, under the first of gravity
+  int threads = 0;      // most; 0: all cores
+  int batches = 7;      // a figure is the median of so many
+  int steps = 0;        // in a batch; 0: as many as take about 0.1 s
+  std::string csv;      // also write the table here, if not empty
+  bool overwrite = false;
+};
+
+/// Steps the case with 1, 2, 4, ... threads, by colour and by gather, and prints a table.
+/// \throw cases::InputError, FileError before anything runs
+int bench_command(const LoadedCase& c, const BenchOptions& o);
+
+}  // namespace voussoir::io

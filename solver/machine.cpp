@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/machine.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kernels/lanes.h"
+#include "solver/array.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+/// Best of a few, s.
+template <class Work>
+double fastest(Work work) {
+  double best = 1e300;
+  for (int i = 0; i < 5; ++i) {
+    const double start = omp_get_wtime();
+    work();
+    best = std::min(best, omp_get_wtime() - start);
+  }
+  return best;
+}
+
+}  // namespace
+
+double peak_flops(int threads) {
+  constexpr int kChains = 10, kRounds = 4'000'000;  // enough chains to hide the latency of a multiply-add
+  volatile double sink = 0.0;
+  const double seconds = fastest([&] {
+#pragma omp parallel num_threads(threads)
+    {
+      kernels::Lanes x[kChains];
+      for (int c = 0; c < kChains; ++c) x[c] = kernels::lanes(1.0 + 1e-3 * c);
+      const kernels::Lanes a = kernels::lanes(0.999'999), b = kernels::lanes(1e-7);
+      for (int i = 0; i < kRounds; ++i) {
+        for (int c = 0; c < kChains; ++c) x[c] = x[c] * a + b;
+      }
+      kernels::Lanes sum{};
+      for (int c = 0; c < kChains; ++c) sum += x[c];
+#pragma omp critical
+      sink = sink + sum[0];
+    }
+  });
+  return 2.0 * kernels::kWidth * kChains * static_cast<double>(kRounds) * threads / seconds;
+}
+
+double peak_bandwidth(int threads) {
+  constexpr std::int64_t n = 8'000'000;
+  Array<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
+  const double seconds = fastest([&] {
+#pragma omp parallel for simd schedule(static) num_threads(threads)
+    for (std::int64_t i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      a[k] = b[k] + 3.0 * c[k];
+    }
+  });
+  return 3.0 * sizeof(double) * static_cast<double>(n) / seconds;
+}
+
+}  // namespace voussoir::solver

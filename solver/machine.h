@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// What the machine can do at best, to measure a step against.
+namespace voussoir::solver {
+
+/// Multiply-adds in registers on all threads [flop/s], a multiply-add counting two.
+double peak_flops(int threads);
+
+/// The triad a = b + s c of STREAM over arrays far larger than any cache [byte/s].
+double peak_bandwidth(int threads);
+
+}  // namespace voussoir::solver
