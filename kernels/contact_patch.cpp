@@ -1,326 +1,155 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/contact_patch.h"
-
-#include <algorithm>
-#include <cmath>
+#include "kernels/lanes.h"
+#include "kernels/patch_work.h"
 
 namespace voussoir::kernels {
 
 namespace {
 
-/// The patch in the body frame of a candidate: y(s,t) = y0 + s·ys + t·yt, from the candidate's centroid.
-struct InSlave {
-  Vec3 y0, ys, yt, normal;
-};
-
-struct Master {
-  Pose pose;
-  Twist twist;
-  Vec3 ref, centre, es, et, normal;  // centre: from the reference centroid, displaced; current axes
-};
-
-Vec3 apply(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
-Vec3 apply_transposed(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
-Vec3 reference(const Bodies& b, std::int32_t e) noexcept { return {b.ref_x[e], b.ref_y[e], b.ref_z[e]}; }
-
-Master master_of(const Patch& p, const Bodies& b) noexcept {
-  Master m;
-  m.pose = load_pose(b.pose, p.element);
-  m.twist = load_twist(b.twist, p.element);
-  m.ref = reference(b, p.element);
-  m.centre = m.pose.u + apply(m.pose, p.centre);
-  m.es = apply(m.pose, p.es);
-  m.et = apply(m.pose, p.et);
-  m.normal = p.normal_sign * cross(m.es, m.et);
-  return m;
+VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
+VOUSSOIR_INLINE VecLanes select3(LaneMask m, VecLanes a, VecLanes b) noexcept {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-InSlave in_slave(const Master& m, const Pose& slave, Vec3 slave_ref) noexcept {
-  const Vec3 from = (m.ref - slave_ref) + (m.centre - slave.u);
-  return {apply_transposed(slave, from), apply_transposed(slave, m.es), apply_transposed(slave, m.et), apply_transposed(slave, m.normal)};
+/// Lanes whose entry of `list` is `value`.
+VOUSSOIR_INLINE LaneMask equal(const std::int32_t* list, std::int32_t value) noexcept {
+  typedef std::int32_t Ints __attribute__((vector_size(4 * kWidth)));
+  Ints x;
+  __builtin_memcpy(&x, list, sizeof x);
+  return __builtin_convertvector(x == value, LaneMask);
 }
 
-/// Signed distance to a plane over the patch: g(s,t) = g0 + s·gs + t·gt, negative inside.
-struct PlaneField {
-  double g0, gs, gt;
-  [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
-};
-PlaneField plane_field(const InSlave& y, const FaceTable& faces, int face) noexcept {
-  const Vec3 n = faces.normal[face];
-  return {dot(n, y.y0) - faces.distance[face], dot(n, y.ys), dot(n, y.yt)};
-}
-
-bool separates(const Patch& p, PlaneField g) noexcept {
-  const double s = g.gs > 0.0 ? p.s_low : p.s_high, t = g.gt > 0.0 ? p.t_low : p.t_high;
-  return g.at(s, t) >= 0.0;
-}
-
-/// True if one face of the candidate has all points outside. Remembers it: next step it will most likely separate again.
-bool separated(const Patch& p, const InSlave& y, const FaceTable& faces, Candidate& c) noexcept {
-  if (separates(p, plane_field(y, faces, c.separating))) return true;
-  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
-    if (f == c.separating || !separates(p, plane_field(y, faces, f))) continue;
-    c.separating = f;
-    return true;
+/// Sums of tractions in global axes, by lane.
+struct SumsOfLanes {
+  VecLanes f{}, sf{}, tf{};
+  VOUSSOIR_INLINE void add(VecLanes v, Lanes s, Lanes t) noexcept {
+    f = f + v;
+    sf = sf + s * v;
+    tf = tf + t * v;
   }
-  return false;
-}
-
-/// All faces of a candidate over the patch.
-struct PlaneFields {
-  PlaneField g[kMostFaces];
-  int count = 0;
-};
-PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
-  PlaneFields p;
-  for (int f = 0; f < c.face_count; ++f) p.g[f] = plane_field(y, faces, c.first_face + f);
-  p.count = c.face_count;
-  return p;
-}
-
-/// Signed distance of every point to the candidate, the largest over its faces: negative inside.
-void distances(PointsView p, const PlaneFields& planes, double* distance) noexcept {
-  std::fill_n(distance, p.n, -1e300);
-  for (int f = 0; f < planes.count; ++f) {
-    const PlaneField g = planes.g[f];
-    for (int i = 0; i < p.n; ++i) {
-      const double d = g.at(p.s[i], p.t[i]);
-      distance[i] = distance[i] > d ? distance[i] : d;
-    }
-  }
-}
-
-/// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
-std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
-                        double& depth) noexcept {
-  std::int32_t best = kNoFace;
-  depth = 1e300;
-  for (int f = 0; f < planes.count; ++f) {
-    if (dot(y.normal, faces.normal[c.first_face + f]) >= kOpposing) continue;
-    const double d = -planes.g[f].at(s, t);
-    if (d < depth) {
-      depth = d;
-      best = c.first_face + f;
-    }
-  }
-  return depth > kDeepest ? kNoFace : best;
-}
-
-void release(ContactPoints q, int i) noexcept {
-  q.partner[i] = kNobody;
-  q.face[i] = kNoFace;
-  q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
-  q.closure[i] = 0.0;
-}
-
-/// Springs and dashpots between the patch and one face (Eqs. 2, 9, 10).
-Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t, const ContactOptions& o) noexcept {
-  Stiffness k;
-  if (slave == p.origin) {
-    k.kn = p.origin_kn, k.ks = p.origin_ks;
-  } else {
-    k.kn = 1.0 / (t.compliance_n[p.face] + t.compliance_n[face]);
-    k.ks = 1.0 / (t.compliance_s[p.face] + t.compliance_s[face]);
-  }
-  const double mass = t.mass[p.face] + (slave == o.base ? t.mass[p.face] : t.mass[face]);
-  const double beta = b.beta[p.element] + (slave == o.base ? b.beta[p.element] : b.beta[slave]);
-  const double f = 2.0 * o.damping / (1.0 + o.step * beta);
-  k.cn = f * std::sqrt(mass * k.kn);
-  k.cs = f * std::sqrt(mass * k.ks);
-  return k;
-}
-
-/// The pair of a patch and one face, ready for its points.
-struct Facing {
-  Vec3 n;            // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
-  PlaneField depth;  // u_n(s,t) [m], negative inside
-  Vec3 v0, vs, vt;   // rate of the slave relative to the master
-  Stiffness k;
-  double tan_phi = 0.0, factor = 0.5;
-};
-
-Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const FaceTable& faces,
-              const ContactOptions& o) noexcept {
-  const Pose slave = load_pose(b.pose, c.element);
-  const Twist twist = load_twist(b.twist, c.element);
-  const Vec3 nb = apply(slave, faces.normal[face]);
-  const PlaneField g = plane_field(y, faces, face);
-  Facing f;
-  // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
-  const double stretch = o.master_normal ? 1.0 / std::abs(dot(m.normal, nb)) : 1.0;
-  f.n = o.master_normal ? m.normal : -nb;
-  f.depth = {stretch * g.g0, stretch * g.gs, stretch * g.gt};
-  const Vec3 arm_a = m.centre - m.pose.u;
-  const Vec3 arm_b = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
-  const Vec3 w = twist.w - m.twist.w;
-  f.v0 = (twist.v + cross(twist.w, arm_b)) - (m.twist.v + cross(m.twist.w, arm_a));
-  f.vs = cross(w, m.es);
-  f.vt = cross(w, m.et);
-  f.k = stiffness(p, c.element, face, b, faces, o);
-  f.tan_phi = c.element == p.origin ? p.origin_tan_phi : o.tan_phi;
-  f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
-  return f;
-}
-
-/// Sums of tractions in global axes.
-struct GlobalSums {
-  Vec3 f, sf, tf;
-  void add(Vec3 v, double s, double t) noexcept {
-    f += v;
-    sf += s * v;
-    tf += t * v;
+  [[nodiscard]] VOUSSOIR_INLINE GlobalSums sum() const noexcept {
+    const Quad a = sums_of(f.x, f.y, f.z, sf.x), b = sums_of(sf.y, sf.z, tf.x, tf.y), c = sums_of(tf.z, Lanes{}, Lanes{}, Lanes{});
+    return {{a[0], a[1], a[2]}, {a[3], b[0], b[1]}, {b[2], b[3], c[0]}};
   }
 };
 
-/// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
-void book_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
-                  PatchResult& r) noexcept {
-  const double un = f.depth.at(s, t) - q.closure[i];
-  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
-  const double vn = dot(v, f.n);
-  const double before = std::min(0.0, un - step * vn);
-  const Vec3 slip = apply(master, {q.slip_x[i], q.slip_y[i], q.slip_z[i]});
-  const double da = f.factor * area;
-  r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
-  r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
-}
-
-/// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
-void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
-           GlobalSums& dash, PatchResult& r) noexcept {
-  const double xn = f.depth.at(s, t) - q.closure[i];
-  if (xn >= 0.0) {  // inside, but not down on its offset
-    book_opening(f, master, s, t, area, q, i, step, r);
-    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
-    return;
-  }
-  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
-  const double vn = dot(v, f.n);
-  const Vec3 vt = v - vn * f.n;
-  const Vec3 body{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
-  const Vec3 carried = apply(master, body);
-  const Vec3 before = carried - dot(carried, f.n) * f.n;
-  Vec3 x = before + step * vt;
-  const double da = f.factor * area;
-  const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
-  const double limit = -(f.k.kn * xn + dn) * f.tan_phi;
-  const double spring = f.k.ks * norm(x);
-  if (spring > limit) x *= limit / spring;
-  const Vec3 p = f.k.ks * x, all = f.k.cs * vt;
-  const Vec3 d = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit) * all;
-  total.add(da * (p + d + (f.k.kn * xn + dn) * f.n), s, t);
-  dash.add(da * (d + dn * f.n), s, t);
-  const Vec3 kept = apply_transposed(master, x);
-  q.slip_x[i] = kept.x, q.slip_y[i] = kept.y, q.slip_z[i] = kept.z;
-  const double xn_before = std::min(0.0, xn - step * vn);
-  r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
-  r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));
-  r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
-}
-
-void write_wrench(const Master& m, Vec3 arm_b, const GlobalSums& total, const GlobalSums& dash, PairWrench& w) noexcept {
-  const Vec3 arm_a = m.centre - m.pose.u;
-  const auto moment = [&](const GlobalSums& g) { return cross(m.es, g.sf) + cross(m.et, g.tf); };
-  const Vec3 mt = moment(total), md = moment(dash);
-  w.force = total.f;
-  w.torque_a = cross(arm_a, total.f) + mt;
-  w.torque_b = -(cross(arm_b, total.f) + mt);
-  w.dash_force = dash.f;
-  w.dash_torque_a = cross(arm_a, dash.f) + md;
-  w.dash_torque_b = -(cross(arm_b, dash.f) + md);
-}
-
-/// One advance_patch call: everything its passes share.
-struct Work {
-  const Patch& patch;
-  PointsView points;
-  ContactPoints q;
-  std::span<Candidate> candidates;
-  const Bodies& bodies;
-  const FaceTable& faces;
-  const ContactOptions& o;
-  PatchScratch scratch;
-  Master m;
-  PatchResult r;
+struct Touching {
+  SumsOfLanes total, dash;
+  Lanes stored{}, friction{}, impact{};
 };
 
-InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
-  return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
+/// The pair of a patch and one face, ready for several points at a time.
+struct FacingLanes {
+  VecLanes n, v0, vs, vt;
+  MatLanes d, d_transposed;  // R − I of the master, and its transpose
+  double step;
+};
+VOUSSOIR_INLINE FacingLanes facing_lanes(const Facing& f, const Mat3& d, double step) noexcept {
+  const Mat3 t = transposed(d);
+  return {spread(f.n),
+          spread(f.v0),
+          spread(f.vs),
+          spread(f.vt),
+          {spread(d.r0), spread(d.r1), spread(d.r2)},
+          {spread(t.r0), spread(t.r1), spread(t.r2)},
+          step};
 }
 
-/// Releases the points that have left candidate k, and notes where it is the deepest new partner of a free point.
-void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  PlaneFields planes;
-  if (!apart) {
-    planes = plane_fields(y, w.faces, c);
-    distances(w.points, planes, w.scratch.distance);
+/// Traction of the points of a chunk that touch one face, and their slip: the law of `touch` in reference/contact_patch.cpp. Points that
+/// are inside but not down on their offset carry nothing and lose their slip.
+VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine, Touching& sum) noexcept {
+  const Lanes zero{}, one = lanes(1.0), s = load_lanes(p.s + i), t = load_lanes(p.t + i), da = f.factor * load_lanes(p.area + i);
+  const Lanes xn = f.depth.g0 + s * f.depth.gs + t * f.depth.gt - load_lanes(q.closure + i);
+  const LaneMask closed = mine & (xn < 0.0);
+  const VecLanes v = g.v0 + (s * g.vs + t * g.vt);
+  const Lanes vn = dot(v, g.n);
+  const VecLanes vt = v - vn * g.n;
+  const VecLanes body{load_lanes(q.slip_x + i), load_lanes(q.slip_y + i), load_lanes(q.slip_z + i)};
+  const VecLanes carried = body + g.d * body;
+  const VecLanes before = carried - dot(carried, g.n) * g.n, du = lanes(g.step) * vt;
+  VecLanes x = before + du;
+  const Lanes dn = min(f.k.cn * vn, -f.k.kn * xn);
+  const Lanes limit = -(f.k.kn * xn + dn) * f.tan_phi, limit2 = limit * limit;
+  Lanes spring2 = f.k.ks * f.k.ks * dot(x, x);
+  const LaneMask cut = closed & (spring2 > limit2);
+  if (bits(cut) != 0) {
+    x = select(cut, limit / sqrt(spring2), one) * x;
+    spring2 = min(spring2, limit2);
   }
-  for (int i = 0; i < w.points.n; ++i) {
-    const double s = w.points.s[i], t = w.points.t[i];
-    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
-    const bool in = !apart && w.scratch.distance[i] < 0.0;
-    if (w.q.partner[i] == c.element) {
-      if (in) continue;
-      if (w.q.face[i] != kNoFace) {
-        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
-                     w.r);
-      }
-      release(w.q, i);
-    } else if (in) {
-      double depth = 0.0;
-      const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
-      if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) continue;
-      w.scratch.candidate[i] = k;
-      w.scratch.face[i] = face;
-      w.scratch.depth[i] = depth;
-    }
+  const VecLanes spring = lanes(f.k.ks) * x, all = lanes(f.k.cs) * vt;
+  const Lanes pd = dot(spring, all), dd = dot(all, all);
+  const LaneMask within = spring2 + 2.0 * pd + dd <= limit2;
+  Lanes h = one;
+  if (bits(closed & ~within) != 0) {
+    h = select(within, one, max((sqrt(max(pd * pd + dd * (limit2 - spring2), zero)) - pd) / dd, zero));
   }
+  const VecLanes none{zero, zero, zero};
+  const VecLanes dash = select3(closed, h * all + dn * g.n, none);
+  const VecLanes springs = select3(closed, spring + (f.k.kn * xn) * g.n, none);
+  sum.total.add(da * (springs + dash), s, t);
+  sum.dash.add(da * dash, s, t);
+  const VecLanes now = select3(closed, x, none), kept = select3(mine, now + g.d_transposed * now, body);
+  store_lanes(q.slip_x + i, kept.x), store_lanes(q.slip_y + i, kept.y), store_lanes(q.slip_z + i, kept.z);
+  const Lanes n_now = select(closed, xn, zero);
+  sum.stored += da * (0.5 * f.k.kn * (n_now * n_now) + 0.5 * f.k.ks * dot(now, now));
+  // A point that was closed, stays closed and does not slip loses nothing.
+  const Lanes dun = g.step * vn;
+  const LaneMask changed = mine & (cut | (closed ^ (xn - dun < 0.0)) | ~closed);
+  if (bits(changed) == 0) return;
+  const VecLanes was = select3(closed, before, carried);
+  const Lanes n_before = min(xn - dun, zero);
+  const Lanes shear = 0.5 * f.k.ks * (dot(was, was) - dot(now, now) + dot(was + now, du));
+  const Lanes normal = 0.5 * f.k.kn * (n_before * n_before - n_now * n_now + (n_before + n_now) * dun);
+  sum.friction += select(changed, da * shear, zero);
+  sum.impact += select(changed, da * normal, zero);
 }
 
-/// Gives free points the partners found for them. A point that came in through the face is no deeper than this step took it; one that came
-/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they
-/// took.
-void take_partners(Work& w) noexcept {
-  for (int i = 0; i < w.points.n; ++i) {
-    const std::int32_t k = w.scratch.candidate[i];
-    if (k < 0 || w.q.partner[i] != kNobody) continue;
-    const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-    w.q.partner[i] = c.element;
-    w.q.face[i] = w.scratch.face[i];
-    if (w.q.face[i] == kNoFace) continue;
-    const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
-    const double s = w.points.s[i], t = w.points.t[i];
-    const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
-    w.q.closure[i] = std::min(0.0, f.depth.at(s, t) - taken);
+/// Points of the patch that touch one face of candidate k.
+void touch_face(Work& w, const Facing& f, std::int32_t element, std::int32_t face, Touching& sum) noexcept {
+  const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
+  for (int i = 0; i < w.points.n; i += kWidth) {
+    const LaneMask mine = equal(w.q.partner + i, element) & equal(w.q.face + i, face);
+    if (bits(mine) != 0) touch(f, g, w.points, w.q, i, mine, sum);
   }
 }
 
 /// Forces of all points that touch candidate k. Returns whether any carries force.
 bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  int first = 0;
-  while (first < w.points.n && w.q.partner[first] != c.element) ++first;
-  if (first == w.points.n) return false;
-  const InSlave y = slave_frame(w, c);
-  GlobalSums total, dash;
-  Facing f;
-  std::int32_t face = kNoFace;
-  for (int i = first; i < w.points.n; ++i) {
+  std::int32_t faces[kMostFaces];
+  int count = 0;
+  for (int i = 0; i < w.points.n; ++i) {
     if (w.q.partner[i] != c.element) continue;
     ++w.r.touching;
-    if (w.q.face[i] == kNoFace) continue;
-    if (w.q.face[i] != face) {
-      face = w.q.face[i];
-      f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
-    }
-    touch(f, w.m.pose, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o.step, total, dash, w.r);
+    const std::int32_t face = w.q.face[i];
+    if (face == kNoFace || std::find(faces, faces + count, face) != faces + count) continue;
+    faces[count++] = face;
   }
-  if (face == kNoFace) return false;
+  if (count == 0) return false;
+  const InSlave y = slave_frame(w, c);
+  Touching sum;
+  for (int n = 0; n < count; ++n) {
+    touch_face(w, facing(w.patch, w.m, y, c, faces[n], w.bodies, w.faces, w.o), c.element, faces[n], sum);
+  }
+  const Quad energy = sums_of(sum.stored, sum.friction, sum.impact, Lanes{});
+  w.r.stored += energy[0], w.r.friction += energy[1], w.r.impact += energy[2];
   const Vec3 arm_b = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - load_pose(w.bodies.pose, c.element).u);
-  write_wrench(w.m, arm_b, total, dash, wrench);
+  write_wrench(w.m, arm_b, sum.total.sum(), sum.dash.sum(), wrench);
   return true;
+}
+
+/// True if the face that separated the two last time still does, found without turning the whole patch.
+bool still_separated(const Patch& p, const Master& m, const Bodies& b, const FaceTable& faces, const Candidate& c) noexcept {
+  const Pose slave = load_pose(b.pose, c.element);
+  const Vec3 n = apply(slave, faces.normal[c.separating]);
+  const Vec3 from = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
+  return separates(p, {dot(n, from) - faces.distance[c.separating], dot(n, m.es), dot(n, m.et)});
+}
+
+/// True if the two were farther apart at the last search than all that either can have moved since.
+bool out_of_reach(const Patch& p, const Bodies& b, const Candidate& c) noexcept {
+  return c.gap > b.moved[p.element] + b.moved[c.element];
 }
 
 }  // namespace
@@ -332,17 +161,21 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
   return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
 }
 
-// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
+// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. A patch that
+// touched nothing, and whose candidates are all out of reach or still separated, is left at once: most are.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
                           const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
                           std::uint8_t* active) noexcept {
-  Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   const auto count = static_cast<std::int32_t>(candidates.size());
+  std::fill_n(active, count, std::uint8_t{0});
+  const auto skip = [&](const Candidate& c) { return !had_partners && out_of_reach(patch, bodies, c); };
+  if (std::all_of(candidates.begin(), candidates.end(), skip)) return {};
+  Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   bool near = had_partners;
   if (near) std::fill_n(scratch.candidate, points.n, -1);
   for (std::int32_t k = 0; k < count; ++k) {
-    active[k] = 0;
     Candidate& c = candidates[static_cast<std::size_t>(k)];
+    if (skip(c) || (!had_partners && still_separated(patch, w.m, bodies, faces, c))) continue;
     const InSlave y = slave_frame(w, c);
     const bool apart = separated(patch, y, faces, c);
     if (apart && !had_partners) continue;

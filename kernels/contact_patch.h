@@ -55,6 +55,7 @@ struct Candidate {
   std::int32_t element = 0;
   std::int32_t first_face = 0, face_count = 0;  // into FaceTable
   std::int32_t separating = 0;                  // face that separated the two last time: tested first
+  double gap = -1.0;                            // m, by which it did at the last search; negative: look in any case
 };
 
 struct ContactOptions {
@@ -70,7 +71,8 @@ struct Bodies {
   const double* pose = nullptr;                                       // rows
   const double* twist = nullptr;                                      // rows
   const double *ref_x = nullptr, *ref_y = nullptr, *ref_z = nullptr;  // m, centroids in the reference configuration
-  const double* beta = nullptr;  // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+  const double* beta = nullptr;   // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+  const double* moved = nullptr;  // m, bound on what any point of each body has moved since the last search
 };
 
 struct PatchScratch {
@@ -90,8 +92,11 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
 /// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)
-PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
-                          std::uint8_t* active) noexcept;
+/// \pre  histories of the points are padded to kLanes with points that have no partner
+using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
+                                 const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                                 PairWrench* wrench, std::uint8_t* active) noexcept;
+AdvancePatch advance_patch;            // several points at a time
+AdvancePatch advance_patch_reference;  // the plain twin
 
 }  // namespace voussoir::kernels

@@ -7,13 +7,13 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Largest square of a bound on the move of any point of the elements [first, last) since the last search [m2]. A maximum: exact in any
-/// order.
-double largest_move2(const World& w, std::int64_t first, std::int64_t last);
+/// Bounds what any point of the elements [first, last) has moved since the last search (Contacts::moved). Returns the largest [m]: exact in
+/// any order.
+double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
-/// True if some element may have moved more than half the skin since the last search; `moved2` as of largest_move2 over all elements.
+/// True if some element may have moved more than half the skin since the last search; `moved`: the largest of measure_moves.
 /// Call once a step: it also counts down to the search that retired sides ask for.
-bool search_due(World& w, double moved2);
+bool search_due(World& w, double moved);
 
 /// Broad phase on the uniform grid, then patch against element by separating planes; rebuilds candidates, slots and gather lists.
 void search_contacts(World& w);

@@ -56,11 +56,11 @@ PlacedPatch placed(const World& w, std::size_t p) {
   return r;
 }
 
-/// True unless a face of the element has the whole patch farther out than the skin. Returns the face that is farthest from it.
-bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, std::int32_t& separating) {
+/// True unless a face of the element has the whole patch farther out than the skin. `separating`: the face that is farthest from it, by `farthest`.
+bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, std::int32_t& separating, double& farthest) {
   const auto i = static_cast<std::size_t>(element);
   const Body b = body(w, element);
-  double farthest = -1e300;
+  farthest = -1e300;
   for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
     const auto k = static_cast<std::size_t>(f);
     const Vec3 n = b.r * w.faces.normal[k];
@@ -91,10 +91,11 @@ void search_element(const World& w, std::int32_t e, std::span<const std::int32_t
     const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
     const auto consider = [&](std::int32_t other) {
       std::int32_t separating = 0;
-      if (!near_element(w, placed_patch, other, separating)) return;
+      double gap = 0.0;
+      if (!near_element(w, placed_patch, other, separating, gap)) return;
       const auto o = static_cast<std::size_t>(other);
       found.patch.push_back(p);
-      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating});
+      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating, gap});
     };
     for (const std::int32_t other : near) {
       if (other == e || !overlap(placed_patch.box, boxes[static_cast<std::size_t>(other)], w.contacts.skin)) continue;
@@ -110,6 +111,7 @@ void remember_poses(World& w) {
   const Elements& e = w.elements;
   c.at_ux = e.ux, c.at_uy = e.uy, c.at_uz = e.uz;
   c.at_qw = e.qw, c.at_qx = e.qx, c.at_qy = e.qy, c.at_qz = e.qz;
+  c.moved.assign(e.ux.size(), 0.0);
 }
 
 /// Lets go of partners that are no candidates any more: they are farther away than the skin.
@@ -185,8 +187,8 @@ void build_gather(World& w) {
   c.gather_stale = false;
 }
 
-double largest_move2(const World& w, std::int64_t first, std::int64_t last) {
-  const Contacts& c = w.contacts;
+double measure_moves(World& w, std::int64_t first, std::int64_t last) {
+  Contacts& c = w.contacts;
   const Elements& e = w.elements;
   double worst = 0.0;
   for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
@@ -194,17 +196,18 @@ double largest_move2(const World& w, std::int64_t first, std::int64_t last) {
     const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
     // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
     const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
-    const double moved2 = 2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2);
-    worst = moved2 > worst ? moved2 : worst;
+    const double moved = std::sqrt(2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2));
+    c.moved[k] = moved;
+    worst = moved > worst ? moved : worst;
   }
   return worst;
 }
 
-bool search_due(World& w, double moved2) {
+bool search_due(World& w, double moved) {
   Contacts& c = w.contacts;
   if (c.stale) return true;
   if (c.countdown > 0 && --c.countdown == 0) return true;
-  return moved2 > 0.25 * c.skin * c.skin;
+  return moved > 0.5 * c.skin;
 }
 
 void search_contacts(World& w) {

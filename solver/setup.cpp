@@ -22,7 +22,7 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   p.mastered.push_back(mastered ? 1 : 0);
   p.touching.push_back(0);
   for (auto* column : {&p.stored, &p.friction, &p.impact}) column->push_back(0.0);
-  const std::size_t end = p.partner.size() + n;
+  const std::size_t end = p.partner.size() + static_cast<std::size_t>(round_up(static_cast<std::int64_t>(n), kernels::kLanes));
   p.partner.resize(end, kernels::kNobody);
   p.face.resize(end, kernels::kNoFace);
   for (auto* column : {&p.slip_x, &p.slip_y, &p.slip_z, &p.closure}) column->resize(end, 0.0);

@@ -202,34 +202,34 @@ void Simulation::kick(const kernels::BodyForces& f) {
 void Simulation::drift(double dt) {
   World& w = *world_;
   const auto view = w.elements.view();
-  double moved2 = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : moved2)
+  double moved = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : moved)
   for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
     kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, i + kernels::kLanes);
-    moved2 = std::max(moved2, largest_move2(w, i, i + kernels::kLanes));
+    moved = std::max(moved, measure_moves(w, i, i + kernels::kLanes));
   }
-  moved2_ = moved2;
+  moved_ = moved;
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
   const auto view = w.elements.view();
-  double moved2 = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : moved2)
+  double moved = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : moved)
   for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
     kernels::kick(view, w.elements.wrench.data(), f, i, i + kernels::kLanes);
     kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, i + kernels::kLanes);
-    moved2 = std::max(moved2, largest_move2(w, i, i + kernels::kLanes));
+    moved = std::max(moved, measure_moves(w, i, i + kernels::kLanes));
   }
-  moved2_ = moved2;
+  moved_ = moved;
 }
 
 void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
   place_supports();
-  if (search_due(w, moved2_)) {
+  if (search_due(w, moved_)) {
     const StageTimer timer(times_, Stage::search);
     search_contacts(w);
   }

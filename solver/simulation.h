@@ -97,7 +97,7 @@ class Simulation {
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;
-  double moved2_ = 0.0;  // m2, see largest_move2
+  double moved_ = 0.0;  // m, largest since the last search
   StageTimes times_{};
   Damage damage_;
   Ledger ledger_;

@@ -130,8 +130,9 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  s.looked_at = kernel(u.block(kLane), {quick, parts, 1U << kLane, false}, {b.pose.data(), b.twist.data(), wrench}, {step, time}, o, result,
-                       sink) != 0;
+  const kernels::BlockState block{.quick = quick, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
+  const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, {}};
+  s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));
   const auto row = [&](int e, int at) {
     const double* r = wrench + e * kernels::kWrenchStride + at;

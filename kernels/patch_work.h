@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/contact_patch.h"
+
+/// Parts that the kernel of free patches and its plain twin share: geometry of a patch against a candidate, and who touches whom.
+namespace voussoir::kernels {
+
+/// The patch in the body frame of a candidate: y(s,t) = y0 + s·ys + t·yt, from the candidate's centroid.
+struct InSlave {
+  Vec3 y0, ys, yt, normal;
+};
+
+struct Master {
+  Pose pose;
+  Twist twist;
+  Vec3 ref, centre, es, et, normal;  // centre: from the reference centroid, displaced; current axes
+};
+
+inline Vec3 apply(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
+inline Vec3 apply_transposed(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
+inline Vec3 reference(const Bodies& b, std::int32_t e) noexcept { return {b.ref_x[e], b.ref_y[e], b.ref_z[e]}; }
+
+inline Master master_of(const Patch& p, const Bodies& b) noexcept {
+  Master m;
+  m.pose = load_pose(b.pose, p.element);
+  m.twist = load_twist(b.twist, p.element);
+  m.ref = reference(b, p.element);
+  m.centre = m.pose.u + apply(m.pose, p.centre);
+  m.es = apply(m.pose, p.es);
+  m.et = apply(m.pose, p.et);
+  m.normal = p.normal_sign * cross(m.es, m.et);
+  return m;
+}
+
+inline InSlave in_slave(const Master& m, const Pose& slave, Vec3 slave_ref) noexcept {
+  const Vec3 from = (m.ref - slave_ref) + (m.centre - slave.u);
+  return {apply_transposed(slave, from), apply_transposed(slave, m.es), apply_transposed(slave, m.et), apply_transposed(slave, m.normal)};
+}
+
+/// Signed distance to a plane over the patch: g(s,t) = g0 + s·gs + t·gt, negative inside.
+struct PlaneField {
+  double g0, gs, gt;
+  [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
+};
+inline PlaneField plane_field(const InSlave& y, const FaceTable& faces, int face) noexcept {
+  const Vec3 n = faces.normal[face];
+  return {dot(n, y.y0) - faces.distance[face], dot(n, y.ys), dot(n, y.yt)};
+}
+
+inline bool separates(const Patch& p, PlaneField g) noexcept {
+  const double s = g.gs > 0.0 ? p.s_low : p.s_high, t = g.gt > 0.0 ? p.t_low : p.t_high;
+  return g.at(s, t) >= 0.0;
+}
+
+/// True if one face of the candidate has all points outside. Remembers it: next step it will most likely separate again.
+inline bool separated(const Patch& p, const InSlave& y, const FaceTable& faces, Candidate& c) noexcept {
+  if (separates(p, plane_field(y, faces, c.separating))) return true;
+  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
+    if (f == c.separating || !separates(p, plane_field(y, faces, f))) continue;
+    c.separating = f;
+    return true;
+  }
+  return false;
+}
+
+/// All faces of a candidate over the patch.
+struct PlaneFields {
+  PlaneField g[kMostFaces];
+  int count = 0;
+};
+inline PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+  PlaneFields p;
+  for (int f = 0; f < c.face_count; ++f) p.g[f] = plane_field(y, faces, c.first_face + f);
+  p.count = c.face_count;
+  return p;
+}
+
+/// Signed distance of every point to the candidate, the largest over its faces: negative inside.
+inline void distances(PointsView p, const PlaneFields& planes, double* distance) noexcept {
+  std::fill_n(distance, p.n, -1e300);
+  for (int f = 0; f < planes.count; ++f) {
+    const PlaneField g = planes.g[f];
+    for (int i = 0; i < p.n; ++i) {
+      const double d = g.at(p.s[i], p.t[i]);
+      distance[i] = distance[i] > d ? distance[i] : d;
+    }
+  }
+}
+
+/// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
+inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
+                        double& depth) noexcept {
+  std::int32_t best = kNoFace;
+  depth = 1e300;
+  for (int f = 0; f < planes.count; ++f) {
+    if (dot(y.normal, faces.normal[c.first_face + f]) >= kOpposing) continue;
+    const double d = -planes.g[f].at(s, t);
+    if (d < depth) {
+      depth = d;
+      best = c.first_face + f;
+    }
+  }
+  return depth > kDeepest ? kNoFace : best;
+}
+
+inline void release(ContactPoints q, int i) noexcept {
+  q.partner[i] = kNobody;
+  q.face[i] = kNoFace;
+  q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
+  q.closure[i] = 0.0;
+}
+
+/// Springs and dashpots between the patch and one face (Eqs. 2, 9, 10).
+inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t, const ContactOptions& o) noexcept {
+  Stiffness k;
+  if (slave == p.origin) {
+    k.kn = p.origin_kn, k.ks = p.origin_ks;
+  } else {
+    k.kn = 1.0 / (t.compliance_n[p.face] + t.compliance_n[face]);
+    k.ks = 1.0 / (t.compliance_s[p.face] + t.compliance_s[face]);
+  }
+  const double mass = t.mass[p.face] + (slave == o.base ? t.mass[p.face] : t.mass[face]);
+  const double beta = b.beta[p.element] + (slave == o.base ? b.beta[p.element] : b.beta[slave]);
+  const double f = 2.0 * o.damping / (1.0 + o.step * beta);
+  k.cn = f * std::sqrt(mass * k.kn);
+  k.cs = f * std::sqrt(mass * k.ks);
+  return k;
+}
+
+/// The pair of a patch and one face, ready for its points.
+struct Facing {
+  Vec3 n;            // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
+  PlaneField depth;  // u_n(s,t) [m], negative inside
+  Vec3 v0, vs, vt;   // rate of the slave relative to the master
+  Stiffness k;
+  double tan_phi = 0.0, factor = 0.5;
+};
+
+inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const FaceTable& faces,
+              const ContactOptions& o) noexcept {
+  const Pose slave = load_pose(b.pose, c.element);
+  const Twist twist = load_twist(b.twist, c.element);
+  const Vec3 nb = apply(slave, faces.normal[face]);
+  const PlaneField g = plane_field(y, faces, face);
+  Facing f;
+  // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
+  const double stretch = o.master_normal ? 1.0 / std::abs(dot(m.normal, nb)) : 1.0;
+  f.n = o.master_normal ? m.normal : -nb;
+  f.depth = {stretch * g.g0, stretch * g.gs, stretch * g.gt};
+  const Vec3 arm_a = m.centre - m.pose.u;
+  const Vec3 arm_b = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
+  const Vec3 w = twist.w - m.twist.w;
+  f.v0 = (twist.v + cross(twist.w, arm_b)) - (m.twist.v + cross(m.twist.w, arm_a));
+  f.vs = cross(w, m.es);
+  f.vt = cross(w, m.et);
+  f.k = stiffness(p, c.element, face, b, faces, o);
+  f.tan_phi = c.element == p.origin ? p.origin_tan_phi : o.tan_phi;
+  f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
+  return f;
+}
+
+/// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
+inline void book_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
+                  PatchResult& r) noexcept {
+  const double un = f.depth.at(s, t) - q.closure[i];
+  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
+  const double vn = dot(v, f.n);
+  const double before = std::min(0.0, un - step * vn);
+  const Vec3 slip = apply(master, {q.slip_x[i], q.slip_y[i], q.slip_z[i]});
+  const double da = f.factor * area;
+  r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
+  r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
+}
+
+/// One advance_patch call: everything its passes share.
+struct Work {
+  const Patch& patch;
+  PointsView points;
+  ContactPoints q;
+  std::span<Candidate> candidates;
+  const Bodies& bodies;
+  const FaceTable& faces;
+  const ContactOptions& o;
+  PatchScratch scratch;
+  Master m;
+  PatchResult r;
+};
+
+inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
+  return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
+}
+
+/// Releases the points that have left candidate k, and notes where it is the deepest new partner of a free point.
+inline void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  PlaneFields planes;
+  if (!apart) {
+    planes = plane_fields(y, w.faces, c);
+    distances(w.points, planes, w.scratch.distance);
+  }
+  for (int i = 0; i < w.points.n; ++i) {
+    const double s = w.points.s[i], t = w.points.t[i];
+    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
+    const bool in = !apart && w.scratch.distance[i] < 0.0;
+    if (w.q.partner[i] == c.element) {
+      if (in) continue;
+      if (w.q.face[i] != kNoFace) {
+        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
+                     w.r);
+      }
+      release(w.q, i);
+    } else if (in) {
+      double depth = 0.0;
+      const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
+      if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) continue;
+      w.scratch.candidate[i] = k;
+      w.scratch.face[i] = face;
+      w.scratch.depth[i] = depth;
+    }
+  }
+}
+
+/// Gives free points the partners found for them. A point that came in through the face is no deeper than this step took it; one that came
+/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they
+/// took.
+inline void take_partners(Work& w) noexcept {
+  for (int i = 0; i < w.points.n; ++i) {
+    const std::int32_t k = w.scratch.candidate[i];
+    if (k < 0 || w.q.partner[i] != kNobody) continue;
+    const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+    w.q.partner[i] = c.element;
+    w.q.face[i] = w.scratch.face[i];
+    if (w.q.face[i] == kNoFace) continue;
+    const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
+    const double s = w.points.s[i], t = w.points.t[i];
+    const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
+    w.q.closure[i] = std::min(0.0, f.depth.at(s, t) - taken);
+  }
+}
+
+/// Sums of tractions in global axes.
+struct GlobalSums {
+  Vec3 f, sf, tf;
+  void add(Vec3 v, double s, double t) noexcept {
+    f += v;
+    sf += s * v;
+    tf += t * v;
+  }
+};
+
+inline void write_wrench(const Master& m, Vec3 arm_b, const GlobalSums& total, const GlobalSums& dash, PairWrench& w) noexcept {
+  const Vec3 arm_a = m.centre - m.pose.u;
+  const auto moment = [&](const GlobalSums& g) { return cross(m.es, g.sf) + cross(m.et, g.tf); };
+  const Vec3 mt = moment(total), md = moment(dash);
+  w.force = total.f;
+  w.torque_a = cross(arm_a, total.f) + mt;
+  w.torque_b = -(cross(arm_b, total.f) + mt);
+  w.dash_force = dash.f;
+  w.dash_torque_a = cross(arm_a, dash.f) + md;
+  w.dash_torque_b = -(cross(arm_b, dash.f) + md);
+}
+
+}  // namespace voussoir::kernels

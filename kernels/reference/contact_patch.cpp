@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/patch_work.h"
+
+namespace voussoir::kernels {
+
+namespace {
+
+/// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
+void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
+           GlobalSums& dash, PatchResult& r) noexcept {
+  const double xn = f.depth.at(s, t) - q.closure[i];
+  if (xn >= 0.0) {  // inside, but not down on its offset
+    book_opening(f, master, s, t, area, q, i, step, r);
+    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
+    return;
+  }
+  const Vec3 v = f.v0 + s * f.vs + t * f.vt;
+  const double vn = dot(v, f.n);
+  const Vec3 vt = v - vn * f.n;
+  const Vec3 body{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
+  const Vec3 carried = apply(master, body);
+  const Vec3 before = carried - dot(carried, f.n) * f.n;
+  Vec3 x = before + step * vt;
+  const double da = f.factor * area;
+  const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
+  const double limit = -(f.k.kn * xn + dn) * f.tan_phi;
+  const double spring = f.k.ks * norm(x);
+  if (spring > limit) x *= limit / spring;
+  const Vec3 p = f.k.ks * x, all = f.k.cs * vt;
+  const Vec3 d = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit) * all;
+  total.add(da * (p + d + (f.k.kn * xn + dn) * f.n), s, t);
+  dash.add(da * (d + dn * f.n), s, t);
+  const Vec3 kept = apply_transposed(master, x);
+  q.slip_x[i] = kept.x, q.slip_y[i] = kept.y, q.slip_z[i] = kept.z;
+  const double xn_before = std::min(0.0, xn - step * vn);
+  r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
+  r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));
+  r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
+}
+
+/// Forces of all points that touch candidate k. Returns whether any carries force.
+bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  int first = 0;
+  while (first < w.points.n && w.q.partner[first] != c.element) ++first;
+  if (first == w.points.n) return false;
+  const InSlave y = slave_frame(w, c);
+  GlobalSums total, dash;
+  Facing f;
+  std::int32_t face = kNoFace;
+  for (int i = first; i < w.points.n; ++i) {
+    if (w.q.partner[i] != c.element) continue;
+    ++w.r.touching;
+    if (w.q.face[i] == kNoFace) continue;
+    if (w.q.face[i] != face) {
+      face = w.q.face[i];
+      f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
+    }
+    touch(f, w.m.pose, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o.step, total, dash, w.r);
+  }
+  if (face == kNoFace) return false;
+  const Vec3 arm_b = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - load_pose(w.bodies.pose, c.element).u);
+  write_wrench(w.m, arm_b, total, dash, wrench);
+  return true;
+}
+
+}  // namespace
+
+PatchResult advance_patch_reference(const Patch& patch, PointsView points, ContactPoints q, bool had_partners,
+                                    std::span<Candidate> candidates, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o,
+                                    PatchScratch scratch, PairWrench* wrench, std::uint8_t* active) noexcept {
+  Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
+  std::fill_n(scratch.candidate, points.n, -1);
+  const auto count = static_cast<std::int32_t>(candidates.size());
+  for (std::int32_t k = 0; k < count; ++k) {
+    Candidate& c = candidates[static_cast<std::size_t>(k)];
+    const InSlave y = slave_frame(w, c);
+    const bool apart = separated(patch, y, faces, c);
+    if (!apart || had_partners) look_at(w, k, y, apart);
+  }
+  take_partners(w);
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;
+  return w.r;
+}
+
+}  // namespace voussoir::kernels

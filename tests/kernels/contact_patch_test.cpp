@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include "kernels/contact_patch.h"
+#include "tests/kernels/side_fixture.h"
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+constexpr double kStep = 5e-5;
+constexpr int kPoints = 27, kPadded = 32;
+
+/// Faces of two bricks 0.2 × 0.1 × 0.1 m and of the base.
+struct Bricks {
+  std::vector<Vec3> normal;
+  std::vector<double> distance, compliance_n, compliance_s, mass;
+  Bricks() {
+    const double half[3] = {0.1, 0.05, 0.05};
+    for (int body = 0; body < 2; ++body) {
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+          normal.push_back({axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0});
+          distance.push_back(half[axis]);
+        }
+      }
+    }
+    normal.push_back({0, 0, 1}), distance.push_back(0.0);
+    for (const double l : distance) {
+      compliance_n.push_back(l * (1.0 - 0.0625) / 9.8e7), compliance_s.push_back(2.0 * l * 1.25 / 9.8e7), mass.push_back(1800.0 * l);
+    }
+  }
+  kernels::FaceTable table() const { return {normal.data(), distance.data(), compliance_n.data(), compliance_s.data(), mass.data()}; }
+};
+
+/// The lower face of brick 0 above brick 1, with its history.
+struct Twin {
+  kernels::AdvancePatch& advance;
+  std::vector<double> s = std::vector<double>(kPadded), t = s, area = s, slip_x = s, slip_y = s, slip_z = s, closure = s;
+  std::vector<std::int32_t> partner = std::vector<std::int32_t>(kPadded, kernels::kNobody),
+                            face = std::vector<std::int32_t>(kPadded, kernels::kNoFace);
+  kernels::Patch patch;
+  std::vector<kernels::Candidate> candidates{{1, 6, 6, 11}, {2, 12, 1, 12}};
+  kernels::PairWrench wrench[2];
+  std::uint8_t on[2] = {0, 0};
+  kernels::PatchResult last;
+
+  explicit Twin(kernels::AdvancePatch& kernel) : advance(kernel) {
+    for (std::size_t i = 0; i < kPadded; ++i) {
+      const double k = static_cast<double>(i < kPoints ? i : kPoints - 1);
+      s[i] = -0.09 + 0.02 * std::fmod(k, 9.0), t[i] = -0.04 + 0.04 * std::floor(k / 9.0), area[i] = i < kPoints ? 0.0008 : 0.0;
+    }
+    patch.element = 0, patch.face = 4, patch.centre = {0, 0, -0.05};
+    patch.es = {0, 1, 0}, patch.et = {1, 0, 0};
+    std::swap(s, t);
+    patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;
+  }
+  void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
+    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0}, moved[3] = {1.0, 1.0, 0.0};
+    const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, moved};
+    std::vector<double> depth(kPadded), distance(kPadded);
+    std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
+    last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
+                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0, candidates,
+                   bodies, bricks.table(), o, {depth.data(), distance.data(), candidate.data(), new_face.data()}, wrench, on);
+  }
+};
+
+void compare(const Twin& a, const Twin& b, double unit) {
+  CHECK(a.last.touching == b.last.touching);
+  CHECK(a.partner == b.partner);
+  CHECK(a.face == b.face);
+  CHECK(a.last.stored == doctest::Approx(b.last.stored).epsilon(1e-9).scale(1e-6));
+  for (int k = 0; k < 2; ++k) {
+    REQUIRE(a.on[k] == b.on[k]);
+    if (!a.on[k]) continue;
+    CHECK(distance(a.wrench[k].force, b.wrench[k].force) < 1e-10 * unit);
+    CHECK(distance(a.wrench[k].torque_a, b.wrench[k].torque_a) < 1e-10 * unit);
+    CHECK(distance(a.wrench[k].torque_b, b.wrench[k].torque_b) < 1e-10 * unit);
+    CHECK(distance(a.wrench[k].dash_force, b.wrench[k].dash_force) < 1e-10 * unit);
+    CHECK(distance(a.wrench[k].dash_torque_b, b.wrench[k].dash_torque_b) < 1e-10 * unit);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("vector and plain patches go the same way through touching, rubbing, rocking and letting go") {
+  const Bricks bricks;
+  int touching = 0, letting_go = 0, on_base = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+    kernels::ContactOptions o{kStep, 1.0, 0.6, seed % 4 == 0, 2};
+    Noise noise(seed);
+    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
+    for (int i = 0; i < 1500; ++i) {
+      // Pulled down to the other brick, shaken at random, drifting towards its edge and the base beyond.
+      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
+      w = 0.99 * w + noise.vector(3e-2);
+      u = u + kStep * v, turn = turn + kStep * w;
+      TwoBodies b;
+      b.place(0, u, turn), b.move(0, v, w);
+      const int before = plain.last.touching;
+      fast.step(b, bricks, o), plain.step(b, bricks, o);
+      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
+      compare(fast, plain, unit);
+      lost_fast += fast.last.friction + fast.last.impact, lost_plain += plain.last.friction + plain.last.impact;
+      touching += plain.last.touching > 0, letting_go += plain.last.touching < before, on_base += plain.on[1];
+    }
+    CHECK(lost_fast == doctest::Approx(lost_plain).epsilon(1e-7).scale(1e-4));
+  }
+  CHECK(touching > 2000);
+  CHECK(letting_go > 200);
+  MESSAGE("steps in touch " << touching << ", letting go " << letting_go << ", on the base " << on_base);
+}
