@@ -98,6 +98,15 @@ void retire_side(World& w, std::int32_t side) {
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
 }
 
+std::size_t append_retired(World& w, std::int32_t side) {
+  const auto i = static_cast<std::size_t>(side);
+  const kernels::Side s = w.sides.side(side);
+  append_patch(w, patch_of(w, side, s, false), w.sides.set[i], side, true);
+  if (w.sides.faces[i] != 2) return 1;
+  append_patch(w, patch_of(w, side, s, true), w.sides.set[i], side, false);
+  return 2;
+}
+
 void list_live_blocks(World& w) {
   Sides& s = w.sides;
   s.live_lanes.assign(s.blocks.size(), 0);
