@@ -73,6 +73,10 @@ class Hdf5File {
   static Hdf5File create(const std::string& path);
   /// Opens for reading. \throw FileError (also when it is no HDF5 file)
   static Hdf5File open(const std::string& path);
+  /// A new file in memory alone; `name` is for messages. See image().
+  static Hdf5File create_in_memory(const std::string& name);
+  /// A file whose bytes are in memory, for reading; `name` is for messages. \throw FileError
+  static Hdf5File open_in_memory(const std::string& name, std::span<const std::byte> image);
 
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
@@ -85,6 +89,8 @@ class Hdf5File {
   void close();
   /// Hands what is buffered to the system. \throw FileError
   void flush();
+  /// The bytes of the file as it is now. \throw FileError
+  [[nodiscard]] std::vector<std::byte> image();
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   void make_group(const std::string& name);
@@ -126,6 +132,8 @@ class Hdf5File {
   [[nodiscard]] Shape shape(const std::string& name) const;
   /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
   [[nodiscard]] Hdf5Type type(const std::string& name) const;
+  /// Bytes that the values of a dataset take in this file. A dataset may claim more than it has: look here before making room for it.
+  [[nodiscard]] std::uint64_t stored_bytes(const std::string& name) const;
 
   /// Attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);

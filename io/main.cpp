@@ -11,6 +11,7 @@
 #include "io/case_file.h"
 #include "io/errors.h"
 #include "io/motion_command.h"
+#include "io/resume_command.h"
 #include "io/run_command.h"
 
 namespace {
@@ -25,6 +26,7 @@ struct Words {
   std::string direction, record, scale, duration, dt, frames, kernels = "fast";
   std::vector<std::string> files;  // of `motion`
   io::RunOptions run;
+  io::ResumeOptions resume;
   io::MotionOptions motion_options;
 };
 
@@ -55,10 +57,21 @@ std::vector<std::string> overrides(const Words& w) {
   return all;
 }
 
+void add_threads(CLI::App* command, int& threads) {
+  command->add_option("-j,--threads", threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+}
+
 void add_case(CLI::App* command, Words& w) {
   command->add_option("CASE", w.name, "a name of the catalogue (see `voussoir cases`), or the path of a .toml file")->required();
   command->add_option("--set", w.set, "override a key of the case: a.b[0].c=value (may be repeated)");
-  command->add_option("-j,--threads", w.run.threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+  add_threads(command, w.run.threads);
+}
+
+void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
+  command->add_option("--checkpoint-every", schedule.wall_clock, "wall-clock between two checkpoints, s (default 300)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--checkpoint-simulated", schedule.simulated, "simulated time between two checkpoints, s, if that comes sooner")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_run(CLI::App& app, Words& w) {
@@ -74,9 +87,20 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("--frames", w.frames, "interval of frames, s");
   run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
+  add_checkpoints(run, w.run.checkpoints);
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
+}
+
+void add_resume(CLI::App& app, Words& w) {
+  CLI::App* resume = app.add_subcommand("resume", "go on from the newest good checkpoint of DIR");
+  resume->add_option("DIR", w.resume.folder, "folder of the run")->required();
+  add_threads(resume, w.resume.threads);
+  resume->add_option("--until", w.resume.until, "s of shaking: go on to a later end than the case's");
+  add_checkpoints(resume, w.resume.checkpoints);
+  resume->add_flag("--quiet", w.resume.quiet, "no progress");
+  resume->footer("example: voussoir resume results/flat20n --until 12");
 }
 
 void add_motion(CLI::App& app, Words& w) {
@@ -107,6 +131,7 @@ int dispatch(const CLI::App& app, Words& w) {
     std::fputs(io::key_reference().c_str(), stdout);
     return io::kDone;
   }
+  if (app.got_subcommand("resume")) return io::resume_command(w.resume);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
   w.run.reference_kernels = w.kernels == "reference";
@@ -138,6 +163,7 @@ int main(int argc, char** argv) {
   app.footer("example: voussoir run flat20n --direction LTV --duration 6");
   Words w;
   add_run(app, w);
+  add_resume(app, w);
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
   check->footer("example: voussoir check my-house.toml");
