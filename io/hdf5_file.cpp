@@ -182,6 +182,18 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
   return names;
 }
 
+bool Hdf5File::is_group(const std::string& name) const {
+  const Doing doing{path_, "read", name};
+  const Handle object = doing.own(H5Oopen(handle_, name.c_str(), H5P_DEFAULT), H5Oclose);
+  return H5Iget_type(object) == H5I_GROUP;
+}
+
+bool Hdf5File::is_text(const std::string& name) const {
+  const Doing doing{path_, "read", name};
+  const Handle dataset = doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  return H5Tget_class(doing.own(H5Dget_type(dataset), H5Tclose)) == H5T_STRING;
+}
+
 void Hdf5File::create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout, const Hdf5Note& note) {
   write_dataset(name, type, shape, nullptr, layout, note);
 }

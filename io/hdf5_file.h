@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -98,6 +99,11 @@ class Hdf5File {
   /// Names in a group, in order of the alphabet.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
+  /// A group, not a dataset.
+  [[nodiscard]] bool is_group(const std::string& name) const;
+  /// A dataset of texts, not of numbers.
+  [[nodiscard]] bool is_text(const std::string& name) const;
+
   void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {}, const Hdf5Note& note = {});
   /// Creates and fills a dataset; `data` in the given type.
   void write_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const void* data, const Hdf5Layout& layout = {},
@@ -145,6 +151,8 @@ class Hdf5File {
   [[nodiscard]] std::string attribute_text(const std::string& object, const std::string& name) const;
   [[nodiscard]] double attribute_double(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::int64_t attribute_int(const std::string& object, const std::string& name) const;
+  /// All attributes of an object: texts as they are, numbers as their bytes.
+  [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}

@@ -9,10 +9,12 @@
 #include <functional>
 
 #include "io/case_file.h"
+#include "io/compare_command.h"
 #include "io/errors.h"
 #include "io/motion_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
+#include "io/verify_command.h"
 
 namespace {
 
@@ -25,6 +27,8 @@ struct Words {
   std::vector<std::string> motion;  // --motion axis=file
   std::string direction, record, scale, duration, dt, frames, kernels = "fast";
   std::vector<std::string> files;  // of `motion`
+  std::string first, second;       // of `compare`
+  bool verify = false;
   io::RunOptions run;
   io::ResumeOptions resume;
   io::MotionOptions motion_options;
@@ -88,6 +92,7 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
   add_checkpoints(run, w.run.checkpoints);
+  run->add_flag("--verify", w.verify, "no results: try in about a minute that threads and stops do not change a bit of this case");
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
@@ -101,6 +106,13 @@ void add_resume(CLI::App& app, Words& w) {
   add_checkpoints(resume, w.resume.checkpoints);
   resume->add_flag("--quiet", w.resume.quiet, "no progress");
   resume->footer("example: voussoir resume results/flat20n --until 12");
+}
+
+void add_compare(CLI::App& app, Words& w) {
+  CLI::App* compare = app.add_subcommand("compare", "are the results of two runs the same, bit for bit (provenance apart)?");
+  compare->add_option("A", w.first, "folder of a run, or a file")->required();
+  compare->add_option("B", w.second, "another")->required();
+  compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
 void add_motion(CLI::App& app, Words& w) {
@@ -132,9 +144,11 @@ int dispatch(const CLI::App& app, Words& w) {
     return io::kDone;
   }
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
+  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
   w.run.reference_kernels = w.kernels == "reference";
+  if (w.verify) return with_case(w, [&](const auto& c) { return io::verify_command(c, w.run); });
   if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.name).stem().string();
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
@@ -164,6 +178,7 @@ int main(int argc, char** argv) {
   Words w;
   add_run(app, w);
   add_resume(app, w);
+  add_compare(app, w);
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
   check->footer("example: voussoir check my-house.toml");
