@@ -28,6 +28,9 @@ constexpr std::size_t kMemoryStep = 4UL << 20;  // bytes by which a file in memo
 // Version 1.8 of the format is compact and readable everywhere; virtual datasets need 1.10.
 // No locks: some network file systems refuse them, and nobody writes to a file that others can see.
 Handle access_properties(const Doing& doing) {
+  // After a write that failed for want of space HDF5 cannot close the file, and crashes when it tries once more at the end of the program.
+  // Our files are closed by then, or lost.
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = doing.own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   doing.check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110));

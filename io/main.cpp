@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -171,6 +172,7 @@ void let_threads_sleep(char** argv) {
 
 int main(int argc, char** argv) {
   let_threads_sleep(argv);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   app.set_version_flag("--version", "voussoir " VOUSSOIR_VERSION);
   app.require_subcommand(1);

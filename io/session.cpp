@@ -28,12 +28,11 @@ class Signals {
     save_signal = 0;
     for (const int s : {SIGINT, SIGTERM}) std::signal(s, [](int n) { stop_signal = n; });
     std::signal(SIGUSR1, [](int n) { save_signal = n; });
-    std::signal(SIGXFSZ, SIG_IGN);
   }
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
   ~Signals() {
-    for (const int s : {SIGINT, SIGTERM, SIGUSR1, SIGXFSZ}) std::signal(s, SIG_DFL);
+    for (const int s : {SIGINT, SIGTERM, SIGUSR1}) std::signal(s, SIG_DFL);
   }
 };
 
@@ -137,6 +136,10 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     checkpoints.save_failed(sim, plan, results.rows());
     std::fprintf(stderr, "voussoir: numerical failure: %s\nvoussoir: the state is in %s/checkpoint-failed.h5\n", e.what(), folder.c_str());
     return kNumericalFailure;
+  } catch (const FileError&) {
+    watch.finish();
+    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", folder.c_str());
+    throw;
   }
 }
 

@@ -13,7 +13,6 @@
 
 #include "io/checkpoints.h"
 #include "io/compare_command.h"
-#include "tests/faults/wall_case.h"
 #include "tests/io/temp_folder.h"
 
 // What happens to runs in the world: kills, full disks, damaged files, people in a hurry. A quick selection; the long campaign is the
@@ -71,7 +70,10 @@ class Process {
 /// A folder with the case, and what is done in it.
 struct Bench {
   TempFolder folder;
-  Bench() { folder.write("wall.toml", testing::wall_toml()), folder.write("y.csv", testing::wall_motion()); }
+  Bench() {
+    for (const char* name : {"wall.toml", "y.csv"})
+      fs::copy_file(VOUSSOIR_SOURCE_DIR "/tests/faults/data/" + std::string(name), path(name));
+  }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder.path(name); }
   [[nodiscard]] std::vector<std::string> run_words(const std::string& out, std::vector<std::string> more = {}) const {
