@@ -85,7 +85,6 @@ void add_sides(Table& t, Sides& s) {
   t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 2), field("side_retired", "-", "side", s.retired, 0, 1),
                      field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
                      field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
-                     field("side_stored_bonds", "J", "side", s.stored_bonds), field("side_stored_contact", "J", "side", s.stored_contact),
                      field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),
                      field("segment_first_time", "s", "segment", s.first_time), field("segment_slip1", "m", "segment", s.slip1),
                      field("segment_slip2", "m", "segment", s.slip2), field("segment_closure", "m", "segment", s.closure)});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <span>
 
@@ -154,7 +155,11 @@ std::uint64_t model_hash(const World& w) {
                              &e.radius, &e.half_x, &e.half_y, &e.half_z, &w.points.s, &w.points.t, &w.points.area}) {
     add(*column);
   }
-  add(w.sides.blocks), add(w.sides.joint), add(w.sides.set), add(w.sides.factor), add(w.sides.cn), add(w.sides.cs);
+  for (const kernels::SideBlock& b : w.sides.blocks) hash.add(&b, offsetof(kernels::SideBlock, on_base));  // behind it is padding
+  for (const kernels::SideParts& p : w.sides.parts) {
+    for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
+  }
+  add(w.sides.joint), add(w.sides.set);
   add(w.faces.normal), add(w.faces.distance), add(w.faces.compliance_n), add(w.faces.compliance_s), add(w.faces.mass);
   hash.add(&w.dt, sizeof w.dt);
   return hash.value();
