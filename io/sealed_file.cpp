@@ -14,8 +14,11 @@
 namespace voussoir::io {
 namespace {
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
+// What is said of the contents counts with them.
+std::uint64_t hash_of(const std::string& what, long long version, std::span<const std::byte> bytes) {
   solver::Hash hash;
+  const std::string said = what + " " + std::to_string(version);
+  hash.add(said.data(), said.size());
   hash.add(bytes.data(), bytes.size());
   return hash.value();
 }
@@ -45,7 +48,7 @@ bool read_seal(const std::string& what, const std::string& header, Seal& s) {
 }  // namespace
 
 std::string seal(const std::string& what, std::int64_t version, std::span<const std::byte> contents) {
-  return text_of(what, {version, contents.size(), hash_of(contents)});
+  return text_of(what, {version, contents.size(), hash_of(what, version, contents)});
 }
 
 std::span<const std::byte> unsealed(const std::string& name, const std::string& what, std::int64_t version,
@@ -61,7 +64,7 @@ std::span<const std::byte> unsealed(const std::string& name, const std::string& 
     throw DamagedFile(name, "is damaged: it has " + std::to_string(contents.size()) + " bytes behind its header; " +
                                 std::to_string(s.bytes) + " were written");
   }
-  if (hash_of(contents) != s.hash) throw DamagedFile(name, "is damaged: its bytes are not those that were written");
+  if (hash_of(what, s.version, contents) != s.hash) throw DamagedFile(name, "is damaged: its bytes are not those that were written");
   if (s.version != version) {
     throw FileError(name, "has version " + std::to_string(s.version) + " of the layout; this program goes on from version " +
                               std::to_string(version) + " only");
