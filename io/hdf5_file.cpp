@@ -23,9 +23,14 @@ using hdf5::simple_space;
 using hdf5::types_of;
 using hdf5::write_note;
 
+constexpr std::size_t kMemoryStep = 4UL << 20;  // bytes by which a file in memory grows
+
 // Version 1.8 of the format is compact and readable everywhere; virtual datasets need 1.10.
 // No locks: some network file systems refuse them, and nobody writes to a file that others can see.
 Handle access_properties(const Doing& doing) {
+  // After a write that failed for want of space HDF5 cannot close the file, and crashes when it tries once more at the end of the program.
+  // Our files are closed by then, or lost.
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = doing.own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   doing.check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110));
@@ -102,6 +107,29 @@ Hdf5File Hdf5File::open(const std::string& path) {
   return {path, id};
 }
 
+Hdf5File Hdf5File::create_in_memory(const std::string& name) {
+  const Doing doing{name, "make the file in memory", ""};
+  const Handle access = access_properties(doing);
+  doing.check(H5Pset_fapl_core(access, kMemoryStep, false));
+  // In newer versions of the format the first block has a checksum, which H5Fget_file_image spoils (it clears a flag there).
+  doing.check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V110));
+  const hid_t id = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  doing.check(id < 0 ? -1 : 0);
+  return {name, id};
+}
+
+Hdf5File Hdf5File::open_in_memory(const std::string& name, std::span<const std::byte> image) {
+  const Doing doing{name, "open the file", ""};
+  const Handle access = access_properties(doing);
+  doing.check(H5Pset_fapl_core(access, kMemoryStep, false));
+  // HDF5 copies the image, and says so with a pointer to what is not const.
+  doing.check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()));
+  // HDF5 refuses the name of a file that exists.
+  const hid_t id = H5Fopen((name + "/in memory").c_str(), H5F_ACC_RDONLY, access);
+  doing.check(id < 0 ? -1 : 0);
+  return {name, id};
+}
+
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, -1)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
@@ -120,6 +148,16 @@ void Hdf5File::close() {
 }
 
 void Hdf5File::flush() { Doing{path_, "write the file", ""}.check(H5Fflush(handle_, H5F_SCOPE_LOCAL)); }
+
+std::vector<std::byte> Hdf5File::image() {
+  const Doing doing{path_, "write the file", ""};
+  flush();
+  const ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
+  doing.check(size < 0 ? -1 : 0);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  doing.check(H5Fget_file_image(handle_, bytes.data(), bytes.size()) < 0 ? -1 : 0);
+  return bytes;
+}
 
 void Hdf5File::make_group(const std::string& name) {
   const Doing doing{path_, "create group", name};
@@ -145,6 +183,18 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
   };
   doing.check(H5Literate_by_name(handle_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT));
   return names;
+}
+
+bool Hdf5File::is_group(const std::string& name) const {
+  const Doing doing{path_, "read", name};
+  const Handle object = doing.own(H5Oopen(handle_, name.c_str(), H5P_DEFAULT), H5Oclose);
+  return H5Iget_type(object) == H5I_GROUP;
+}
+
+bool Hdf5File::is_text(const std::string& name) const {
+  const Doing doing{path_, "read", name};
+  const Handle dataset = doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  return H5Tget_class(doing.own(H5Dget_type(dataset), H5Tclose)) == H5T_STRING;
 }
 
 void Hdf5File::create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout, const Hdf5Note& note) {
@@ -207,6 +257,11 @@ void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shap
 Shape Hdf5File::shape(const std::string& name) const {
   const Doing doing{path_, "read", name};
   return extent_of(doing, doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
+}
+
+std::uint64_t Hdf5File::stored_bytes(const std::string& name) const {
+  const Doing doing{path_, "read", name};
+  return H5Dget_storage_size(doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
 }
 
 Hdf5Type Hdf5File::type(const std::string& name) const {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +74,10 @@ class Hdf5File {
   static Hdf5File create(const std::string& path);
   /// Opens for reading. \throw FileError (also when it is no HDF5 file)
   static Hdf5File open(const std::string& path);
+  /// A new file in memory alone; `name` is for messages. See image().
+  static Hdf5File create_in_memory(const std::string& name);
+  /// A file whose bytes are in memory, for reading; `name` is for messages. \throw FileError
+  static Hdf5File open_in_memory(const std::string& name, std::span<const std::byte> image);
 
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
@@ -85,12 +90,19 @@ class Hdf5File {
   void close();
   /// Hands what is buffered to the system. \throw FileError
   void flush();
+  /// The bytes of the file as it is now. \throw FileError
+  [[nodiscard]] std::vector<std::byte> image();
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   void make_group(const std::string& name);
   [[nodiscard]] bool exists(const std::string& name) const;
   /// Names in a group, in order of the alphabet.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
+
+  /// A group, not a dataset.
+  [[nodiscard]] bool is_group(const std::string& name) const;
+  /// A dataset of texts, not of numbers.
+  [[nodiscard]] bool is_text(const std::string& name) const;
 
   void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {}, const Hdf5Note& note = {});
   /// Creates and fills a dataset; `data` in the given type.
@@ -126,6 +138,8 @@ class Hdf5File {
   [[nodiscard]] Shape shape(const std::string& name) const;
   /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
   [[nodiscard]] Hdf5Type type(const std::string& name) const;
+  /// Bytes that the values of a dataset take in this file. A dataset may claim more than it has: look here before making room for it.
+  [[nodiscard]] std::uint64_t stored_bytes(const std::string& name) const;
 
   /// Attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);
@@ -137,6 +151,8 @@ class Hdf5File {
   [[nodiscard]] std::string attribute_text(const std::string& object, const std::string& name) const;
   [[nodiscard]] double attribute_double(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::int64_t attribute_int(const std::string& object, const std::string& name) const;
+  /// All attributes of an object: texts as they are, numbers as their bytes.
+  [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -10,9 +11,12 @@
 
 #include "io/bench_command.h"
 #include "io/case_file.h"
+#include "io/compare_command.h"
 #include "io/errors.h"
 #include "io/motion_command.h"
+#include "io/resume_command.h"
 #include "io/run_command.h"
+#include "io/verify_command.h"
 
 namespace {
 
@@ -23,10 +27,13 @@ struct Words {
   std::string name;                 // CASE
   std::vector<std::string> set;     // --set key=value
   std::vector<std::string> motion;  // --motion axis=file
-  std::string direction, record, scale, duration, dt, frames, kernels, scatter = "fast";
+  std::string direction, record, scale, duration, dt, frames, kernels, scatter;
   std::vector<std::string> files;  // of `motion`
+  std::string first, second;       // of `compare`
+  bool verify = false;
   io::RunOptions run;
   io::BenchOptions bench;
+  io::ResumeOptions resume;
   io::MotionOptions motion_options;
 };
 
@@ -57,10 +64,21 @@ std::vector<std::string> overrides(const Words& w) {
   return all;
 }
 
+void add_threads(CLI::App* command, int& threads) {
+  command->add_option("-j,--threads", threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+}
+
 void add_case(CLI::App* command, Words& w) {
   command->add_option("CASE", w.name, "a name of the catalogue (see `voussoir cases`), or the path of a .toml file")->required();
   command->add_option("--set", w.set, "override a key of the case: a.b[0].c=value (may be repeated)");
-  command->add_option("-j,--threads", w.run.threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+  add_threads(command, w.run.threads);
+}
+
+void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
+  command->add_option("--checkpoint-every", schedule.wall_clock, "wall-clock between two checkpoints, s (default 300)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--checkpoint-simulated", schedule.simulated, "simulated time between two checkpoints, s, if that comes sooner")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_run(CLI::App& app, Words& w) {
@@ -78,6 +96,8 @@ void add_run(CLI::App& app, Words& w) {
       ->check(CLI::IsMember({"fast", "reference"}));
   run->add_option("--scatter", w.scatter, "colour: tasks of one colour at a time add to the elements; gather: each element adds up its own")
       ->check(CLI::IsMember({"colour", "gather"}));
+  add_checkpoints(run, w.run.checkpoints);
+  run->add_flag("--verify", w.verify, "no results: try in about a minute that threads and stops do not change a bit of this case");
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
@@ -92,6 +112,23 @@ void add_bench(CLI::App& app, Words& w) {
   bench->add_option("--csv", w.bench.csv, "also write the table to this file");
   bench->add_flag("--overwrite", w.bench.overwrite, "replace that file");
   bench->footer("example: voussoir bench flat20n -j 2 --after 3.5");
+}
+
+void add_resume(CLI::App& app, Words& w) {
+  CLI::App* resume = app.add_subcommand("resume", "go on from the newest good checkpoint of DIR");
+  resume->add_option("DIR", w.resume.folder, "folder of the run")->required();
+  add_threads(resume, w.resume.threads);
+  resume->add_option("--until", w.resume.until, "s of shaking: go on to a later end than the case's");
+  add_checkpoints(resume, w.resume.checkpoints);
+  resume->add_flag("--quiet", w.resume.quiet, "no progress");
+  resume->footer("example: voussoir resume results/flat20n --until 12");
+}
+
+void add_compare(CLI::App& app, Words& w) {
+  CLI::App* compare = app.add_subcommand("compare", "are the results of two runs the same, bit for bit (provenance apart)?");
+  compare->add_option("A", w.first, "folder of a run, or a file")->required();
+  compare->add_option("B", w.second, "another")->required();
+  compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
 void add_motion(CLI::App& app, Words& w) {
@@ -122,6 +159,8 @@ int dispatch(const CLI::App& app, Words& w) {
     std::fputs(io::key_reference().c_str(), stdout);
     return io::kDone;
   }
+  if (app.got_subcommand("resume")) return io::resume_command(w.resume);
+  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
   if (app.got_subcommand("bench")) {
@@ -130,6 +169,7 @@ int dispatch(const CLI::App& app, Words& w) {
   }
   w.run.reference_kernels = w.kernels == "reference";
   w.run.gather = w.scatter == "gather";
+  if (w.verify) return with_case(w, [&](const auto& c) { return io::verify_command(c, w.run); });
   if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.name).stem().string();
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
@@ -152,12 +192,15 @@ void let_threads_sleep(char** argv) {
 
 int main(int argc, char** argv) {
   let_threads_sleep(argv);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   app.set_version_flag("--version", "voussoir " VOUSSOIR_VERSION);
   app.require_subcommand(1);
   app.footer("example: voussoir run flat20n --direction LTV --duration 6");
   Words w;
   add_run(app, w);
+  add_resume(app, w);
+  add_compare(app, w);
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
   check->footer("example: voussoir check my-house.toml");

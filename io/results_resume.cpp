@@ -65,7 +65,12 @@ void take_merged(const std::string& folder) {
   if (!file.has_attribute("/", "parts") || file.attribute_int("/", "parts") != 0) return;
   remove_parts(folder, 0);
   fs::create_directory(folder + "/parts");
-  if (std::rename(run.c_str(), (folder + "/" + part_name(0)).c_str()) != 0) throw FileError(run, "cannot become the first part");
+  // A second name, not another one: after a kill before the new run.h5 is there, the old one still is.
+  std::error_code error;
+  const std::string part = folder + "/" + part_name(0);
+  fs::create_hard_link(run, part, error);
+  if (error) fs::copy_file(run, part, error);  // some file systems have no second names
+  if (error) throw FileError(run, "cannot become the first part: " + error.message());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/case_file.h"
+#include "io/checkpoints.h"
 
 /// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard
 /// error.
@@ -19,6 +20,7 @@ struct RunOptions {
   bool reference_kernels = false;
   bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
+  CheckpointSchedule checkpoints;
 };
 
 /// Builds, settles, shakes, writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.

@@ -122,16 +122,21 @@ void replace_file(const std::string& temporary, const std::string& path) {
   sync(folder.empty() ? "." : folder);
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
+void write_whole_file(const std::string& path, std::span<const std::span<const std::byte>> pieces) {
   const std::string temporary = path + ".tmp";
   try {
     const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    write_all(file.id(), text.data(), text.size(), path);
+    for (const auto& piece : pieces) write_all(file.id(), reinterpret_cast<const char*>(piece.data()), piece.size(), path);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
   replace_file(temporary, path);
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  const std::span<const std::byte> piece = std::as_bytes(std::span(text));
+  write_whole_file(path, {&piece, 1});
 }
 
 RunFolder::RunFolder(std::string path) : path_(std::move(path)) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 /// The folder of one run, held by one process.
@@ -10,7 +12,10 @@ namespace voussoir::io {
 /// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
 /// file or the new one, never a part. \throw FileError; then `temporary` is gone
 void replace_file(const std::string& temporary, const std::string& path);
-/// Writes a text under `path` as replace_file does. \throw FileError
+/// Writes a file of these pieces, one after the other, under `path` as replace_file does: whatever happens, `path` is the old file or the
+/// whole new one. \throw FileError
+void write_whole_file(const std::string& path, std::span<const std::span<const std::byte>> pieces);
+/// The same of a text. \throw FileError
 void write_text_file(const std::string& path, const std::string& text);
 
 /// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.

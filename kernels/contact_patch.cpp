@@ -148,8 +148,8 @@ bool still_separated(const Patch& p, const Master& m, const Bodies& b, const Fac
 }
 
 /// True if the two were farther apart at the last search than all that either can have moved since.
-bool out_of_reach(const Patch& p, const Bodies& b, const Candidate& c) noexcept {
-  return c.gap > b.moved[p.element] + b.moved[c.element];
+bool out_of_reach(const Patch& p, const Bodies& b, const Candidate& c, double gap) noexcept {
+  return gap > b.moved[p.element] + b.moved[c.element];
 }
 
 }  // namespace
@@ -164,11 +164,11 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 // Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. A patch that
 // touched nothing, and whose candidates are all out of reach or still separated, is left at once: most are.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                          const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
                           std::uint8_t* active) noexcept {
   const auto count = static_cast<std::int32_t>(candidates.size());
   std::fill_n(active, count, std::uint8_t{0});
-  const auto skip = [&](const Candidate& c) { return !had_partners && out_of_reach(patch, bodies, c); };
+  const auto skip = [&](const Candidate& c) { return !had_partners && out_of_reach(patch, bodies, c, gap[&c - candidates.data()]); };
   if (std::all_of(candidates.begin(), candidates.end(), skip)) return {};
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   bool near = had_partners;

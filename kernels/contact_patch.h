@@ -55,7 +55,6 @@ struct Candidate {
   std::int32_t element = 0;
   std::int32_t first_face = 0, face_count = 0;  // into FaceTable
   std::int32_t separating = 0;                  // face that separated the two last time: tested first
-  double gap = -1.0;                            // m, by which it did at the last search; negative: look in any case
 };
 
 struct ContactOptions {
@@ -91,10 +90,11 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
                         const FaceTable& faces, const ContactOptions& o) noexcept;
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
+/// \param gap  m, by which each candidate was apart at the last search; negative: look at it in any case
 /// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)
 /// \pre  histories of the points are padded to kLanes with points that have no partner
 using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                                 const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                                 const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
                                  PairWrench* wrench, std::uint8_t* active) noexcept;
 AdvancePatch advance_patch;            // several points at a time
 AdvancePatch advance_patch_reference;  // the plain twin

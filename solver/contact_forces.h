@@ -37,6 +37,9 @@ void gather_contacts(World& w, std::int64_t first, std::int64_t last);
 /// Turns a side that has come apart into free patches of its two elements. Points that touch keep their partner, slip and closure.
 void retire_side(World& w, std::int32_t side);
 
+/// Appends the free patches that a retired side leaves (one, or two if it stood for both faces), without partners. \return how many
+std::size_t append_retired(World& w, std::int32_t side);
+
 /// Blocks that still hold a side, by task. Call after sides have retired.
 void list_live_blocks(World& w);
 

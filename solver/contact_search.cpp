@@ -76,6 +76,7 @@ bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, st
 struct Found {
   std::vector<std::int32_t> patch;
   std::vector<kernels::Candidate> candidate;
+  std::vector<double> gap;  // m
 };
 
 void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const std::vector<geometry::Box3>& boxes,
@@ -95,7 +96,8 @@ void search_element(const World& w, std::int32_t e, std::span<const std::int32_t
       if (!near_element(w, placed_patch, other, separating, gap)) return;
       const auto o = static_cast<std::size_t>(other);
       found.patch.push_back(p);
-      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating, gap});
+      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating});
+      found.gap.push_back(gap);
     };
     for (const std::int32_t other : near) {
       if (other == e || !overlap(placed_patch.box, boxes[static_cast<std::size_t>(other)], w.contacts.skin)) continue;
@@ -137,6 +139,7 @@ void build_slots(World& w, const std::vector<Found>& found) {
   c.active.clear();
   c.first_slot.clear();
   c.candidate.clear();
+  c.gap.clear();
   for (const Found& f : found) {
     for (std::size_t i = 0; i < f.patch.size(); ++i) {
       if (c.active.empty() || c.active.back() != f.patch[i]) {
@@ -144,6 +147,7 @@ void build_slots(World& w, const std::vector<Found>& found) {
         c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
       }
       c.candidate.push_back(f.candidate[i]);
+      c.gap.push_back(f.gap[i]);
     }
   }
   c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));

@@ -3,24 +3,56 @@
 #include "solver/field_table.h"
 
 #include <cstring>
+#include <type_traits>
+
+#include "solver/hash.h"
+#include "solver/run.h"
 
 namespace voussoir::solver {
 
 namespace {
 
-Field field(const char* name, const char* unit, const char* shape, Array<double>& a) {
-  return {name, unit, shape, FieldType::f64, a.data(), a.size()};
-}
-Field field(const char* name, const char* unit, const char* shape, Array<std::int32_t>& a) {
-  return {name, unit, shape, FieldType::i32, a.data(), a.size()};
-}
+using Table = std::vector<Field>;
+
 template <class T>
-Field field(const char* name, const char* unit, const char* shape, Array<T>& a) {
-  static_assert(sizeof(T) == 1);
-  return {name, unit, shape, FieldType::u8, a.data(), a.size()};
+constexpr FieldType type_of() {
+  if constexpr (std::is_same_v<T, double>) return FieldType::f64;
+  if constexpr (std::is_same_v<T, std::int64_t>) return FieldType::i64;
+  if constexpr (std::is_same_v<T, std::int32_t>) return FieldType::i32;
+  static_assert(sizeof(T) == 1 || std::is_same_v<T, double> || std::is_same_v<T, std::int64_t> || std::is_same_v<T, std::int32_t>);
+  return FieldType::u8;
 }
 
-void add_elements(std::vector<Field>& t, Elements& e) {
+/// An array of numbers. For choices (enumerations, flags) `high` is the last.
+template <class Column>
+Field field(const char* name, const char* unit, const char* shape, Column& a) {
+  return {name, unit, shape, type_of<typename Column::value_type>(), a.data(), a.size()};
+}
+template <class Column>
+Field field(const char* name, const char* unit, const char* shape, Column& a, std::int64_t low, std::int64_t high) {
+  Field f = field(name, unit, shape, a);
+  f.low = low, f.high = high;
+  return f;
+}
+
+/// A single value.
+template <class T>
+Field value(const char* name, const char* unit, T& v) {
+  return {name, unit, "run", type_of<T>(), &v, 1};
+}
+template <class T>
+Field value(const char* name, T& v, std::int64_t low, std::int64_t high) {
+  return {name, "-", "run", type_of<T>(), &v, 1, 1, low, high};
+}
+
+/// An array whose entries are rows of several values of type V.
+template <class V, class Column>
+Field rows(const char* name, const char* unit, const char* shape, Column& a, std::size_t columns) {
+  const std::size_t values = a.size() * sizeof(typename Column::value_type) / sizeof(V);
+  return {name, unit, shape, type_of<V>(), a.data(), values / columns, columns};
+}
+
+void add_elements(Table& t, Elements& e) {
   const char* shape = "element";
   t.insert(t.end(), {field("ux", "m", shape, e.ux),
                      field("uy", "m", shape, e.uy),
@@ -44,61 +76,106 @@ void add_elements(std::vector<Field>& t, Elements& e) {
                      field("loss_dashpot", "J", shape, e.loss_dashpot),
                      field("alpha", "1/s", shape, e.alpha),
                      field("bonds", "-", shape, e.bonds)});
+  // The rows could be made from the columns, but only by the drift of a step are they the same to the last bit.
+  t.push_back(rows<double>("pose", "m, -", shape, e.pose, kernels::kPoseStride));
+  t.push_back(rows<double>("twist", "m/s, rad/s", shape, e.twist, kernels::kTwistStride));
 }
 
-void add_sides(std::vector<Field>& t, Sides& s) {
-  t.insert(t.end(), {field("side_quick", "-", "side", s.quick), field("side_retired", "-", "side", s.retired),
+void add_sides(Table& t, Sides& s) {
+  t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 2), field("side_retired", "-", "side", s.retired, 0, 1),
                      field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
                      field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
-                     field("segment_bond", "-", "segment", s.bond), field("segment_first_mode", "-", "segment", s.first_mode),
+                     field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),
                      field("segment_first_time", "s", "segment", s.first_time), field("segment_slip1", "m", "segment", s.slip1),
                      field("segment_slip2", "m", "segment", s.slip2), field("segment_closure", "m", "segment", s.closure)});
 }
 
-void add_patches(std::vector<Field>& t, Patches& p) {
-  t.insert(t.end(), {field("patch_from_side", "-", "patch", p.from_side), field("patch_mastered", "-", "patch", p.mastered),
-                     field("patch_touching", "-", "patch", p.touching), field("patch_stored", "J", "patch", p.stored),
-                     field("patch_friction", "J", "patch", p.friction), field("patch_impact", "J", "patch", p.impact),
-                     field("point_partner", "-", "point", p.partner), field("point_face", "-", "point", p.face),
-                     field("point_slip_x", "m", "point", p.slip_x), field("point_slip_y", "m", "point", p.slip_y),
-                     field("point_slip_z", "m", "point", p.slip_z), field("point_closure", "m", "point", p.closure)});
+// What a patch of a retired side is made of follows from the side: see restore().
+void add_patches(Table& t, World& w) {
+  Patches& p = w.patches;
+  const std::int64_t sides = w.sides.count(), elements = w.elements.base + 1, faces = static_cast<std::int64_t>(w.faces.mass.size());
+  t.insert(t.end(),
+           {field("patch_from_side", "-", "patch", p.from_side, -1, sides - 1), field("patch_mastered", "-", "patch", p.mastered, 0, 1),
+            field("patch_touching", "-", "patch", p.touching), field("patch_stored", "J", "patch", p.stored),
+            field("patch_friction", "J", "patch", p.friction), field("patch_impact", "J", "patch", p.impact),
+            field("point_partner", "-", "point", p.partner, -1, elements - 1), field("point_face", "-", "point", p.face, -1, faces - 1),
+            field("point_slip_x", "m", "point", p.slip_x), field("point_slip_y", "m", "point", p.slip_y),
+            field("point_slip_z", "m", "point", p.slip_z), field("point_closure", "m", "point", p.closure)});
 }
 
-// When the next search is due depends on where elements were at the last one, and contacts begin with a search.
-void add_search(std::vector<Field>& t, Contacts& c) {
+// When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
+void add_search(Table& t, World& w) {
+  Contacts& c = w.contacts;
   const char* shape = "element";
+  const auto patches = static_cast<std::int64_t>(w.patches.patch.size()), slots = static_cast<std::int64_t>(c.candidate.size());
   t.insert(t.end(),
            {field("searched_ux", "m", shape, c.at_ux), field("searched_uy", "m", shape, c.at_uy), field("searched_uz", "m", shape, c.at_uz),
             field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
-            field("searched_qz", "-", shape, c.at_qz)});
+            field("searched_qz", "-", shape, c.at_qz), field("moved_since", "m", shape, c.moved), value("search_due", c.stale, 0, 1),
+            value("search_countdown", c.countdown, 0, std::numeric_limits<std::int32_t>::max()), value("searches", "-", c.searches),
+            field("active_patch", "-", "active patch", c.active, 0, patches - 1),
+            field("active_first_slot", "-", "active patch", c.first_slot, 0, slots)});
+  static_assert(sizeof(kernels::Candidate) == 4 * sizeof(std::int32_t));
+  t.push_back(rows<std::int32_t>("slot_candidate", "-", "slot", c.candidate, 4));
+  t.push_back(field("slot_gap", "m", "slot", c.gap));
 }
 
 }  // namespace
 
-std::size_t Field::bytes() const noexcept {
-  return count * (type == FieldType::f64 ? sizeof(double) : type == FieldType::i32 ? sizeof(std::int32_t) : 1U);
+/// The friend of those who keep their state to themselves.
+struct FieldTable {
+  static void add(Table& t, Ledger& l) {
+    static_assert(sizeof(EnergyRow) == 11 * sizeof(double));
+    t.insert(t.end(),
+             {value("ledger_fresh", l.fresh_, 0, 1), value("ledger_initial", "J", l.initial_), value("ledger_loads", "J", l.loads_),
+              value("ledger_supports", "J", l.supports_), value("ledger_scale", "J", l.scale_), value("ledger_worst", "-", l.worst_),
+              rows<double>("ledger_support_wrench", "N, N m", "support", l.support_wrench_, 6)});
+    t.push_back({"ledger_last_row", "s, J, -", "run", FieldType::f64, &l.last_, 1, 11});
+  }
+
+  static void add(Table& t, Simulation& s) {
+    static_assert(sizeof(Damage) == 5 * sizeof(std::int64_t) && sizeof(Vec3) == 3 * sizeof(double) &&
+                  sizeof(Quaternion) == 4 * sizeof(double));
+    t.insert(t.end(), {value("phase", s.phase_, 0, 1), value("step", s.step_, 0, std::numeric_limits<std::int64_t>::max() / 2),
+                       value("peak_speed", "m/s", s.peak_speed_)});
+    t.push_back(value("largest_move", "m", s.moved_));
+    t.push_back({"damage", "-", "run", FieldType::i64, &s.damage_, 1, 5});
+    t.push_back(rows<double>("load_before", "N, N m", "load", s.load_before_, 6));
+    t.push_back(rows<double>("followed_start", "m", "history", s.start_, 3));
+    t.push_back(rows<double>("followed_turned", "-", "history", s.turned_, 4));
+    add(t, s.ledger_);
+  }
+};
+
+std::size_t size_of(FieldType type) noexcept {
+  return type == FieldType::f64 || type == FieldType::i64 ? 8U : type == FieldType::i32 ? 4U : 1U;
 }
 
 std::vector<Field> fields(World& w) {
-  std::vector<Field> table;
+  Table table;
   add_elements(table, w.elements);
   add_sides(table, w.sides);
-  add_patches(table, w.patches);
-  add_search(table, w.contacts);
+  add_patches(table, w);
+  add_search(table, w);
+  return table;
+}
+
+std::vector<Field> fields(Simulation& sim, RunState& plan) {
+  Table table = fields(sim.world());
+  FieldTable::add(table, sim);
+  table.insert(table.end(), {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2),
+                             value("plan_shaking", plan.shaking, 0, 1), value("plan_settled", plan.settled, 0, 1),
+                             value("plan_first_crack", "s", plan.first_crack), value("plan_peak_base_shear", "N", plan.peak_base_shear)});
   return table;
 }
 
 std::uint64_t state_hash(World& w) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto eat = [&hash](const void* data, std::size_t n) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < n; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ULL;
-  };
+  Hash hash;
   for (const Field& f : fields(w)) {
-    eat(f.name, std::strlen(f.name));
-    eat(f.data, f.bytes());
+    hash.add(f.name, std::strlen(f.name));
+    hash.add(f.data, f.bytes());
   }
-  return hash;
+  return hash.value();
 }
 
 }  // namespace voussoir::solver

@@ -28,12 +28,11 @@ void Ledger::restart(World& w) {
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture, &w.patches.friction, &w.patches.impact}) {
     std::fill(column->begin(), column->end(), 0.0);
   }
-  *this = Ledger{};
+  *this = Ledger(w);
 }
 
 void Ledger::add_support_work(const World& w) {
   if (w.supports.empty()) return;
-  support_wrench_.resize(6 * w.supports.size(), 0.0);
   for (std::size_t k = 0; k < w.supports.size(); ++k) {
     const auto e = static_cast<std::size_t>(w.supports[k].element);
     const double* f = w.elements.wrench.data() + e * kernels::kWrenchStride;

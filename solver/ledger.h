@@ -15,6 +15,9 @@ namespace voussoir::solver {
 
 class Ledger {
  public:
+  Ledger() = default;
+  explicit Ledger(const World& w) : support_wrench_(6 * w.supports.size(), 0.0) {}
+
   /// Starts anew: zeroes all works and losses; the next row is the balance that the residual is measured against.
   void restart(World& w);
 
@@ -32,6 +35,7 @@ class Ledger {
   [[nodiscard]] double worst_residual() const { return worst_; }
 
  private:
+  friend struct FieldTable;
   [[nodiscard]] double kinetic(const World& w) const;
   void sum_losses(const World& w, EnergyRow& row) const;
 

@@ -68,6 +68,7 @@ void activate_last_patch(World& w) {
   if (c.first_slot.empty()) c.first_slot.push_back(0);
   c.active.push_back(static_cast<std::int32_t>(w.patches.patch.size()) - 1);
   c.candidate.push_back({p.origin, w.elements.first_face[origin], w.elements.face_count[origin], w.elements.first_face[origin]});
+  c.gap.push_back(-1.0);
   c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
   c.wrench.emplace_back();
   c.on.push_back(0);
@@ -96,6 +97,15 @@ void retire_side(World& w, std::int32_t side) {
   if (w.options.gather) sides.pair_on[i] = 0;
   sides.quick[i] = kernels::Quick::segments;
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
+}
+
+std::size_t append_retired(World& w, std::int32_t side) {
+  const auto i = static_cast<std::size_t>(side);
+  const kernels::Side s = w.sides.side(side);
+  append_patch(w, patch_of(w, side, s, false), w.sides.set[i], side, true);
+  if (w.sides.faces[i] != 2) return 1;
+  append_patch(w, patch_of(w, side, s, true), w.sides.set[i], side, false);
+  return 2;
 }
 
 void list_live_blocks(World& w) {

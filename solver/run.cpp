@@ -19,7 +19,7 @@ std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t
 /// Keeps the buffers and the running figures of one run.
 class Reporter {
  public:
-  Reporter(Simulation& sim, Recorder& out) : sim_(sim), out_(out) {}
+  Reporter(Simulation& sim, RunState& state, Recorder& out) : sim_(sim), state_(state), out_(out) {}
 
   void frame() {
     const World& w = sim_.world();
@@ -41,7 +41,7 @@ class Reporter {
   void samples(double time) {
     out_.history(time, sim_.history());
     const ForcesRow& f = sim_.forces();
-    peak_base_shear = std::max(peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
+    state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
   }
 
   void ledger(double time) {
@@ -55,16 +55,15 @@ class Reporter {
     std::vector<CrackRow>& rows = sim_.cracks();
     if (rows.empty()) return;
     for (const CrackRow& r : rows) {
-      if (first_crack < 0.0 && r.time >= 0.0) first_crack = r.time;
+      if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
     }
     out_.cracks(rows);
     rows.clear();
   }
 
-  double first_crack = -1.0, peak_base_shear = 0.0;
-
  private:
   Simulation& sim_;
+  RunState& state_;
   Recorder& out_;
   std::vector<float> position_, quaternion_, broken_;
 };
@@ -74,32 +73,89 @@ std::int64_t broken(const Damage& d) { return d.tension + d.shear + d.compressio
 void check_residual(const Simulation& sim) {
   const EnergyRow& e = sim.energy();
   if (e.residual <= kResidualLimit) return;
-  char text[200];
-  std::snprintf(text, sizeof text, "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); try --dt %.3g",
-                e.residual, sim.time(), kResidualLimit, 0.5 * sim.dt());
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); fastest is %s; try --dt %.3g",
+                e.residual, sim.time(), kResidualLimit, sim.fastest_element().c_str(), 0.5 * sim.dt());
   throw NumericalError(text);
 }
 
-/// Settles until rest. Returns whether rest was reached; `stopped` is set if the tick asked to stop.
-bool settle(Simulation& sim, double end, std::int64_t every, Reporter& report, const Tick& tick, std::int64_t& total, bool& stopped) {
-  while (!sim.at_rest()) {
-    if (sim.settled_too_long()) return false;
-    const double time = sim.time();
-    const bool ledger = sim.steps() % every == 0;
-    sim.step({false, ledger});
-    ++total;
-    if (ledger) report.ledger(time);
-    if (total % kTickInterval == 0 && !tick({sim.time(), end, true, total, broken(sim.damage()), sim.energy().residual})) {
-      stopped = true;
-      return true;
+/// One run: when to step, when to tell.
+class Plan {
+ public:
+  Plan(Simulation& sim, RunState& state, const cases::Output& intervals, double end, Recorder& out, const Tick& tick)
+      : sim_(sim),
+        state_(state),
+        out_(out),
+        tick_(tick),
+        report_(sim, state, out),
+        end_(end),
+        history_(in_steps(intervals.history_interval, sim.dt())),
+        frame_(in_steps(intervals.frame_interval, sim.dt())),
+        ledger_(in_steps(intervals.ledger_interval, sim.dt())),
+        last_(last_step(sim, end)) {}
+
+  /// \return false if the tick stopped it
+  bool settle() {
+    while (!sim_.at_rest() && !sim_.settled_too_long()) {
+      if (!go_on()) return false;
+      const double time = sim_.time();
+      const bool ledger = sim_.steps() % ledger_ == 0;
+      sim_.step({false, ledger});
+      ++state_.steps;
+      if (ledger) report_.ledger(time);
     }
+    state_.settled = sim_.at_rest();
+    return true;
   }
-  return true;
-}
+
+  /// \return false if the tick stopped it
+  bool shake() {
+    while (sim_.steps() <= last_) {
+      if (!go_on()) return false;
+      const std::int64_t n = sim_.steps();
+      const double time = sim_.time();
+      const Due due{n % history_ == 0, n % ledger_ == 0 || n == last_};
+      if (n % frame_ == 0) {
+        const StageTimer timer(sim_.stage_times(), Stage::output);
+        report_.frame();
+      }
+      sim_.step(due);
+      const StageTimer timer(sim_.stage_times(), Stage::output);
+      ++state_.steps;
+      if (due.sample) report_.samples(time);
+      if (!due.ledger) continue;
+      if (due.sample) out_.forces(sim_.forces());
+      report_.ledger(time);
+      check_residual(sim_);
+    }
+    return true;
+  }
+
+  void tell_cracks() { report_.cracks(); }
+
+ private:
+  bool go_on() {
+    const bool settling = !state_.shaking, last = !settling && sim_.steps() == last_;
+    if (state_.steps % kTickInterval != 0 && !last) return true;
+    report_.cracks();
+    return tick_({sim_.time(), end_, settling, state_.steps, broken(sim_.damage()), sim_.energy().residual, last});
+  }
+
+  Simulation& sim_;
+  RunState& state_;
+  Recorder& out_;
+  const Tick& tick_;
+  Reporter report_;
+  double end_;                                    // s
+  std::int64_t history_, frame_, ledger_, last_;  // steps
+};
 
 }  // namespace
 
-Summary summarise(const Simulation& sim, double first_crack, double peak_base_shear, bool settled) {
+std::int64_t last_step(const Simulation& sim, double end) { return std::llround(end / sim.dt()); }
+
+Summary summarise(const Simulation& sim, const RunState& state) {
   const World& w = sim.world();
   const Elements& e = w.elements;
   double all = 0.0, fallen = 0.0, roof = 0.0, fallen_roof = 0.0;
@@ -116,53 +172,34 @@ Summary summarise(const Simulation& sim, double first_crack, double peak_base_sh
   Summary s;
   s.fallen_mass_fraction = all > 0.0 ? fallen / all : 0.0;
   s.collapsed = roof > 0.0 ? fallen_roof > 0.5 * roof : fallen > 0.5 * all;
-  s.first_crack_time = first_crack;
+  s.first_crack_time = state.first_crack;
   const Damage& d = sim.damage();
   s.tension = d.tension, s.shear = d.shear, s.compression = d.compression, s.slipped = d.slipped;
-  s.peak_base_shear = peak_base_shear;
+  s.peak_base_shear = state.peak_base_shear;
   s.peak_speed = sim.peak_speed();
   s.worst_residual = sim.worst_residual();
-  s.settled = settled;
+  s.settled = state.settled;
   s.end_time = sim.time();
   return s;
 }
 
-RunResult run(Simulation& sim, const cases::Case& c, double end, Recorder& out, const Tick& tick) {
-  Reporter report(sim, out);
-  const double dt = sim.dt();
-  const std::int64_t history = in_steps(c.output.history_interval, dt), frame = in_steps(c.output.frame_interval, dt),
-                     ledger = in_steps(c.output.ledger_interval, dt), last = std::llround(end / dt);
-  std::int64_t total = 0;
-  bool settled = true, stopped = false;
+RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick) {
+  Plan plan(sim, state, c.output, end, out, tick);
+  bool stopped = false;
   try {
-    if (sim.phase() == Phase::settling) settled = settle(sim, end, ledger, report, tick, total, stopped);
-    if (!stopped) sim.start_shaking();
-    while (!stopped && sim.steps() <= last) {
-      const std::int64_t n = sim.steps();
-      const double time = sim.time();
-      const Due due{n % history == 0, n % ledger == 0 || n == last};
-      if (n % frame == 0) {
-        const StageTimer timer(sim.stage_times(), Stage::output);
-        report.frame();
-      }
-      sim.step(due);
-      const StageTimer timer(sim.stage_times(), Stage::output);
-      if (due.sample) report.samples(time);
-      if (due.ledger) {
-        if (due.sample) out.forces(sim.forces());
-        report.ledger(time);
-        check_residual(sim);
-      }
-      ++total;
-      if (total % kTickInterval == 0) stopped = !tick({time, end, false, total, broken(sim.damage()), sim.energy().residual});
+    if (sim.phase() == Phase::settling) stopped = !plan.settle();
+    if (!stopped && !state.shaking) {
+      sim.start_shaking();
+      state.shaking = true;
     }
+    if (!stopped) stopped = !plan.shake();
   } catch (...) {
-    report.cracks();
-    out.summary(summarise(sim, report.first_crack, report.peak_base_shear, settled));
+    plan.tell_cracks();
+    out.summary(summarise(sim, state));
     throw;
   }
-  report.cracks();
-  const RunResult result{stopped, summarise(sim, report.first_crack, report.peak_base_shear, settled)};
+  plan.tell_cracks();
+  const RunResult result{stopped, summarise(sim, state)};
   out.summary(result.summary);
   return result;
 }

@@ -10,16 +10,27 @@
 /// The run plan: settle, shake, and tell a Recorder at the intervals the case asks for.
 namespace voussoir::solver {
 
+/// What a run carries from step to step beside the simulation.
+struct RunState {
+  std::int64_t steps = 0;      // since the beginning of the run
+  bool shaking = false;        // the shaking has begun
+  bool settled = true;         // gravity came to rest before it did
+  double first_crack = -1.0;   // s, < 0: none
+  double peak_base_shear = 0;  // N
+};
+
 /// Where a run is, for a progress line.
 struct RunStatus {
-  double time = 0.0, end = 0.0;  // s
+  double time = 0.0, end = 0.0;  // s, of the next step
   bool settling = false;
   std::int64_t step = 0;    // since the beginning of the run
   std::int64_t broken = 0;  // segment sides
   double residual = 0.0;    // of the last energy row
+  bool last = false;        // only the last step is left
 };
 
-/// Called every few steps; returns false to stop the run after this step.
+/// Called before the first step, every few steps, and before the last. All rows up to here are with the recorder, so simulation and
+/// RunState can be saved. Returns false to stop.
 using Tick = std::function<bool(const RunStatus&)>;
 
 struct RunResult {
@@ -30,11 +41,15 @@ struct RunResult {
 /// Residual at which a run stops with NumericalError.
 inline constexpr double kResidualLimit = 1e-2;
 
-/// Runs until `end` [s of shaking]. Rows up to the moment it stops are with the recorder; on an exception too.
+/// Runs, or goes on from `state`, until `end` [s of shaking]. Rows up to the moment it stops are with the recorder; on an exception too.
+/// \param state  of a new run, or restored with the simulation; kept up to date
 /// \throw NumericalError also when the ledger's residual passes kResidualLimit
-RunResult run(Simulation& sim, const cases::Case& c, double end, Recorder& out, const Tick& tick);
+RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick);
+
+/// The step that a run until `end` [s] ends with; it has a row of the ledger.
+std::int64_t last_step(const Simulation& sim, double end);
 
 /// What the run has come to, so far.
-Summary summarise(const Simulation& sim, double first_crack, double peak_base_shear, bool settled);
+Summary summarise(const Simulation& sim, const RunState& state);
 
 }  // namespace voussoir::solver

@@ -64,8 +64,11 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   const double frequency = c.damping.frequency.value_or(0.0);
   ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : 1.0);
   damage_ = initial_damage(w);
+  ledger_ = Ledger(w);
   case_alpha_ = w.elements.alpha;
-  for (const cases::HistoryPoint& p : c.output.history) followed_.push_back({cases::nearest_element(m, p.point), {}, {}});
+  for (const cases::HistoryPoint& p : c.output.history) followed_.push_back(cases::nearest_element(m, p.point));
+  start_.resize(followed_.size());
+  turned_.resize(followed_.size());
   velocity_before_.resize(followed_.size());
   samples_.resize(followed_.size());
   load_before_.resize(2 * w.loads.size());
@@ -158,10 +161,9 @@ void Simulation::measure_base_forces() {
 void Simulation::take_samples() {
   const Elements& e = world_->elements;
   for (std::size_t k = 0; k < followed_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(followed_[k].element);
+    const auto i = static_cast<std::size_t>(followed_[k]);
     const Vec3 u{e.ux[i], e.uy[i], e.uz[i]}, v{e.vx[i], e.vy[i], e.vz[i]};
-    samples_[k] = {u - followed_[k].start, 0.5 * (velocity_before_[k] + v),
-                   rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, followed_[k].turned)};
+    samples_[k] = {u - start_[k], 0.5 * (velocity_before_[k] + v), rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, turned_[k])};
   }
 }
 
@@ -173,19 +175,31 @@ void Simulation::guard() {
     const double w2 = e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k];
     peak_speed_ = std::max(peak_speed_, std::sqrt(v2));
     if (v2 < kFastest * kFastest && std::isfinite(w2)) continue;
-    char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "element %d moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g", i,
-        std::sqrt(v2), time(), kFastest, world_->dt, 0.5 * world_->dt);
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%s moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g",
+                  cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), time(), kFastest, world_->dt, 0.5 * world_->dt);
     throw NumericalError(text);
   }
+}
+
+std::string Simulation::fastest_element() const {
+  const Elements& e = world_->elements;
+  std::size_t fastest = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const double v2 = e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i];
+    if (v2 <= most) continue;
+    fastest = i, most = v2;
+    if (std::isnan(v2)) break;
+  }
+  return cases::describe(world_->model.blocks[fastest], fastest);
 }
 
 void Simulation::note_velocities() {
   const Elements& e = world_->elements;
   for (std::size_t k = 0; k < followed_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(followed_[k].element);
+    const auto i = static_cast<std::size_t>(followed_[k]);
     velocity_before_[k] = {e.vx[i], e.vy[i], e.vz[i]};
   }
 }
@@ -268,7 +282,8 @@ void Simulation::step(Due due) {
 
 bool Simulation::at_rest() const { return static_cast<double>(step_) * world_->dt > ramp_ && ledger_.kinetic_over_elastic() < kRest; }
 
-bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt > ramp_ + case_.gravity.settle_limit; }
+// Not one step longer: settling has negative times, and time zero belongs to the shaking alone.
+bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt >= ramp_ + case_.gravity.settle_limit; }
 
 void Simulation::set_damping(double alpha) {
   Elements& e = world_->elements;
@@ -292,10 +307,10 @@ void Simulation::start_shaking() {
   phase_ = Phase::shaking;
   step_ = 0;
   ledger_.restart(*world_);
-  for (Followed& f : followed_) {
-    const auto i = static_cast<std::size_t>(f.element);
-    f.start = {e.ux[i], e.uy[i], e.uz[i]};
-    f.turned = {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k]);
+    start_[k] = {e.ux[i], e.uy[i], e.uz[i]};
+    turned_[k] = {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "cases/case.h"
@@ -25,13 +26,6 @@ enum class Phase : std::uint8_t { settling, shaking };
 struct Due {
   bool sample = false;  // histories and forces: displacements and mid-step velocities
   bool ledger = false;  // an energy row
-};
-
-/// Where a followed element is now, for Recorder::history.
-struct Followed {
-  std::int32_t element = 0;
-  Vec3 start;         // m, displacement at time zero
-  Quaternion turned;  // orientation at time zero
 };
 
 class Simulation {
@@ -70,8 +64,11 @@ class Simulation {
   /// Wall-clock by stage since the simulation was built; others add their own (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }
   [[nodiscard]] const StageTimes& stage_times() const { return times_; }
+  /// The element that moves fastest (or is no number any more), as messages call it: the first to look at when the numbers go wrong.
+  [[nodiscard]] std::string fastest_element() const;
 
  private:
+  friend struct FieldTable;
   void place_supports();
   void move_supports_on();
   void apply_loads();
@@ -102,9 +99,11 @@ class Simulation {
   Damage damage_;
   Ledger ledger_;
   std::vector<CrackRow> cracks_;
-  std::vector<Followed> followed_;
-  std::vector<Vec3> velocity_before_;  // of the followed
-  std::vector<Vec3> load_before_;      // N, N m of each load at the last step (force, moment pairs)
+  std::vector<std::int32_t> followed_;  // elements, for Recorder::history
+  std::vector<Vec3> start_;             // m, their displacements at time zero
+  std::vector<Quaternion> turned_;      // their orientations at time zero
+  std::vector<Vec3> velocity_before_;   // m/s, theirs at the half step before
+  std::vector<Vec3> load_before_;       // N, N m of each load at the last step (force, moment pairs)
   std::vector<HistorySample> samples_;
   ForcesRow forces_;
   double peak_speed_ = 0.0;  // m/s

@@ -133,6 +133,7 @@ struct Contacts {
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
   std::vector<kernels::Candidate> candidate;                      // by slot
+  Array<double> gap;                                              // m, by slot, at the last search (state)
   std::vector<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/checkpoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kKept = 2;
+
+/// The number in "checkpoint-000012.h5"; nothing for other names.
+std::optional<long> number_of(const std::string& name) {
+  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
+  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return std::nullopt;
+  const std::string digits = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
+  if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return std::stol(digits);
+}
+
+std::string name_of(long number) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "checkpoint-%06ld.h5", number);
+  return text.data();
+}
+
+}  // namespace
+
+std::vector<std::string> checkpoint_files(const std::string& folder) {
+  std::vector<std::pair<long, std::string>> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto number = number_of(entry.path().filename().string());
+    if (number) found.emplace_back(*number, entry.path().string());
+  }
+  std::ranges::sort(found, std::greater<>());
+  std::vector<std::string> paths;
+  for (auto& [number, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+Checkpoints::Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSchedule schedule)
+    : folder_(std::move(folder)), facts_(std::move(facts)), schedule_(schedule) {
+  const std::vector<std::string> there = checkpoint_files(folder_);
+  if (!there.empty()) next_ = *number_of(fs::path(there.front()).filename().string()) + 1;
+}
+
+bool Checkpoints::due(const solver::RunStatus& s) const {
+  if (!tried_ || s.last) return true;
+  if (std::chrono::duration<double>(Clock::now() - *tried_).count() >= schedule_.wall_clock) return true;
+  // The clock starts anew with the shaking.
+  return schedule_.simulated && std::abs(s.time - saved_at_) >= *schedule_.simulated * (1.0 - 1e-9);
+}
+
+void Checkpoints::save(solver::Simulation& sim, solver::RunState& plan, const RowCounts& rows) {
+  tried_ = Clock::now();
+  saved_at_ = sim.time();
+  write(folder_ + "/" + name_of(next_), sim, plan, rows);
+  ++next_;
+  // What cannot be removed does no harm.
+  std::error_code ignored;
+  const std::vector<std::string> there = checkpoint_files(folder_);
+  for (std::size_t i = kKept; i < there.size(); ++i) fs::remove(there[i], ignored);
+}
+
+void Checkpoints::save_failed(solver::Simulation& sim, solver::RunState& plan, const RowCounts& rows) {
+  write(folder_ + "/checkpoint-failed.h5", sim, plan, rows);
+}
+
+void Checkpoints::write(const std::string& path, solver::Simulation& sim, solver::RunState& plan, const RowCounts& rows) {
+  facts_.time = sim.time();
+  facts_.rows = rows;
+  write_checkpoint(path, facts_, solver::fields(sim, plan));
+}
+
+}  // namespace voussoir::io

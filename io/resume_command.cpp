@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/resume_command.h"
+
+#include <omp.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "cases/names.h"
+#include "io/case_file.h"
+#include "io/run_command.h"
+#include "io/run_folder.h"
+#include "io/session.h"
+#include "solver/errors.h"
+
+namespace voussoir::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Found {
+  std::string path;
+  Checkpoint checkpoint;
+};
+
+Found newest_good(const std::string& folder) {
+  const std::vector<std::string> paths = checkpoint_files(folder);
+  std::string faults;
+  for (const std::string& path : paths) {
+    try {
+      Found found{path, read_checkpoint(path)};
+      if (!faults.empty()) std::fprintf(stderr, "voussoir: warning: %s; going on from %s\n", faults.c_str(), path.c_str());
+      return found;
+    } catch (const DamagedFile& e) {
+      faults += (faults.empty() ? "" : "; ") + std::string(e.what());
+    }
+  }
+  if (!faults.empty()) throw FileError(folder, "holds no checkpoint that is whole (" + faults + "); the case must be run anew");
+  if (fs::exists(folder + "/checkpoint-failed.h5"))
+    throw FileError(folder, "holds a numerical failure only; run the case anew with what the failure's message said");
+  throw FileError(folder, "holds no checkpoint: nothing to go on from");
+}
+
+/// The first line in which two texts differ, as "'a' there, 'b' here"; empty if none does.
+std::string difference(const std::string& there, const std::string& here) {
+  std::istringstream a(there), b(here);
+  for (std::string p, q;;) {
+    const bool more_a = static_cast<bool>(std::getline(a, p)), more_b = static_cast<bool>(std::getline(b, q));
+    if (!more_a && !more_b) return {};
+    if (p != q || more_a != more_b) return "'" + (more_a ? p : "the end") + "' there, '" + (more_b ? q : "the end") + "' in the checkpoint";
+  }
+}
+
+/// A folder's case.toml says whose results these are. Only the duration may differ: --until changes it.
+void check_same_case(const std::string& folder, const Found& found, const cases::Case& saved) {
+  const std::string path = folder + "/case.toml";
+  if (!fs::exists(path)) return;
+  cases::Case there = load_case(path).value;
+  there.time.duration = saved.time.duration;
+  const std::string what = difference(resolved_toml(there), resolved_toml(saved));
+  if (what.empty()) return;
+  throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
+}
+
+bool is_finished(const std::string& run) {
+  const Hdf5File file = Hdf5File::open(run);
+  return file.attribute_int("/", "parts") == 0 && file.exists("/summary") && file.attribute_int("/summary", "finished") != 0;
+}
+
+void fill_supports(cases::Model& model, const Found& found) {
+  const std::vector<cases::SupportHistory>& saved = found.checkpoint.facts.supports;
+  if (saved.size() != model.support_motions.size()) throw FileError(found.path, "has the motions of other supports than its case");
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    model.support_motions[i].time = saved[i].time;
+    model.support_motions[i].displacement = saved[i].displacement;
+    model.support_motions[i].open_ended = saved[i].open_ended;
+  }
+}
+
+void bring_back(solver::Simulation& sim, solver::RunState& plan, const Found& found) {
+  const CheckpointFacts now = facts_of(sim, "", {}, false);
+  const CheckpointFacts& then = found.checkpoint.facts;
+  try {
+    solver::restore(sim, plan, found.checkpoint.state);
+  } catch (const solver::StateError& e) {
+    throw FileError(found.path, e.what());
+  }
+  if (now.model_hash != then.model_hash) {
+    throw FileError(found.path,
+                    "is of a model that this program, or the mathematical library of this machine, builds differently from the "
+                    "same case (written by " +
+                        then.program + "; this is " + now.program + "): run the case anew");
+  }
+  if (now.program != then.program) {
+    std::fprintf(stderr, "voussoir: warning: the run was begun by another build (%s; this is %s): it goes on, but not to the same bits\n",
+                 then.program.c_str(), now.program.c_str());
+  }
+}
+
+void check_rows(const std::string& run, const RowCounts& there, const RowCounts& saved) {
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    if (there[t] == saved[t]) continue;
+    throw FileError(run, std::string("has ") + std::to_string(there[t]) + " rows of " + table_name(static_cast<RowTable>(t)) +
+                             " up to the checkpoint, which was written after " + std::to_string(saved[t]) +
+                             ": parts of the results are gone");
+  }
+}
+
+/// The new end of the run.
+void set_end(cases::Case& c, const std::optional<double>& until, double time) {
+  if (!until) return;
+  if (*until <= time || *until < c.time.duration) {
+    throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
+                                           cases::text(std::max(time, c.time.duration)) + " s");
+  }
+  c.time.duration = *until;
+}
+
+}  // namespace
+
+int resume_command(const ResumeOptions& o) {
+  const RunFolder folder = RunFolder::open(o.folder);
+  const std::string run = folder.file("run.h5");
+  const Found found = newest_good(folder.path());
+  const CheckpointFacts& facts = found.checkpoint.facts;
+  if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
+  cases::Case c = read_case({found.path, facts.case_toml, folder.path()}).value;
+  check_same_case(folder.path(), found, c);
+  if (!o.until && is_finished(run)) {
+    std::printf("%s is finished, to %s s; --until T goes on\n", folder.path().c_str(), cases::text(c.time.duration).c_str());
+    return kDone;
+  }
+  set_end(c, o.until, facts.time);
+
+  cases::Model model = cases::build_model(c);
+  fill_supports(model, found);
+  solver::Options options;
+  options.reference_kernels = facts.reference_kernels;
+  options.threads = o.threads;
+  options.step = facts.step;
+  solver::Simulation sim(c, model, facts.motion, options);
+  solver::RunState plan;
+  bring_back(sim, plan, found);
+
+  const std::string resolved = resolved_toml(c);
+  folder.write_case(resolved);
+  ResultsOptions keep;
+  keep.keep_until = std::nextafter(facts.time, -INFINITY);
+  ResultsWriter results(folder.path(), model, resolved, history_names(c), provenance(omp_get_max_threads()), keep);
+  check_rows(run, results.rows(), facts.rows);
+  Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, facts.motion, facts.reference_kernels), o.checkpoints);
+  if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", found.path.c_str(), facts.time);
+  return run_session(c, sim, plan, results, checkpoints, folder.path(), o.quiet);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/saved_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <span>
+
+#include "solver/contact_forces.h"
+#include "solver/errors.h"
+#include "solver/hash.h"
+#include "solver/run.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+const SavedField& find(const SavedState& from, std::string_view name) {
+  const auto it = from.find(name);
+  if (it == from.end()) throw StateError("field " + std::string(name) + " is missing");
+  return it->second;
+}
+
+std::span<const std::int32_t> integers(const SavedState& from, std::string_view name) {
+  const SavedField& f = find(from, name);
+  if (f.type != FieldType::i32 || f.bytes.size() != f.count * f.columns * sizeof(std::int32_t))
+    throw StateError("field " + std::string(name) + " is no list of integers");
+  return {reinterpret_cast<const std::int32_t*>(f.bytes.data()), f.bytes.size() / sizeof(std::int32_t)};
+}
+
+/// A side that has retired leaves a patch to its master and, if it stood for both faces, then one to its slave: they are made again, in
+/// the order in which they came to be.
+void grow_patches(World& w, const SavedState& from) {
+  const std::span<const std::int32_t> sides = integers(from, "patch_from_side");
+  const std::size_t at_start = w.patches.patch.size();
+  if (sides.size() < at_start) throw StateError("field patch_from_side has fewer entries than the model has free patches");
+  if (!std::ranges::all_of(sides.first(at_start), [](std::int32_t s) { return s == -1; }))
+    throw StateError("field patch_from_side names a side for a patch that never was joined");
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(w.sides.count()), 0);
+  for (std::size_t p = at_start; p < sides.size();) {
+    const auto side = static_cast<std::size_t>(sides[p]);
+    const bool known = sides[p] >= 0 && sides[p] < w.sides.count() && w.sides.joint[side] >= 0 && seen[side] == 0;
+    if (!known) throw StateError("field patch_from_side names side " + std::to_string(sides[p]) + ", which cannot have retired");
+    seen[side] = 1;
+    p += append_retired(w, sides[p]);
+  }
+}
+
+/// Room for the arrays whose size is itself state.
+void size_search(World& w, const SavedState& from) {
+  Contacts& c = w.contacts;
+  const std::uint64_t poses = find(from, "searched_ux").count;
+  if (poses != 0 && poses != w.elements.ux.size()) throw StateError("field searched_ux has the elements of another model");
+  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.moved}) column->assign(poses, 0.0);
+  c.active.assign(integers(from, "active_patch").size(), 0);
+  c.first_slot.assign(find(from, "active_first_slot").count, 0);
+  const std::size_t slots = integers(from, "slot_candidate").size() / 4;
+  c.candidate.assign(slots, {});
+  c.gap.assign(slots, -1.0);
+  c.wrench.assign(slots, {});
+  c.on.assign(slots, 0);
+  c.gather_stale = true;
+}
+
+template <class T>
+T value_at(const SavedField& f, std::size_t i) {
+  T v{};
+  std::memcpy(&v, f.bytes.data() + i * sizeof(T), sizeof(T));
+  return v;
+}
+
+[[noreturn]] void refuse(const Field& f, std::size_t i, const std::string& value, const std::string& allowed) {
+  throw StateError("field " + std::string(f.name) + " has " + value + " in entry " + std::to_string(i / f.columns) +
+                   "; allowed: " + allowed);
+}
+
+void check_values(const Field& f, const SavedField& saved) {
+  for (std::size_t i = 0; i < f.count * f.columns; ++i) {
+    if (f.type == FieldType::f64) {
+      if (!std::isfinite(value_at<double>(saved, i))) refuse(f, i, "no finite number", "finite numbers");
+      continue;
+    }
+    const std::int64_t v = f.type == FieldType::i64   ? value_at<std::int64_t>(saved, i)
+                           : f.type == FieldType::i32 ? value_at<std::int32_t>(saved, i)
+                                                      : value_at<std::uint8_t>(saved, i);
+    if (v < f.low || v > f.high) refuse(f, i, std::to_string(v), std::to_string(f.low) + " to " + std::to_string(f.high));
+  }
+}
+
+void copy_in(const Field& f, const SavedState& from) {
+  const SavedField& saved = find(from, f.name);
+  if (saved.type != f.type || saved.count != f.count || saved.columns != f.columns || saved.bytes.size() != f.bytes()) {
+    throw StateError("field " + std::string(f.name) + " has " + std::to_string(saved.count) + " entries of " +
+                     std::to_string(saved.columns) + "; this model has " + std::to_string(f.count) + " of " + std::to_string(f.columns));
+  }
+  check_values(f, saved);
+  if (!saved.bytes.empty()) std::memcpy(f.data, saved.bytes.data(), saved.bytes.size());
+}
+
+bool is_face_of(const World& w, std::int32_t face, std::int32_t element) {
+  const auto e = static_cast<std::size_t>(element);
+  return face >= w.elements.first_face[e] && face < w.elements.first_face[e] + w.elements.face_count[e];
+}
+
+/// What one field promises to another.
+void check_contacts(const World& w) {
+  const Contacts& c = w.contacts;
+  const bool filled = !c.first_slot.empty();
+  if (c.first_slot.size() != (filled ? c.active.size() + 1 : 0) || (!filled && !c.active.empty()))
+    throw StateError("field active_first_slot has another number of entries than active_patch asks for");
+  const auto slots = static_cast<std::int64_t>(c.candidate.size());
+  if (!std::ranges::is_sorted(c.first_slot) || (filled ? c.first_slot.front() != 0 || c.first_slot.back() != slots : slots != 0))
+    throw StateError("field active_first_slot does not part the entries of slot_candidate");
+  for (const kernels::Candidate& k : c.candidate) {
+    const bool good = k.element >= 0 && k.element <= w.elements.base &&
+                      k.first_face == w.elements.first_face[static_cast<std::size_t>(k.element)] &&
+                      k.face_count == w.elements.face_count[static_cast<std::size_t>(k.element)] && is_face_of(w, k.separating, k.element);
+    if (!good) throw StateError("field slot_candidate names an element or faces that do not exist");
+  }
+  const Patches& p = w.patches;
+  for (std::size_t i = 0; i < p.partner.size(); ++i) {
+    const bool free = p.partner[i] == kernels::kNobody;
+    if (p.face[i] != kernels::kNoFace && (free || !is_face_of(w, p.face[i], p.partner[i])))
+      throw StateError("field point_face has a face in entry " + std::to_string(i) + " that is none of the partner's");
+  }
+  if (!c.stale && c.at_ux.empty()) throw StateError("field searched_ux is empty though a search is not due");
+}
+
+}  // namespace
+
+SavedState save(Simulation& sim, RunState& plan) {
+  SavedState state;
+  for (const Field& f : fields(sim, plan)) {
+    const auto* bytes = static_cast<const std::byte*>(f.data);
+    state[f.name] = {f.type, f.count, f.columns, {bytes, bytes + f.bytes()}};
+  }
+  return state;
+}
+
+void restore(Simulation& sim, RunState& plan, const SavedState& from) {
+  World& w = sim.world();
+  grow_patches(w, from);
+  size_search(w, from);
+  for (const Field& f : fields(sim, plan)) copy_in(f, from);
+  check_contacts(w);
+  list_live_blocks(w);
+}
+
+std::uint64_t model_hash(const World& w) {
+  Hash hash;
+  const auto add = [&hash](const auto& column) { hash.add(column.data(), column.size() * sizeof(column[0])); };
+  const Elements& e = w.elements;
+  for (const auto* column : {&e.ref_x, &e.ref_y, &e.ref_z, &e.mass, &e.inv_mass, &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.beta,
+                             &e.radius, &e.half_x, &e.half_y, &e.half_z, &w.points.s, &w.points.t, &w.points.area}) {
+    add(*column);
+  }
+  for (const kernels::SideBlock& b : w.sides.blocks) hash.add(&b, offsetof(kernels::SideBlock, on_base));  // behind it is padding
+  for (const kernels::SideParts& p : w.sides.parts) {
+    for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
+  }
+  add(w.sides.joint), add(w.sides.set);
+  add(w.faces.normal), add(w.faces.distance), add(w.faces.compliance_n), add(w.faces.compliance_s), add(w.faces.mass);
+  hash.add(&w.dt, sizeof w.dt);
+  return hash.value();
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "io/checkpoints.h"
+#include "io/compare_command.h"
+#include "tests/io/temp_folder.h"
+
+// What happens to runs in the world: kills, full disks, damaged files, people in a hurry. A quick selection; the long campaign is the
+// script beside this file.
+
+namespace {
+
+using namespace voussoir;
+namespace fs = std::filesystem;
+
+/// The program in a process of its own.
+class Process {
+ public:
+  /// \param file_limit  bytes that a file may have, 0: no limit \param user  to become, 0: oneself
+  Process(const std::vector<std::string>& words, const std::string& log, rlim_t file_limit = 0, uid_t user = 0) : log_(log) {
+    pid_ = ::fork();
+    REQUIRE(pid_ >= 0);
+    if (pid_ > 0) return;
+    (void)!std::freopen(log.c_str(), "w", stdout);
+    ::dup2(1, 2);
+    const rlimit limit{file_limit, file_limit};
+    if (file_limit > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
+    if (user > 0 && ::setuid(user) != 0) ::_exit(99);
+    std::vector<char*> argv{const_cast<char*>(VOUSSOIR_PROGRAM)};
+    for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
+    argv.push_back(nullptr);
+    ::execv(argv[0], argv.data());
+    ::_exit(98);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() {
+    if (pid_ > 0) signal(SIGKILL), wait();
+  }
+
+  void signal(int number) const { ::kill(pid_, number); }
+  /// Exit code; 1000 and the signal that ended it.
+  int wait() {
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  }
+  [[nodiscard]] std::string text() const {
+    std::ostringstream t;
+    t << std::ifstream(log_).rdbuf();
+    return t.str();
+  }
+
+ private:
+  std::string log_;
+  pid_t pid_ = -1;
+};
+
+/// A folder with the case, and what is done in it.
+struct Bench {
+  TempFolder folder;
+  Bench() {
+    for (const char* name : {"wall.toml", "y.csv"})
+      fs::copy_file(VOUSSOIR_SOURCE_DIR "/tests/faults/data/" + std::string(name), path(name));
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder.path(name); }
+  [[nodiscard]] std::vector<std::string> run_words(const std::string& out, std::vector<std::string> more = {}) const {
+    std::vector<std::string> w{"run", path("wall.toml"), "--quiet", "-j", "1", "-o", path(out)};
+    w.insert(w.end(), more.begin(), more.end());
+    return w;
+  }
+  [[nodiscard]] std::vector<std::string> resume_words(const std::string& out, std::vector<std::string> more = {}) const {
+    std::vector<std::string> w{"resume", path(out), "--quiet"};
+    w.insert(w.end(), more.begin(), more.end());
+    return w;
+  }
+  int run(const std::string& out, std::vector<std::string> more = {}) { return finish(run_words(out, std::move(more))); }
+  int resume(const std::string& out, std::vector<std::string> more = {}) { return finish(resume_words(out, std::move(more))); }
+  int finish(const std::vector<std::string>& words) {
+    Process p(words, path("log"));
+    const int code = p.wait();
+    text = p.text();
+    return code;
+  }
+  /// Runs, and stops with a signal once it shakes.
+  void stop_early(const std::string& out, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--checkpoint-simulated", "0.1"});
+    Process p(run_words(out, std::move(more)), path("log"));
+    wait_for(out, 2);
+    p.signal(SIGTERM);
+    CHECK(p.wait() == 143);
+  }
+  /// Until a run has that many checkpoints, or ten seconds.
+  void wait_for(const std::string& out, std::size_t checkpoints) const {
+    for (int i = 0; i < 1000; ++i) {
+      if (fs::is_directory(path(out)) && io::checkpoint_files(path(out)).size() >= checkpoints) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+  [[nodiscard]] bool says(const std::string& part) const {
+    if (text.find(part) != std::string::npos) return true;
+    MESSAGE("missing '" << part << "' in: " << text);
+    return false;
+  }
+  void check_same(const std::string& a, const std::string& b) const {
+    const io::Comparison c = io::compare_files(path(a + "/run.h5"), path(b + "/run.h5"));
+    if (c.first) MESSAGE("first difference: " << c.first->dataset << " " << c.first->what);
+    CHECK(c.datasets > 60);
+    CHECK(c.differing == 0);
+  }
+
+  std::string text;  // of the last process
+};
+
+void truncate(const std::string& path, double share) {
+  fs::resize_file(path, static_cast<std::uintmax_t>(static_cast<double>(fs::file_size(path)) * share));
+}
+
+void flip_bit(const std::string& path, std::uintmax_t at) {
+  std::fstream f(path, std::ios::in | std::ios::out | std::ios::binary);
+  f.seekg(static_cast<std::streamoff>(at));
+  const char c = static_cast<char>(f.get() ^ 16);
+  f.seekp(static_cast<std::streamoff>(at));
+  f.put(c);
+}
+
+}  // namespace
+
+TEST_CASE("kills at random moments: always resumable, and the end is that of a run that was left alone") {
+  Bench bench;
+  REQUIRE(bench.run("straight") == 0);
+  std::mt19937 random(11);
+  int kills = 0;
+  {
+    Process p(bench.run_words("killed", {"--checkpoint-every", "0.02"}), bench.path("log"));
+    bench.wait_for("killed", 1);
+    p.signal(SIGKILL);
+    CHECK(p.wait() == 1000 + SIGKILL);
+    ++kills;
+  }
+  for (int code = -1; code != 0;) {
+    REQUIRE(kills < 60);
+    Process p(bench.resume_words("killed", {"--checkpoint-every", "0.02", "-j", std::to_string(1 + kills % 3)}), bench.path("log"));
+    if (kills < 12) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution(30, 200)(random)));
+      p.signal(SIGKILL);
+    }
+    code = p.wait();
+    if (code != 0 && code != 1000 + SIGKILL) FAIL("exit code " << code << ": " << p.text());
+    kills += code != 0 ? 1 : 0;
+  }
+  CHECK(kills > 3);
+  MESSAGE(kills << " kills");
+  bench.check_same("straight", "killed");
+}
+
+TEST_CASE("SIGTERM, SIGINT and SIGUSR1 save; input files may be gone; threads may change") {
+  Bench bench;
+  REQUIRE(bench.run("straight") == 0);
+  {
+    Process p(bench.run_words("out"), bench.path("log"));
+    bench.wait_for("out", 1);
+    const std::string first = io::checkpoint_files(bench.path("out")).front();
+    p.signal(SIGUSR1);
+    bench.wait_for("out", 2);
+    CHECK(io::checkpoint_files(bench.path("out")).front() != first);
+    p.signal(SIGINT);
+    CHECK(p.wait() == 130);
+  }
+  fs::remove(bench.path("wall.toml"));
+  fs::remove(bench.path("y.csv"));
+  CHECK(bench.resume("out", {"-j", "3"}) == 0);
+  bench.check_same("straight", "out");
+  CHECK(bench.resume("out") == 0);
+  CHECK(bench.says("is finished"));
+}
+
+TEST_CASE("--until goes on to where a longer run would have come") {
+  Bench bench;
+  REQUIRE(bench.run("long", {"--duration", "0.45"}) == 0);
+  REQUIRE(bench.run("short", {"--duration", "0.2037"}) == 0);
+  CHECK(bench.resume("short", {"--until", "0.1"}) == 2);
+  CHECK(bench.says("--until"));
+  CHECK(bench.resume("short", {"--until", "0.45"}) == 0);
+  bench.check_same("long", "short");
+}
+
+TEST_CASE("a damaged checkpoint gives way to the older one with a warning; two damaged ones to a clear error") {
+  Bench bench;
+  REQUIRE(bench.run("straight") == 0);
+  bench.stop_early("out");
+  const std::vector<std::string> files = io::checkpoint_files(bench.path("out"));
+  REQUIRE(files.size() == 2);
+  SUBCASE("cut off") { truncate(files[0], 0.7); }
+  SUBCASE("cut off in its header") { truncate(files[0], 0.0005); }
+  SUBCASE("empty") { truncate(files[0], 0.0); }
+  SUBCASE("a bit of the header") { flip_bit(files[0], 30); }
+  SUBCASE("a bit of the data") { flip_bit(files[0], fs::file_size(files[0]) / 2); }
+  SUBCASE("a foreign HDF5 file") { fs::copy_file(bench.path("straight/run.h5"), files[0], fs::copy_options::overwrite_existing); }
+  SUBCASE("a text") { std::ofstream(files[0]) << "voussoir checkpoint of my own\n"; }
+  CHECK(bench.resume("out") == 0);
+  CHECK(bench.says("warning"));
+  bench.check_same("straight", "out");
+}
+
+TEST_CASE("nothing good to go on from is an error that says why") {
+  Bench bench;
+  bench.stop_early("out");
+  const std::vector<std::string> files = io::checkpoint_files(bench.path("out"));
+  SUBCASE("both damaged") {
+    for (const std::string& f : files) truncate(f, 0.5);
+    CHECK(bench.resume("out") == 3);
+    CHECK(bench.says("no checkpoint that is whole"));
+  }
+  SUBCASE("none") {
+    for (const std::string& f : files) fs::remove(f);
+    CHECK(bench.resume("out") == 3);
+    CHECK(bench.says("no checkpoint"));
+  }
+  SUBCASE("of another case") {
+    bench.stop_early("other", {"--set", "materials.adobe.density=1850"});
+    fs::copy_file(io::checkpoint_files(bench.path("other"))[0], files[0], fs::copy_options::overwrite_existing);
+    CHECK(bench.resume("out") == 3);
+    CHECK(bench.says("density = 1850"));
+  }
+  SUBCASE("the case beside it was edited") {
+    std::ofstream(bench.path("out/case.toml"), std::ios::app) << "\n[motion]\n";
+    CHECK(bench.resume("out") == 2);
+  }
+  SUBCASE("parts of the results are gone") {
+    fs::remove(bench.path("out/parts/0000.h5"));
+    CHECK(bench.resume("out") == 3);
+    CHECK(bench.says("rows of"));
+  }
+  SUBCASE("the results are gone") {
+    fs::remove(bench.path("out/run.h5"));
+    CHECK(bench.resume("out") == 3);
+    CHECK(bench.says("is missing"));
+  }
+  SUBCASE("no folder") { CHECK(bench.resume("nowhere") == 3); }
+}
+
+TEST_CASE("a second process on the same folder is refused") {
+  Bench bench;
+  Process p(bench.run_words("out", {"--duration", "1000"}), bench.path("log1"));
+  bench.wait_for("out", 1);
+  CHECK(bench.resume("out") == 3);
+  CHECK(bench.says("in use by process"));
+  CHECK(bench.run("out", {"--overwrite"}) == 3);
+  p.signal(SIGTERM);
+  CHECK(p.wait() == 143);
+}
+
+TEST_CASE("a limit on the size of files, as on a full disk: a clear error, and nothing lost once there is room") {
+  Bench bench;
+  REQUIRE(bench.run("straight") == 0);
+  const auto size = fs::file_size(io::checkpoint_files(bench.path("straight"))[0]);
+  SUBCASE("results do not fit") {
+    // Checkpoints fit; the part with all frames does not, nor the merged results.
+    bench.stop_early("out");
+    Process p(bench.resume_words("out", {"--checkpoint-every", "1000"}), bench.path("log"), size + 4096);
+    const int code = p.wait();
+    CHECK((code == 0 || code == 3));
+    if (code == 3) CHECK(p.text().find("File too large") != std::string::npos);
+  }
+  SUBCASE("checkpoints do not fit") {
+    Process p(bench.run_words("out"), bench.path("log"), size / 2);
+    CHECK(p.wait() == 3);
+    CHECK(p.text().find("File too large") != std::string::npos);
+    REQUIRE(bench.run("out", {"--overwrite"}) == 0);
+  }
+  CHECK(bench.resume("out") == 0);
+  bench.check_same("straight", "out");
+}
+
+TEST_CASE("a folder that vanishes or may not be written to ends the run with exit code 3") {
+  Bench bench;
+  SUBCASE("vanishes") {
+    Process p(bench.run_words("out", {"--duration", "1000", "--checkpoint-every", "0.05"}), bench.path("log"));
+    bench.wait_for("out", 1);
+    std::error_code busy;
+    while (fs::exists(bench.path("out"))) fs::remove_all(bench.path("out"), busy);
+    CHECK(p.wait() == 3);
+    CHECK(p.text().find("No such file") != std::string::npos);
+  }
+  SUBCASE("read-only") {
+    ::chmod(bench.path("").c_str(), 0777);
+    fs::create_directory(bench.path("out"));
+    ::chmod(bench.path("out").c_str(), 0777);
+    const uid_t somebody = ::geteuid() == 0 ? 65534 : 0;  // the superuser may write anywhere
+    std::ofstream(bench.path("log")).close();
+    ::chmod(bench.path("log").c_str(), 0666);
+    Process p(bench.run_words("out", {"--duration", "1000", "--checkpoint-every", "0.05"}), bench.path("log"), 0, somebody);
+    bench.wait_for("out", 1);
+    ::chmod(bench.path("out").c_str(), 0555);
+    ::chmod(bench.path("out/parts").c_str(), 0555);
+    CHECK(p.wait() == 3);
+    CHECK(p.text().find("Permission denied") != std::string::npos);
+    ::chmod(bench.path("out").c_str(), 0755);
+    ::chmod(bench.path("out/parts").c_str(), 0755);
+  }
+}
+
+TEST_CASE("a numerical blow-up says which element, when and what to try, and saves its state") {
+  Bench bench;
+  CHECK(bench.run("out", {"--dt", "0.002"}) == 1);
+  CHECK(bench.says("numerical failure"));
+  CHECK(bench.says("element "));
+  CHECK(bench.says("t = "));
+  CHECK(bench.says("try --dt 0.001"));
+  CHECK(fs::exists(bench.path("out/checkpoint-failed.h5")));
+  CHECK_NOTHROW(io::read_checkpoint(bench.path("out/checkpoint-failed.h5")));
+}
+
+TEST_CASE("run --verify finds equal bits, and writes no results") {
+  Bench bench;
+  CHECK(bench.run("out", {"--verify", "--set", "block[0].fixed=true", "--scale", "0"}) == 0);
+  CHECK(bench.says("the same bits"));
+  CHECK_FALSE(fs::exists(bench.path("out")));
+}
