@@ -108,6 +108,9 @@ Model build_model(const Case& c) {
   Model model;
   name_materials_and_laws(c, model);
   if (!c.house && c.blocks.empty()) throw InputError("", "describes nothing to simulate; give [house], [[block]], or both");
+  if (c.house) {
+    if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
+  }
   const JointRules rules(c, model);
   check_loads(c);
   if (c.house) add_house(c, model);
@@ -133,6 +136,26 @@ std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
     nearest = static_cast<std::int32_t>(i);
   }
   return nearest;
+}
+
+const char* name(PartKind kind) noexcept {
+  switch (kind) {
+    case PartKind::brick:
+      return "brick";
+    case PartKind::lintel:
+      return "lintel";
+    case PartKind::beam:
+      return "roof beam";
+    case PartKind::voussoir:
+      return "voussoir";
+    case PartKind::column:
+      return "column";
+    case PartKind::ring_beam:
+      return "ring beam";
+    case PartKind::block:
+      break;
+  }
+  return "block";
 }
 
 std::string describe(const Block& block, std::size_t element) {
