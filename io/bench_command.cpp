@@ -15,6 +15,7 @@
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
+#include "io/restored_run.h"
 #include "io/run_command.h"
 #include "io/support_motion.h"
 #include "solver/field_table.h"
@@ -24,14 +25,6 @@
 namespace voussoir::io {
 
 namespace {
-
-/// What is measured on: one case, built once.
-struct Subject {
-  const LoadedCase& c;
-  cases::Model model;
-  cases::GroundMotion motion;
-  cases::Census census;
-};
 
 /// One line of the table.
 struct Row {
@@ -133,12 +126,12 @@ void print_columns(const std::string& csv) {
   std::printf("\n");
 }
 
-void print_subject(const Subject& s, const solver::World& w) {
+void print_subject(const cases::Census& census, const solver::World& w) {
   const Sides n = sides_now(w);
-  std::printf("elements                 %s\n", format_count(s.census.elements).c_str());
-  std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(s.census.joints + s.census.base_joints).c_str(),
+  std::printf("elements                 %s\n", format_count(census.elements).c_str());
+  std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(census.joints + census.base_joints).c_str(),
               w.sides.task_first.size() - 1, w.sides.colour_first.size() - 1);
-  std::printf("segment sides            %s\n", format_count(s.census.joint_sides).c_str());
+  std::printf("segment sides            %s\n", format_count(census.joint_sides).c_str());
   std::printf("joints now               %s whole, %s open, %s damaged with %s segments; %s patches near others\n", format_count(n.whole).c_str(),
               format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.points).c_str(), format_count(n.contacts).c_str());
 }
@@ -151,23 +144,19 @@ std::ofstream open_table(const BenchOptions& o) {
   return file;
 }
 
-}  // namespace
-
-int bench_command(const LoadedCase& c, const BenchOptions& o) {
+/// The tables of one subject: `build(gather)` makes its simulation anew.
+template <class Build>
+void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   std::ofstream table = open_table(o);
-  Subject s{c, cases::build_model(c.value), {}, {}};
-  load_support_motions(s.model, c.value.folder);
-  if (c.value.motion) s.motion = load_motion(*c.value.motion, c.value.folder);
-  s.census = cases::census(s.model);
+  const cases::Census census = cases::census(model);
   const int most = o.threads > 0 ? o.threads : omp_get_num_procs();
   for (const bool gather : {false, true}) {
-    solver::Options options;
-    options.gather = gather;
     omp_set_num_threads(most);
-    solver::Simulation sim(c.value, s.model, s.motion, options);
+    auto holder = build(gather);
+    solver::Simulation& sim = *holder->sim;
     advance_to(sim, o.after);
     if (!gather) {
-      print_subject(s, sim.world());
+      print_subject(census, sim.world());
       std::printf("machine at best          %.1f Gflop/s on one thread; %.1f GB/s on %d\n\n", 1e-9 * solver::peak_flops(1),
                   1e-9 * solver::peak_bandwidth(most), most);
       print_columns(header());
@@ -177,10 +166,41 @@ int bench_command(const LoadedCase& c, const BenchOptions& o) {
     for (const int threads : thread_counts(most)) {
       const Row row = measure(sim, threads, gather, o);
       if (threads == 1) one = row.step;
-      print_columns(line(row, one, s.census));
-      if (table) table << line(row, one, s.census) << '\n';
+      print_columns(line(row, one, census));
+      if (table) table << line(row, one, census) << '\n';
     }
   }
+}
+
+struct Holder {
+  std::unique_ptr<solver::Simulation> sim;
+};
+
+}  // namespace
+
+int bench_command(const LoadedCase& c, const BenchOptions& o) {
+  cases::Model model = cases::build_model(c.value);
+  load_support_motions(model, c.value.folder);
+  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const auto build = [&](bool gather) {
+    solver::Options options;
+    options.gather = gather;
+    return std::make_unique<Holder>(Holder{std::make_unique<solver::Simulation>(c.value, model, motion, options)});
+  };
+  bench(build, model, o);
+  return kDone;
+}
+
+int bench_checkpoint(const std::string& path, const BenchOptions& o) {
+  const auto build = [&](bool gather) {
+    Checkpoint checkpoint = read_checkpoint(path);
+    cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
+    solver::Options options;
+    options.gather = gather;
+    return restore_run(path, std::move(checkpoint), std::move(value), options);
+  };
+  const cases::Model model = cases::build_model(read_case({path, read_checkpoint(path).facts.case_toml, "."}).value);
+  bench(build, model, o);
   return kDone;
 }
 

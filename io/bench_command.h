@@ -22,4 +22,7 @@ struct BenchOptions {
 /// \throw cases::InputError, FileError before anything runs
 int bench_command(const LoadedCase& c, const BenchOptions& o);
 
+/// The same at the state of a checkpoint; `after` is not used. \throw FileError
+int bench_checkpoint(const std::string& path, const BenchOptions& o);
+
 }  // namespace voussoir::io

@@ -115,7 +115,7 @@ void add_bench(CLI::App& app, Words& w) {
   bench->add_option("--steps", w.bench.steps, "steps in a batch (default: about 0.1 s of them)")->check(CLI::Range(1, 1000000));
   bench->add_option("--csv", w.bench.csv, "also write the table to this file");
   bench->add_flag("--overwrite", w.bench.overwrite, "replace that file");
-  bench->footer("example: voussoir bench flat20n -j 2 --after 3.5");
+  bench->footer("CASE may also be a checkpoint (.h5) of a run: measured as it stands there\nexample: voussoir bench flat20n -j 2 --after 3.5");
 }
 
 void add_resume(CLI::App& app, Words& w) {
@@ -190,6 +190,7 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
   if (app.got_subcommand("bench")) {
     w.bench.threads = w.run.threads;
+    if (w.name.ends_with(".h5")) return io::bench_checkpoint(w.name, w.bench);
     return with_case(w, [&](const auto& c) { return io::bench_command(c, w.bench); });
   }
   w.run.reference_kernels = w.kernels == "reference";

@@ -11,10 +11,10 @@
 
 #include "cases/names.h"
 #include "io/case_file.h"
+#include "io/restored_run.h"
 #include "io/run_command.h"
 #include "io/run_folder.h"
 #include "io/session.h"
-#include "solver/errors.h"
 
 namespace voussoir::io {
 
@@ -71,36 +71,6 @@ bool is_finished(const std::string& run) {
   return file.attribute_int("/", "parts") == 0 && file.exists("/summary") && file.attribute_int("/summary", "finished") != 0;
 }
 
-void fill_supports(cases::Model& model, const Found& found) {
-  const std::vector<cases::SupportHistory>& saved = found.checkpoint.facts.supports;
-  if (saved.size() != model.support_motions.size()) throw FileError(found.path, "has the motions of other supports than its case");
-  for (std::size_t i = 0; i < saved.size(); ++i) {
-    model.support_motions[i].time = saved[i].time;
-    model.support_motions[i].displacement = saved[i].displacement;
-    model.support_motions[i].open_ended = saved[i].open_ended;
-  }
-}
-
-void bring_back(solver::Simulation& sim, solver::RunState& plan, const Found& found) {
-  const CheckpointFacts now = facts_of(sim, "", {}, false);
-  const CheckpointFacts& then = found.checkpoint.facts;
-  try {
-    solver::restore(sim, plan, found.checkpoint.state);
-  } catch (const solver::StateError& e) {
-    throw FileError(found.path, e.what());
-  }
-  if (now.model_hash != then.model_hash) {
-    throw FileError(found.path,
-                    "is of a model that this program, or the mathematical library of this machine, builds differently from the "
-                    "same case (written by " +
-                        then.program + "; this is " + now.program + "): run the case anew");
-  }
-  if (now.program != then.program) {
-    std::fprintf(stderr, "voussoir: warning: the run was begun by another build (%s; this is %s): it goes on, but not to the same bits\n",
-                 then.program.c_str(), now.program.c_str());
-  }
-}
-
 void check_rows(const std::string& run, const RowCounts& there, const RowCounts& saved) {
   for (std::size_t t = 0; t < kRowTables; ++t) {
     if (there[t] == saved[t]) continue;
@@ -125,36 +95,29 @@ void set_end(cases::Case& c, const std::optional<double>& until, double time) {
 int resume_command(const ResumeOptions& o) {
   const RunFolder folder = RunFolder::open(o.folder);
   const std::string run = folder.file("run.h5");
-  const Found found = newest_good(folder.path());
-  const CheckpointFacts& facts = found.checkpoint.facts;
+  Found found = newest_good(folder.path());
   if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
-  cases::Case c = read_case({found.path, facts.case_toml, folder.path()}).value;
+  cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
   check_same_case(folder.path(), found, c);
   if (!o.until && is_finished(run)) {
     std::printf("%s is finished, to %s s; --until T goes on\n", folder.path().c_str(), cases::text(c.time.duration).c_str());
     return kDone;
   }
-  set_end(c, o.until, facts.time);
+  set_end(c, o.until, found.checkpoint.facts.time);
 
-  cases::Model model = cases::build_model(c);
-  fill_supports(model, found);
   solver::Options options;
-  options.reference_kernels = facts.reference_kernels;
   options.threads = o.threads;
-  options.step = facts.step;
-  solver::Simulation sim(c, model, facts.motion, options);
-  solver::RunState plan;
-  bring_back(sim, plan, found);
+  const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
 
-  const std::string resolved = resolved_toml(c);
+  const std::string resolved = resolved_toml(r->value);
   folder.write_case(resolved);
   ResultsOptions keep;
-  keep.keep_until = std::nextafter(facts.time, -INFINITY);
-  ResultsWriter results(folder.path(), model, resolved, history_names(c), provenance(omp_get_max_threads()), keep);
-  check_rows(run, results.rows(), facts.rows);
-  Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, facts.motion, facts.reference_kernels), o.checkpoints);
-  if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", found.path.c_str(), facts.time);
-  return run_session(c, sim, plan, results, checkpoints, folder.path(), o.quiet);
+  keep.keep_until = std::nextafter(r->facts.time, -INFINITY);
+  ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(omp_get_max_threads()), keep);
+  check_rows(run, results.rows(), r->facts.rows);
+  Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints);
+  if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
+  return run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
 }
 
 }  // namespace voussoir::io
