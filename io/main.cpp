@@ -29,7 +29,7 @@ struct Words {
   std::string name;                 // CASE
   std::vector<std::string> set;     // --set key=value
   std::vector<std::string> motion;  // --motion axis=file
-  std::string direction, record, scale, duration, dt, frames, kernels, scatter;
+  std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour";
   std::vector<std::string> files;  // of `motion`
   std::string first, second;       // of `compare`
   bool verify = false;

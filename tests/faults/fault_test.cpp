@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -31,8 +32,10 @@ class Process {
     pid_ = ::fork();
     REQUIRE(pid_ >= 0);
     if (pid_ > 0) return;
-    (void)!std::freopen(log.c_str(), "w", stdout);
-    ::dup2(1, 2);
+    // Not by stdio, which would write what the tests have said so far a second time.
+    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    ::dup2(file, 1);
+    ::dup2(file, 2);
     const rlimit limit{file_limit, file_limit};
     if (file_limit > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
     if (user > 0 && ::setuid(user) != 0) ::_exit(99);

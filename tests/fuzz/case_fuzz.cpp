@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "io/case_file.h"
+
+// The case file: any text is a case or a fault with a message. A case that is taken writes itself as a text that reads as the same case.
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace voussoir;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  try {
+    const io::LoadedCase c = io::read_case({"fuzz.toml", text});
+    const std::string resolved = io::resolved_toml(c.value);
+    if (io::resolved_toml(io::read_case({"resolved.toml", resolved}).value) != resolved) std::abort();
+  } catch (const cases::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "cases/model.h"
+#include "io/errors.h"
+#include "io/read_motion.h"
+#include "io/support_motion.h"
+#include "tests/fuzz/memory_file.h"
+
+// The formats of motion. The first byte chooses the reader. What is taken has a step and finite samples, and no more of them than bytes.
+
+namespace {
+
+using namespace voussoir;
+
+void check(const cases::Accelerogram& a, std::size_t bytes) {
+  if (!(a.dt > 0.0) || a.acceleration.size() > bytes) std::abort();
+  for (const double v : a.acceleration) {
+    if (!std::isfinite(v)) std::abort();
+  }
+}
+
+void check(const cases::SupportHistory& h, std::size_t bytes) {
+  if (h.time.size() != h.displacement.size() || h.time.size() > bytes) std::abort();
+  for (std::size_t i = 1; i < h.time.size(); ++i) {
+    if (!(h.time[i] > h.time[i - 1])) std::abort();
+  }
+}
+
+void read(char format, const std::string& path, std::size_t bytes) {
+  if (format % 4 == 0) return check(io::read_at2(path), bytes);
+  if (format % 4 == 1) return check(io::read_motion_csv(path, "g"), bytes);
+  if (format % 4 == 2) return check(io::read_motion_csv(path, std::nullopt), bytes);
+  cases::Model model;
+  model.support_motions.push_back({{}, {}, false, path, ""});
+  io::load_support_motions(model, "");
+  check(model.support_motions[0], bytes);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static fuzz::MemoryFile file;
+  if (size == 0) return 0;
+  file.fill(data + 1, size - 1);
+  try {
+    read(static_cast<char>(data[0]), file.path(), size);
+  } catch (const io::FileError&) {
+  }
+  return 0;
+}
