@@ -154,18 +154,21 @@ struct Opening {
 struct HouseWood {
   std::string material = "wood", within_member = "wood", between_members = "normal";
 };
-enum class RoofKind { none, flat, vault };
+/// gables: the non-bearing walls go on as under a vault, but there is none.
+enum class RoofKind { none, flat, vault, gables };
 struct Roof {
   RoofKind kind = RoofKind::none;
   std::array<double, 2> beam{0.2, 0.2};  // width along x, height, m (flat)
   double element = 0.2;                // m (flat)
   std::string between_beams = "normal";
-  double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault)
-  int voussoirs = 25;
+  double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault; radius also gables)
+  int voussoirs = 25;                  // of a ring (vault, gables)
+  double surcharge = 0.0;              // kg per m2 of the roof's upper surface (flat, vault)
 };
 struct Reinforcement {
   std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
   std::vector<double> bearing, nonbearing;                      // column axes, m
+  double element = 0.2;                // length of an element of a member, m
 };
 enum class Bond { english, running };
 struct House {
@@ -180,6 +183,7 @@ struct House {
   std::array<int, 2> copies{1, 1};
   std::array<double, 2> spacing{8.0, 6.0};  // m
   double bearing_wall = 0.2, nonbearing_wall = 0.2;  // m
+  std::vector<std::string> walls{"front", "right", "rear", "left"};  // those that are built
   Roof roof;
   std::vector<Opening> openings;       // key: opening
   std::optional<Reinforcement> reinforcement;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cases/house_parts.h"
+#include "cases/house_vault.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -33,7 +34,35 @@ std::vector<Block> placed_copies(const House& house, const HousePlan& plan, cons
   return all;
 }
 
+const std::string& bare_roof_material(const House& house) {
+  return house.roof.kind == RoofKind::flat ? house.wood.material : house.material;
+}
+
+std::string surcharged_name(const House& house) {
+  return bare_roof_material(house) + " with roof surcharge " + text(house.roof.surcharge) + " kg/m2";
+}
+
+/// The material of beams or voussoirs.
+std::int32_t roof_material(const House& house, std::span<const NamedMaterial> materials, const HouseParts& parts) {
+  if (house.roof.surcharge > 0.0) return find_material(materials, surcharged_name(house), "house.roof.surcharge");
+  return house.roof.kind == RoofKind::flat ? parts.timber : parts.masonry;
+}
+
 }  // namespace
+
+std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const NamedMaterial> materials) {
+  const Roof& roof = house.roof;
+  if (roof.surcharge == 0.0) return std::nullopt;
+  if (!(roof.surcharge > 0.0 && roof.surcharge < 1e5))
+    throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2 is out of range; allowed: 0 to 100000");
+  if (roof.kind != RoofKind::flat && roof.kind != RoofKind::vault)
+    throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2, but there is no roof to carry it; allowed: 0");
+  const char* key = roof.kind == RoofKind::flat ? "house.wood.material" : "house.material";
+  const std::int32_t bare = find_material(materials, bare_roof_material(house), key);
+  NamedMaterial loaded{surcharged_name(house), materials[static_cast<std::size_t>(bare)].value, bare};
+  loaded.value.density += surcharge_density(house);
+  return loaded;
+}
 
 HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept {
   const auto from_far_side = [&](Tick outer) { return Interval{outer - depth.high, outer - depth.low}; };
@@ -69,12 +98,20 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
   HouseParts parts;
   parts.masonry = find_material(materials, house.material, "house.material");
   if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
+  parts.roof = roof_material(house, materials, parts);
   build_walls(house, plan, parts);
+  if (house.reinforcement) build_reinforcement(house, plan, parts);
   switch (house.roof.kind) {
     case RoofKind::flat:
       build_flat_roof(house, plan, parts);
       break;
-    case RoofKind::vault:  // refused by plan_house
+    case RoofKind::vault:
+      build_gables(house, plan, parts);
+      build_vault(house, plan, parts);
+      break;
+    case RoofKind::gables:
+      build_gables(house, plan, parts);
+      break;
     case RoofKind::none:
       break;
   }

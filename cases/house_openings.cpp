@@ -21,7 +21,9 @@ std::string wall_name(const WallPlan& wall) { return std::string(name(wall.side)
 
 WallPlan& wall_of(const Opening& opening, std::size_t index, HousePlan& plan) {
   for (WallPlan& wall : plan.walls) {
-    if (opening.wall == name(wall.side)) return wall;
+    if (opening.wall != name(wall.side)) continue;
+    if (!wall.built) throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
+    return wall;
   }
   throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is no wall; allowed: front, rear, left, right");
 }

@@ -14,7 +14,7 @@ namespace voussoir::cases {
 /// One house in its own axes (outer corner at the origin, base at z = 0), as far as it is built.
 struct HouseParts {
   std::vector<Block> blocks;
-  std::int32_t masonry = 0, timber = 0;  // materials
+  std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
   std::int32_t members = 0;              // timber members so far
 };
 
@@ -38,5 +38,17 @@ void build_walls(const House& house, const HousePlan& plan, HouseParts& parts);
 /// Adds beams side by side along x over the whole house, each across it, resting on the inner brick length of the bearing walls.
 /// \throw InputError with the key at fault.
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Adds the rings of a barrel vault along x over the whole house.
+/// \throw InputError with the key at fault.
+void build_vault(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Takes the non-bearing walls on to the underside of the vault, their bricks cut by it: prisms along x of three corners or more.
+/// \throw InputError with the key at fault.
+void build_gables(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Adds columns and ring beams at the inner faces of the walls.
+/// \throw InputError with the key at fault.
+void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& parts);
 
 }  // namespace voussoir::cases

@@ -15,16 +15,6 @@ constexpr double kTicksPerMetre = 1e9;
 constexpr double kLongest = 1e4;       // m; far beyond any house, far below what overflows a Tick
 constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill the machine's memory
 
-void refuse_what_is_not_built(const House& house) {
-  if (house.roof.kind == RoofKind::vault) {
-    throw InputError("house.roof.kind", "house.roof.kind = \"vault\" is not built by this version; allowed: flat, none");
-  }
-  if (house.reinforcement) {
-    throw InputError("house.reinforcement",
-                     "reinforcement (columns and ring beam) is not built by this version; leave [house.reinforcement] out");
-  }
-}
-
 void plan_bricks(const House& house, HousePlan& plan) {
   plan.bond = house.bond;
   plan.brick_length = positive_length(house.brick[0], "house.brick");
@@ -62,6 +52,24 @@ void plan_walls(const House& house, HousePlan& plan) {
     wall.length = plan.outer[is_bearing ? 0 : 1];
     wall.thickness = is_bearing ? bearing : nonbearing;
     wall.corner = is_bearing ? nonbearing : bearing;
+  }
+}
+
+/// Which walls are built, and where they meet.
+void choose_walls(const House& house, HousePlan& plan) {
+  for (WallPlan& wall : plan.walls) wall.built = false;
+  for (std::size_t i = 0; i < house.walls.size(); ++i) {
+    const auto named = [&](const WallPlan& wall) { return house.walls[i] == name(wall.side); };
+    const auto wall = std::find_if(plan.walls.begin(), plan.walls.end(), named);
+    const std::string key = indexed_key("house.walls", i, "");
+    if (wall == plan.walls.end()) throw InputError(key, quoted(house.walls[i]) + " is no wall; allowed: front, right, rear, left");
+    if (wall->built) throw InputError(key, quoted(house.walls[i]) + " is given twice");
+    wall->built = true;
+  }
+  if (house.walls.empty()) throw InputError("house.walls", "names no wall; allowed: front, right, rear, left");
+  for (WallPlan& wall : plan.walls) {
+    wall.meets = wall.bearing ? std::array{plan.wall(Side::left).built, plan.wall(Side::right).built}
+                              : std::array{plan.wall(Side::front).built, plan.wall(Side::rear).built};
   }
 }
 
@@ -141,11 +149,12 @@ Tick element_length(double value, Tick member, const std::string& key) {
 }
 
 std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course) {
+  std::vector<Interval> spans;
+  if (!wall.built) return spans;
   const bool through = wall.bearing == (course % 2 == 0);
   const Interval height{course * plan.brick_height, (course + 1) * plan.brick_height};
-  Tick from = through ? 0 : wall.corner;
-  const Tick end = wall.length - from;
-  std::vector<Interval> spans;
+  Tick from = through || !wall.meets[0] ? 0 : wall.corner;
+  const Tick end = wall.length - (through || !wall.meets[1] ? 0 : wall.corner);
   for (const Hole& hole : wall.holes) {  // ascending along the wall
     if (!hole.height.overlaps(height)) continue;
     if (hole.along.low > from) spans.push_back({from, hole.along.low});
@@ -170,10 +179,10 @@ std::vector<Interval> cut_member(Interval member, Tick element) {
 }
 
 HousePlan plan_house(const House& house) {
-  refuse_what_is_not_built(house);
   HousePlan plan;
   plan_bricks(house, plan);
   plan_walls(house, plan);
+  choose_walls(house, plan);
   plan_copies(house, plan);
   plan_openings(house, plan);
   return plan;

@@ -45,6 +45,8 @@ struct WallPlan {
   Tick length = 0;  // outer
   Tick thickness = 0;
   Tick corner = 0;  // thickness of the walls it meets
+  bool built = true;
+  std::array<bool, 2> meets{true, true};  // a wall at its low and its high end
   std::vector<Hole> holes;
 };
 
@@ -57,6 +59,7 @@ struct HousePlan {
   std::array<WallPlan, 4> walls;  // by Side
   int quarter_turns = 0;          // 0 to 3
 
+  [[nodiscard]] const WallPlan& wall(Side side) const noexcept { return walls[static_cast<std::size_t>(side)]; }
   /// No piece of a wall is shorter than half a brick.
   [[nodiscard]] Tick shortest_piece() const noexcept { return brick_length / 2; }
 };
@@ -66,7 +69,7 @@ struct HousePlan {
 HousePlan plan_house(const House& house);
 
 /// The parts of a wall that a course fills with bricks, ascending. In even courses the bearing walls run through the corners, in odd
-/// courses the others.
+/// courses the others; where a wall meets none, it runs to its end in all courses. Nothing of a wall that is not built.
 std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course);
 
 /// A positive length of the case as ticks. \throw InputError at `key` if it is not above zero, or beyond 10 km.

@@ -9,15 +9,17 @@
 namespace voussoir::cases {
 
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
+  if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
+    throw InputError("house.roof.kind", "a flat roof rests on the front and the rear wall; house.walls leaves one of them out");
   const Tick width = element_length(house.roof.beam[0], plan.outer[0], "house.roof.beam");
   const Tick height = positive_length(house.roof.beam[1], "house.roof.beam");
-  const Tick bearing = plan.walls[static_cast<std::size_t>(Side::front)].thickness;
+  const Tick bearing = plan.wall(Side::front).thickness;
   const Tick seat = std::min(bearing, plan.brick_length);
   const Interval across{bearing - seat, plan.outer[1] - (bearing - seat)};
   const Tick element = element_length(house.roof.element, across.length(), "house.roof.element");
   Block prototype;
   prototype.kind = PartKind::beam;
-  prototype.material = parts.timber;
+  prototype.material = parts.roof;
   // Size of a whole unit, also where the last beam or element is cut.
   prototype.segment_size = segment_size_of(std::min(width, plan.outer[0]), height, std::min(element, across.length()));
   int number = 0;

@@ -8,6 +8,7 @@
 namespace voussoir::cases {
 
 JointRules::JointRules(const Case& c, const Model& model) {
+  for (const NamedMaterial& m : model.materials) made_from_.push_back(m.made_from);
   if (c.house) {
     masonry_ = find_law(model.laws, c.house->joint, "house.joint");
     // The keys of what a house does not have may name laws that the case does not have.
@@ -30,18 +31,24 @@ JointRules::JointRules(const Case& c, const Model& model) {
   default_ = find_law(model.laws, c.joints.default_law, "joints.default");
 }
 
+std::int32_t JointRules::rule_material(const Block& block) const noexcept {
+  const std::int32_t made_from = made_from_[static_cast<std::size_t>(block.material)];
+  return made_from < 0 ? block.material : made_from;
+}
+
 std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noexcept {
-  const bool timber = a.member >= 0 && b.member >= 0;
-  if (!timber) return masonry_;
+  if (a.member < 0 && b.member < 0) return masonry_;
+  if (a.member < 0 || b.member < 0) return between_members_;
   if (a.member == b.member) return within_member_;
   if (a.kind == PartKind::beam && b.kind == PartKind::beam) return between_beams_;
   return between_members_;
 }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
-  if (a.house >= 0 && b == nullptr) return masonry_;
+  // Columns stand fixed to the ground (paper 3.3).
+  if (a.house >= 0 && b == nullptr) return a.kind == PartKind::column ? within_member_ : masonry_;
   if (a.house >= 0 && b != nullptr && a.house == b->house) return law_in_house(a, *b);
-  const std::array<std::int32_t, 2> pair{a.material, b == nullptr ? geometry::kBase : b->material};
+  const std::array<std::int32_t, 2> pair{rule_material(a), b == nullptr ? geometry::kBase : rule_material(*b)};
   for (const Rule& rule : between_) {
     if (rule.materials == pair || rule.materials == std::array{pair[1], pair[0]}) return rule.law;
   }

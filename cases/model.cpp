@@ -108,6 +108,9 @@ Model build_model(const Case& c) {
   Model model;
   name_materials_and_laws(c, model);
   if (!c.house && c.blocks.empty()) throw InputError("", "describes nothing to simulate; give [house], [[block]], or both");
+  if (c.house) {
+    if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
+  }
   const JointRules rules(c, model);
   check_loads(c);
   if (c.house) add_house(c, model);

@@ -44,6 +44,7 @@ struct SupportHistory {
 struct NamedMaterial {
   std::string name;
   Material value;
+  std::int32_t made_from = -1;  // the material whose joint rules it has; −1: its own
 };
 struct NamedLaw {
   std::string name;  // "dry" is always law 0: no bond

@@ -91,8 +91,8 @@ TEST_CASE("laws of a house are its own keys'") {
   using Laws = std::map<std::string, std::set<std::string>>;
   CHECK(laws_by_sort(build_model(c)) == Laws{{"brick-brick", {"normal"}},
                                              {"brick-base", {"normal"}},
-                                             {"brick-lintel", {"normal"}},
-                                             {"beam-brick", {"normal"}},
+                                             {"brick-lintel", {"members"}},
+                                             {"beam-brick", {"members"}},
                                              {"same lintel", {"wood"}},
                                              {"same beam", {"wood"}},
                                              {"beam-beam", {"beams"}},
