@@ -29,6 +29,7 @@ class CaseFileError : public cases::InputError {
 struct CaseText {
   std::string path, text;
   std::string folder = ".";
+  bool built_in = false;  // what it includes is looked for among the built-in parts first
 };
 
 /// Where a key of a case was written, and as what.

@@ -12,15 +12,17 @@
 /// A TOML document as a plain tree in file order: what the option tables read. Keeps the TOML library to one source.
 namespace voussoir::io {
 
-/// Where a node was written: line and column from 1 in the file, or, if set >= 0, the override of that index.
+/// Where a node was written: line and column from 1 in a file, or, if set >= 0, the override of that index.
 struct Source {
   int line = 0, column = 0;
   int set = -1;
+  int file = 0;  // index of the file among those of the case
 
   /// File order; overrides come after the file.
   [[nodiscard]] bool before(const Source& o) const noexcept {
     if ((set < 0) != (o.set < 0)) return set < 0;
     if (set != o.set) return set < o.set;
+    if (file != o.file) return file < o.file;
     return line != o.line ? line < o.line : column < o.column;
   }
 };

@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kParts = "parts/";  // what is included, and no case by itself
+
 std::string title_of(const std::string& text) {
   try {
     const Node document = parse_document(text);
@@ -28,6 +30,11 @@ std::string title_of(const std::string& text) {
   }
 }
 
+CatalogueEntry built_in_entry(const BuiltInCase& c) {
+  const std::string name(c.name), text(c.text);
+  return {name, title_of(text), text, "catalogue/" + name + ".toml", ".", true};
+}
+
 void add_folder(const std::string& folder, std::map<std::string, CatalogueEntry>& entries) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -37,7 +44,7 @@ void add_folder(const std::string& folder, std::map<std::string, CatalogueEntry>
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     if (!in) throw FileError(path.string(), "cannot be read");
     const std::string name = path.stem().string();
-    entries[name] = {name, title_of(text), text, path.string(), folder};
+    entries[name] = {name, title_of(text), text, path.string(), folder, false};
   }
   if (error) throw FileError(folder, "VOUSSOIR_CATALOGUE: " + error.message());
 }
@@ -47,14 +54,20 @@ void add_folder(const std::string& folder, std::map<std::string, CatalogueEntry>
 std::vector<CatalogueEntry> catalogue() {
   std::map<std::string, CatalogueEntry> entries;
   for (const BuiltInCase& c : built_in_cases()) {
-    const std::string name(c.name), text(c.text);
-    entries[name] = {name, title_of(text), text, "catalogue/" + name + ".toml", "."};
+    if (!c.name.starts_with(kParts)) entries[std::string(c.name)] = built_in_entry(c);
   }
   if (const char* folder = std::getenv("VOUSSOIR_CATALOGUE"); folder != nullptr && *folder != '\0') add_folder(folder, entries);
 
   std::vector<CatalogueEntry> sorted;
   for (auto& [name, entry] : entries) sorted.push_back(std::move(entry));
   return sorted;
+}
+
+std::optional<CatalogueEntry> built_in_part(const std::string& name) {
+  for (const BuiltInCase& c : built_in_cases()) {
+    if (name == c.name || name == std::string(c.name) + ".toml") return built_in_entry(c);
+  }
+  return std::nullopt;
 }
 
 }  // namespace voussoir::io
