@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace voussoir::cases {
 namespace {
@@ -38,6 +40,33 @@ void count_blocks(const Model& model, Census& result) {
       result.mass += mass;
     }
   }
+}
+
+/// Edges to the micrometre, descending; zeros if the block is no box.
+std::array<double, 3> box_edges(const Block& block, double volume) {
+  const geometry::Box3 box = geometry::bounds(block.shape);
+  const Vec3 size = box.high - box.low;
+  if (block.shape.vertices.size() != 8 || std::abs(size.x * size.y * size.z / volume - 1.0) > 1e-6) return {};
+  std::array edges{size.x, size.y, size.z};
+  for (double& e : edges) e = std::round(e * 1e6) * 1e-6;
+  std::sort(edges.begin(), edges.end(), std::greater<>());
+  return edges;
+}
+
+void write_bill(const Model& model, Census& result) {
+  using Key = std::tuple<PartKind, std::int32_t, bool, std::array<double, 3>, std::int32_t>;
+  std::map<Key, BillLine> lines;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const double volume = model.assembly.elements[i].mass.volume;
+    const std::array<double, 3> edges = box_edges(block, volume);
+    const std::int32_t corners = edges[0] > 0.0 ? 0 : static_cast<std::int32_t>(block.shape.vertices.size() / 2);
+    const Key key{block.kind, block.material, !block.whole, {-edges[0], -edges[1], -edges[2]}, corners};
+    BillLine& line = lines.try_emplace(key, BillLine{block.kind, block.material, block.whole, edges, corners, 0, 0.0}).first->second;
+    ++line.count;
+    line.volume += volume;
+  }
+  for (const auto& [key, line] : lines) result.bill.push_back(line);
 }
 
 void count_segments(const geometry::Assembly& assembly, Census& result) {
@@ -77,6 +106,7 @@ Census census(const Model& model) {
   result.elements = static_cast<std::int64_t>(model.blocks.size());
   result.faces = static_cast<std::int64_t>(model.assembly.faces.size());
   count_blocks(model, result);
+  write_bill(model, result);
   count_segments(model.assembly, result);
   find_step_bound(model, result);
   return result;

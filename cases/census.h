@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,6 +20,17 @@ struct CensusGroup {
   double mass = 0.0;    // kg
 };
 
+/// Blocks that are bought or made alike: one line of the bill.
+struct BillLine {
+  PartKind kind = PartKind::block;
+  std::int32_t material = 0;       // into Model::materials
+  bool whole = true;               // false: cut
+  std::array<double, 3> edges{};   // m, of a box, descending; all zero for any other shape
+  std::int32_t corners = 0;        // of a shape that is no box: corners of the prism's section
+  std::int64_t count = 0;
+  double volume = 0.0;             // m3, of all
+};
+
 struct Census {
   std::int64_t elements = 0, faces = 0;
   std::int64_t joints = 0;          // of two elements
@@ -30,6 +42,7 @@ struct Census {
   double volume = 0.0, mass = 0.0;  // m3, kg; without fixed blocks
   double fixed_mass = 0.0;          // kg
   std::vector<CensusGroup> groups;  // in order of their first element
+  std::vector<BillLine> bill;       // by kind, material, whole before cut, then the larger before the smaller
 
   double step_bound = 0.0;  // s, Eq. 19: least l / sqrt(E / (1 - nu^2) / rho) of all faces of elements that move; infinite if none does
   std::int32_t step_element = -1;  // the first that has it

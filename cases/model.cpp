@@ -138,6 +138,26 @@ std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
   return nearest;
 }
 
+const char* name(PartKind kind) noexcept {
+  switch (kind) {
+    case PartKind::brick:
+      return "brick";
+    case PartKind::lintel:
+      return "lintel";
+    case PartKind::beam:
+      return "roof beam";
+    case PartKind::voussoir:
+      return "voussoir";
+    case PartKind::column:
+      return "column";
+    case PartKind::ring_beam:
+      return "ring beam";
+    case PartKind::block:
+      break;
+  }
+  return "block";
+}
+
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
   if (block.house < 0) return "block " + quoted(block.name) + " (" + number + ")";

@@ -14,6 +14,8 @@ namespace voussoir::cases {
 
 /// What a block is in a house; decides which law its joints get.
 enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam };
+/// What people call it: "brick", "ring beam".
+const char* name(PartKind kind) noexcept;
 
 /// One element to be, in the order of its element number.
 struct Block {

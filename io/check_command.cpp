@@ -6,11 +6,14 @@
 #include <cstdio>
 
 #include "cases/census.h"
+#include "cases/names.h"
 #include "io/catalogue.h"
+#include "io/drawing.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
 #include "io/run_command.h"
 #include "io/support_motion.h"
+#include "io/text_file.h"
 #include "solver/setup.h"
 
 namespace voussoir::io {
@@ -26,6 +29,22 @@ void print_parts(const cases::Census& n) {
   std::printf("\n%-24s %10s %8s %12s\n", "part", "whole", "cut", "mass [kg]");
   for (const cases::CensusGroup& g : n.groups) {
     std::printf("%-24s %10s %8s %12.1f\n", g.name.c_str(), format_count(g.whole).c_str(), format_count(g.cut).c_str(), g.mass);
+  }
+}
+
+std::string dimensions(const cases::BillLine& line) {
+  if (line.edges[0] == 0.0) return line.corners == 4 ? "hexahedron" : "prism of " + std::to_string(line.corners) + " corners";
+  std::string text;
+  for (const double edge : line.edges) text += (text.empty() ? "" : " x ") + cases::text(edge);
+  return text + " m";
+}
+
+void print_bill(const cases::Census& n, const cases::Model& m) {
+  std::printf("\n%-52s %10s %12s\n", "bill of blocks", "count", "volume [m3]");
+  for (const cases::BillLine& line : n.bill) {
+    const std::string what = m.materials[static_cast<std::size_t>(line.material)].name + " " + cases::name(line.kind) +
+                             (line.whole ? ", " : ", cut, ") + dimensions(line);
+    std::printf("%-52s %10s %12.4f\n", what.c_str(), format_count(line.count).c_str(), line.volume);
   }
 }
 
@@ -53,7 +72,7 @@ void print_estimate(const cases::Case& c, const cases::Census& n, double dt, int
 
 }  // namespace
 
-int check_command(const LoadedCase& c, int threads) {
+int check_command(const LoadedCase& c, const CheckOptions& o) {
   cases::Model model = cases::build_model(c.value);
   load_support_motions(model, c.value.folder);
   if (c.value.motion) load_motion(*c.value.motion, c.value.folder);
@@ -68,7 +87,12 @@ int check_command(const LoadedCase& c, int threads) {
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_step(n, model, world->dt);
   print_parts(n);
-  print_estimate(c.value, n, world->dt, threads > 0 ? threads : omp_get_max_threads());
+  print_bill(n, model);
+  print_estimate(c.value, n, world->dt, o.threads > 0 ? o.threads : omp_get_max_threads());
+  if (!o.draw.empty()) {
+    write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    std::printf("\ndrawing                  %s\n", o.draw.c_str());
+  }
   std::printf("\nno faults found\n");
   return kDone;
 }

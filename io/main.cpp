@@ -13,10 +13,12 @@
 #include "io/case_file.h"
 #include "io/compare_command.h"
 #include "io/errors.h"
+#include "io/modes_command.h"
 #include "io/motion_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
 #include "io/verify_command.h"
+#include "solver/errors.h"
 
 namespace {
 
@@ -35,6 +37,8 @@ struct Words {
   io::BenchOptions bench;
   io::ResumeOptions resume;
   io::MotionOptions motion_options;
+  io::CheckOptions check;
+  io::ModesOptions modes;
 };
 
 /// A path given on the command line starts at the working folder, not at the case's.
@@ -131,6 +135,25 @@ void add_compare(CLI::App& app, Words& w) {
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
+void add_check(CLI::App& app, Words& w) {
+  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
+  add_case(check, w);
+  check->add_option("--draw", w.check.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
+  check->add_flag("--overwrite", w.check.overwrite, "replace an existing drawing");
+  check->footer("example: voussoir check my-house.toml --draw my-house.svg");
+}
+
+void add_modes(CLI::App& app, Words& w) {
+  CLI::App* modes = app.add_subcommand("modes", "first natural frequencies: eigenvalues, and an impulse with a Fourier transform");
+  add_case(modes, w);
+  modes->add_option("--count", w.modes.count, "how many modes (default 6)")->check(CLI::Range(1, 200));
+  modes->add_option("--shapes", w.modes.shapes, "write the mode shapes to this .vtu file for ParaView");
+  modes->add_flag("--no-impulse", w.modes.no_impulse, "eigenvalues only: seconds instead of minutes");
+  modes->add_flag("--overwrite", w.modes.overwrite, "replace an existing file of shapes");
+  modes->add_flag("--quiet", w.modes.quiet, "no progress");
+  modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
+}
+
 void add_motion(CLI::App& app, Words& w) {
   CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
   motion->add_option("FILE", w.files, "AT2 or CSV files, folders with a record.toml, or bam-like")->required();
@@ -162,7 +185,9 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
   if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
-  if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.run.threads); });
+  w.check.threads = w.modes.threads = w.run.threads;
+  if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
+  if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
   if (app.got_subcommand("bench")) {
     w.bench.threads = w.run.threads;
     return with_case(w, [&](const auto& c) { return io::bench_command(c, w.bench); });
@@ -201,9 +226,8 @@ int main(int argc, char** argv) {
   add_run(app, w);
   add_resume(app, w);
   add_compare(app, w);
-  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
-  add_case(check, w);
-  check->footer("example: voussoir check my-house.toml");
+  add_check(app, w);
+  add_modes(app, w);
   add_motion(app, w);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
@@ -213,6 +237,9 @@ int main(int argc, char** argv) {
     return dispatch(app, w);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;
+  } catch (const solver::NumericalError& e) {
+    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    return io::kNumericalFailure;
   } catch (const io::FileError& e) {
     std::fprintf(stderr, "voussoir: %s\n", e.what());
     return io::kFileFault;

@@ -27,8 +27,14 @@ struct RunOptions {
 /// \throw cases::InputError, FileError before anything runs; FileError later if results cannot be written
 int run_command(const LoadedCase& c, const RunOptions& o);
 
-/// Reads, builds and reports; runs nothing. \throw cases::InputError
-int check_command(const LoadedCase& c, int threads);
+struct CheckOptions {
+  int threads = 0;   // for the estimate; 0: as OpenMP decides
+  std::string draw;  // SVG file of a drawing; empty: none
+  bool overwrite = false;
+};
+
+/// Reads, builds and reports; runs nothing. \throw cases::InputError, FileError
+int check_command(const LoadedCase& c, const CheckOptions& o);
 
 /// The catalogue, one line a case.
 int cases_command();

@@ -31,6 +31,14 @@ std::string read_text_file(const std::string& path, std::size_t largest) {
   return text;
 }
 
+void write_text_file(const std::string& path, std::string_view text, bool overwrite) {
+  std::error_code error;
+  if (!overwrite && fs::exists(path, error)) throw FileError(path, "exists; --overwrite replaces it");
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!out.flush()) throw FileError(path, "cannot be written");
+}
+
 LineReader::LineReader(std::string_view text) : rest_(text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (rest_.substr(0, kMark.size()) == kMark) rest_.remove_prefix(kMark.size());

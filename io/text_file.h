@@ -14,6 +14,9 @@ namespace voussoir::io {
 /// \throw FileError if it is missing, a folder, no regular file, larger than `largest` bytes or cannot be read.
 std::string read_text_file(const std::string& path, std::size_t largest);
 
+/// \throw FileError if the file exists and `overwrite` does not allow to replace it, or if it cannot be written.
+void write_text_file(const std::string& path, std::string_view text, bool overwrite);
+
 /// Walks through a text line by line; LF and CRLF end a line, a UTF-8 byte order mark is skipped.
 class LineReader {
  public:

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "cases/case.h"
+#include "cases/model.h"
+
+/// A drawing of a model: four elevations and the plans of two courses, every block with its edges, as SVG.
+namespace voussoir::io {
+
+/// Elevations are seen from outside, what lies behind an opening darker. The plans are horizontal sections, for a house through as many
+/// openings as one course can meet, and through the course above it; else at half the model's height. The elements that the case follows
+/// (output.history) are red and named.
+/// \pre the model has an element
+std::string draw(const cases::Case& c, const cases::Model& model);
+
+}  // namespace voussoir::io

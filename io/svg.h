@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/polygon.h"
+
+/// A text of SVG, written shape by shape. Lengths in user units, y downwards.
+namespace voussoir::io {
+
+class Svg {
+ public:
+  Svg(double width, double height);
+
+  /// A closed polygon. `fill` is a colour; edges are thin and dark.
+  void polygon(std::span<const geometry::Point2> corners, std::string_view fill);
+  void line(geometry::Point2 from, geometry::Point2 to, std::string_view colour, double width);
+  void circle(geometry::Point2 centre, double radius, std::string_view fill);
+  /// `anchor`: start, middle or end.
+  void text(geometry::Point2 at, std::string_view words, double size, std::string_view anchor = "start", std::string_view colour = "#222");
+
+  /// The whole document.
+  [[nodiscard]] std::string finish() &&;
+
+ private:
+  std::string out_;
+};
+
+}  // namespace voussoir::io
