@@ -96,8 +96,7 @@ class Gable {
     }
     const double least = 0.5 * brick_ / metres(wythe.depth.length());
     for (Piece& p : all) cut(section, p);
-    while (all.size() > 1 && all.front().area < least) join(section, all, 0);
-    while (all.size() > 1 && all.back().area < least) join(section, all, all.size() - 2);
+    join_small(section, least, all);
     return all;
   }
 
@@ -144,6 +143,17 @@ class Gable {
     piece.section = between(section, -kFar, kFar, piece.low, piece.high);
     drop_doubled(piece.section);
     piece.area = geometry::region(piece.section).area;
+  }
+
+  /// Joins pieces below `least` to the smaller of their neighbours.
+  void join_small(const Polygon& section, double least, std::vector<Piece>& all) const {
+    while (all.size() > 1) {
+      const auto small = std::find_if(all.begin(), all.end(), [&](const Piece& p) { return p.area < least; });
+      if (small == all.end()) return;
+      const auto i = static_cast<std::size_t>(small - all.begin());
+      const bool with_next = i == 0 || (i + 1 < all.size() && all[i + 1].area < all[i - 1].area);
+      join(section, all, with_next ? i : i - 1);
+    }
   }
 
   /// Joins pieces i and i + 1.

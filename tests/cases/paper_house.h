@@ -7,7 +7,7 @@
 
 #include "cases/case.h"
 
-/// The paper's houses with a flat roof as case structs (its Tables 1 to 4; places and gaps as in the documentation of houses), for tests of
+/// The paper's houses as case structs (its Tables 1 to 4; places and gaps as in the documentation of houses), for tests of
 /// any layer.
 namespace voussoir::testing {
 
@@ -70,6 +70,27 @@ inline cases::Case paper_flat40() {
   c.damping.frequency = 6.08;
   c.house->bearing_wall = 0.4;
   c.output.history = {history("element1", 0.1, 1.9), history("element2", 2.8, 0.2), history("element3", 2.7, 3.6)};
+  return c;
+}
+
+inline cases::Case with_vault(cases::Case c, double frequency) {
+  c.damping.frequency = frequency;
+  c.house->roof = {};
+  c.house->roof.kind = cases::RoofKind::vault;
+  return c;
+}
+
+/// Vault20W, N or S by the name of the mortar.
+inline cases::Case paper_vault20(const std::string& law = "normal") { return with_vault(paper_flat20(law), 3.13); }
+
+/// Vault40N.
+inline cases::Case paper_vault40() { return with_vault(paper_flat40(), 3.32); }
+
+/// Flat20R or Vault20R from the model without reinforcement.
+inline cases::Case reinforced(cases::Case c) {
+  c.house->reinforcement = cases::Reinforcement{};
+  c.house->reinforcement->bearing = {0.25, 0.95, 2.25, 3.35, 4.45, 5.15};
+  c.house->reinforcement->nonbearing = {1.2, 2.2};
   return c;
 }
 
