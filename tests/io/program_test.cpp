@@ -129,6 +129,19 @@ TEST_CASE("help, version, catalogue and keys are printed with exit code 0") {
   CHECK(says(voussoir("check flat20n"), {"4,263", "5.028e-05", "lintel", "no faults"}));
 }
 
+TEST_CASE("check draws and modes lists frequencies, and neither writes over a file unless told to") {
+  const TempFolder folder;
+  const std::string draw = "check arch --draw " + folder.path("arch.svg");
+  CHECK(says(voussoir(draw), {"bill of blocks", "adobe voussoir, hexahedron", "arch.svg", "no faults"}));
+  CHECK(voussoir(draw).code == 3);
+  CHECK(voussoir(draw + " --overwrite").code == 0);
+  const std::string modes = "modes arch --count 3 --quiet -j 1 --shapes " + folder.path("arch.vtu");
+  CHECK(says(voussoir(modes), {"eigenvalues", "impulse", "crown"}));
+  CHECK(std::filesystem::exists(folder.path("arch.vtu")));
+  CHECK(voussoir(modes + " --no-impulse").code == 3);
+  CHECK(voussoir(modes + " --no-impulse --overwrite").code == 0);
+}
+
 TEST_CASE("a run writes its results, and never over another's unless told to") {
   const TempFolder folder;
   std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "cases/census.h"
+#include "io/case_file.h"
+#include "io/catalogue.h"
+#include "solver/modes.h"
+#include "solver/setup.h"
+
+using namespace voussoir;
+
+/// V14: what the paper says of its ten models before any earthquake.
+namespace {
+
+/// First frequency along x and y, Hz: that of the mode with the largest share of mass.
+std::array<double, 2> first_frequencies(const std::string& name, const std::string& bond) {
+  const cases::Case c = io::load_case(name, {"house.bond=" + bond}).value;
+  const cases::Model model = cases::build_model(c);
+  const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), 4);
+  const auto by = [](double Vec3::*axis) {
+    return [axis](const solver::Mode& a, const solver::Mode& b) { return a.mass_share.*axis < b.mass_share.*axis; };
+  };
+  return {std::max_element(modes.begin(), modes.end(), by(&Vec3::x))->frequency,
+          std::max_element(modes.begin(), modes.end(), by(&Vec3::y))->frequency};
+}
+
+struct Row {
+  const char* name;
+  std::array<double, 2> paper;  // Table 4, Hz
+};
+
+constexpr std::array<Row, 6> kTable4{{{"flat20n", {6.64, 6.05}},
+                                      {"flat40n", {7.03, 6.08}},
+                                      {"flat20r", {6.84, 6.45}},
+                                      {"vault20n", {3.91, 3.13}},
+                                      {"vault40n", {4.49, 3.32}},
+                                      {"vault20r", {4.29, 3.32}}}};
+
+}  // namespace
+
+TEST_CASE("Table 4 in English bond, within 8 %") {
+  for (const Row& row : kTable4) {
+    CAPTURE(row.name);
+    const std::array<double, 2> found = first_frequencies(row.name, "english");
+    for (std::size_t axis = 0; axis < 2; ++axis) CHECK(found[axis] == doctest::Approx(row.paper[axis]).epsilon(0.08));
+  }
+}
+
+TEST_CASE("Table 4 in running bond, the unreinforced models of 0.2 m within half a Fourier bin and a little") {
+  for (const Row& row : {kTable4[0], kTable4[3]}) {
+    CAPTURE(row.name);
+    const std::array<double, 2> found = first_frequencies(row.name, "running");
+    for (std::size_t axis = 0; axis < 2; ++axis) CHECK(std::abs(found[axis] - row.paper[axis]) < 0.11);
+  }
+}
+
+TEST_CASE("section 3.6: the step bound is 5.03e-5 s in all ten models") {
+  for (const char* roof : {"flat", "vault"}) {
+    for (const char* kind : {"20w", "20n", "20s", "40n", "20r"}) {
+      const std::string name = std::string(roof) + kind;
+      CAPTURE(name);
+      const cases::Census n = cases::census(cases::build_model(io::load_case(name).value));
+      CHECK(n.step_bound == doctest::Approx(5.03e-5).epsilon(0.001));
+    }
+  }
+}
