@@ -22,9 +22,9 @@ namespace voussoir::cases {
 /// \throw InputError with the key at fault and, where a size does not fit, the nearest that does.
 std::vector<Block> build_house(const House& house, std::span<const NamedMaterial> materials);
 
-/// The material of a roof that carries a surcharge: that of its beams or voussoirs, the denser by the surcharge's mass. So the surcharge acts
-/// in weight, inertia and wave speed, has no stiffness, and lies where the roof's own mass lies. Nothing if there is none.
-/// \throw InputError at house.roof.surcharge, or for a material that is not known.
+/// The material of a roof that carries a surcharge: that of its beams or voussoirs, the denser by the surcharge's mass. So the surcharge
+/// acts in weight, inertia and wave speed, has no stiffness, and lies where the roof's own mass lies. Nothing if there is none. \throw
+/// InputError at house.roof.surcharge, or for a material that is not known.
 std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const NamedMaterial> materials);
 
 /// True if any part of the house is of timber, so that the keys of `house.wood` count.

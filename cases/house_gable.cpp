@@ -84,7 +84,8 @@ class Gable {
     return all;
   }
 
-  /// Bricks of a layer through the wall: divided as any course is, at half its height; a piece of less than half a brick joins its neighbour.
+  /// Bricks of a layer through the wall: divided as any course is, at half its height; a piece of less than half a brick joins its
+  /// neighbour.
   [[nodiscard]] std::vector<Piece> pieces(const GableCourse& course, const Wythe& wythe) const {
     const Polygon section = between(under_, course.low, course.high, -kFar, kFar);
     const std::vector<double> corners = corners_of(section);

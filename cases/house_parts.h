@@ -15,7 +15,7 @@ namespace voussoir::cases {
 struct HouseParts {
   std::vector<Block> blocks;
   std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
-  std::int32_t members = 0;              // timber members so far
+  std::int32_t members = 0;                        // timber members so far
 };
 
 /// A box of the house, axes of the house.

@@ -55,8 +55,8 @@ std::string advice(const WallPlan& wall, Tick axis, Tick section, Interval heigh
   const auto fits = [&](Tick place) {
     const Interval along{place - section / 2, place - section / 2 + section};
     return along.low >= room.low && along.high <= room.high && std::none_of(wall.holes.begin(), wall.holes.end(), [&](const Hole& h) {
-      return !h.lintel && h.along.overlaps(along) && h.height.overlaps(height);
-    });
+             return !h.lintel && h.along.overlaps(along) && h.height.overlaps(height);
+           });
   };
   std::vector<Tick> places;
   for (const Hole& hole : wall.holes) {
@@ -65,7 +65,8 @@ std::string advice(const WallPlan& wall, Tick axis, Tick section, Interval heigh
   }
   std::erase_if(places, [&](Tick place) { return !fits(place); });
   if (places.empty()) return "; move it or leave it out";
-  const auto nearest = std::min_element(places.begin(), places.end(), [&](Tick a, Tick b) { return std::abs(a - axis) < std::abs(b - axis); });
+  const auto nearest =
+      std::min_element(places.begin(), places.end(), [&](Tick a, Tick b) { return std::abs(a - axis) < std::abs(b - axis); });
   return "; nearest that fits: " + text(metres(*nearest)) + " m";
 }
 

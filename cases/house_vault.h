@@ -17,8 +17,8 @@ struct VaultProfile {
 };
 
 /// The profile of house.roof, with its axis over the middle of the house at the height of the walls.
-/// \throw InputError with the key at fault and the nearest value that fits: a vault must stand on the bearing walls with its whole thickness,
-/// gables on the non-bearing walls.
+/// \throw InputError with the key at fault and the nearest value that fits: a vault must stand on the bearing walls with its whole
+/// thickness, gables on the non-bearing walls.
 VaultProfile vault_profile(const House& house, const HousePlan& plan);
 
 /// Mass of a roof's surcharge smeared over what carries it: what it adds to the density of a beam or a voussoir [kg/m3].

@@ -20,7 +20,8 @@ Table<Roof> roof_table() {
   using S = Roof;
   return {"beams side by side, or a barrel vault along x",
           {choice<S, RoofKind S::*, RoofKind>(
-               "kind", &S::kind, "", {{"none", RoofKind::none}, {"flat", RoofKind::flat}, {"vault", RoofKind::vault}, {"gables", RoofKind::gables}},
+               "kind", &S::kind, "",
+               {{"none", RoofKind::none}, {"flat", RoofKind::flat}, {"vault", RoofKind::vault}, {"gables", RoofKind::gables}},
                "kind of roof; gables: the non-bearing walls go on as under a vault, but there is none"),
            value<S>("beam", &S::beam, "m", above(0.0), "flat: width along x and height of a beam"),
            value<S>("element", &S::element, "m", above(0.0), "flat: length of an element of a beam"),
@@ -29,7 +30,8 @@ Table<Roof> roof_table() {
            value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
            value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),
            value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "vault, gables: number in a ring"),
-           value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0), "flat, vault: mass on the upper surface, added to the roof's elements")},
+           value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0),
+                    "flat, vault: mass on the upper surface, added to the roof's elements")},
           nullptr};
 }
 
@@ -83,8 +85,9 @@ Table<House> house_table() {
        value<S>("spacing", &S::spacing, "m", above(0.0), "from house to house along x and y"),
        value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness"),
        value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "thickness"),
-       value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"), table<S>("roof", &S::roof, roof_table()),
-       table<S>("opening", &S::openings, opening_table()), table<S>("reinforcement", &S::reinforcement, reinforcement_table())},
+       value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"),
+       table<S>("roof", &S::roof, roof_table()), table<S>("opening", &S::openings, opening_table()),
+       table<S>("reinforcement", &S::reinforcement, reinforcement_table())},
       nullptr};
 }
 

@@ -21,7 +21,7 @@ using geometry::Polygon;
 constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 22.0, kLegend = 40.0;  // user units
 constexpr double kSheet = 760.0;                                                  // widest view
 constexpr double kLargestScale = 140.0;                                           // units per metre
-constexpr double kBehind = 0.55;      // m; a wall deeper than this behind the nearest face is drawn darker
+constexpr double kBehind = 0.55;  // m; a wall deeper than this behind the nearest face is drawn darker
 constexpr const char* kNamed = "#d62828";
 
 /// A direction of view: screen axes right and up, and into the picture.
@@ -112,8 +112,7 @@ class Drawing {
       box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y), std::min(box_.low.z, box.low.z)};
       box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y), std::max(box_.high.z, box.high.z)};
     }
-    for (const cases::HistoryPoint& h : c.output.history)
-      named_[static_cast<std::size_t>(cases::nearest_element(model, h.point))] = h.name;
+    for (const cases::HistoryPoint& h : c.output.history) named_[static_cast<std::size_t>(cases::nearest_element(model, h.point))] = h.name;
     const Vec3 size = box_.high - box_.low;
     scale_ = std::min(kLargestScale, kSheet / std::max({size.x, size.y, 0.5 * size.z}));
   }
@@ -156,8 +155,8 @@ class Drawing {
       if (dot(patch.frame.normal, frame.view().into) > -1e-6) continue;
       const auto element = static_cast<std::size_t>(patch.element);
       const geometry::Polyhedron& shape = model_.blocks[element].shape;
-      VisibleFace face{frame.depth(geometry::face_plane(shape, patch.face).centroid), {}, element,
-                       dot(patch.frame.normal, frame.view().into) < -0.999};
+      VisibleFace face{
+          frame.depth(geometry::face_plane(shape, patch.face).centroid), {}, element, dot(patch.frame.normal, frame.view().into) < -0.999};
       for (const std::int32_t v : shape.faces[static_cast<std::size_t>(patch.face)])
         face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
       faces.push_back(std::move(face));
@@ -181,8 +180,8 @@ class Drawing {
     const Vec3 size = box_.high - box_.low;
     const double width = scale_ * std::abs(dot(size, view.right));
     svg.line({corner.s - 8.0, corner.t + height}, {corner.s + width + 8.0, corner.t + height}, "#222", 1.5);
-    svg.text({corner.s, corner.t + height + kCaption}, std::string(view.name) + ", " + metres_text(std::abs(dot(size, view.right))) + " x " +
-                                                           metres_text(size.z) + " m", 13.0);
+    svg.text({corner.s, corner.t + height + kCaption},
+             std::string(view.name) + ", " + metres_text(std::abs(dot(size, view.right))) + " x " + metres_text(size.z) + " m", 13.0);
   }
 
   void draw_plan(Svg& svg, double z, Point2 corner, double height) const {
@@ -206,10 +205,10 @@ class Drawing {
       }
     }
     Point2 middle;
-    for (const Point2 p : points) middle.s += p.s / static_cast<double>(points.size()), middle.t += p.t / static_cast<double>(points.size());
-    std::sort(points.begin(), points.end(), [&](Point2 a, Point2 b) {
-      return std::atan2(a.t - middle.t, a.s - middle.s) < std::atan2(b.t - middle.t, b.s - middle.s);
-    });
+    for (const Point2 p : points)
+      middle.s += p.s / static_cast<double>(points.size()), middle.t += p.t / static_cast<double>(points.size());
+    std::sort(points.begin(), points.end(),
+              [&](Point2 a, Point2 b) { return std::atan2(a.t - middle.t, a.s - middle.s) < std::atan2(b.t - middle.t, b.s - middle.s); });
     return points;
   }
 

@@ -14,8 +14,10 @@ std::string resolved_toml(const cases::Case& value) {
 
 std::string key_reference() {
   Lines lines;
-  lines.out = "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n"
-      "include                          a ready case or a .toml file, or an array of them: read first; this case lies over them, key by key\n\n";
+  lines.out =
+      "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n"
+      "include                          a ready case or a .toml file, or an array of them: read first; this case lies over them, key by "
+      "key\n\n";
   list_table(case_table(), lines, {});
   return std::move(lines.out);
 }

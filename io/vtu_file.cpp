@@ -60,8 +60,7 @@ void write_mode(std::string& out, const cases::Model& model, const solver::Mode&
   array(out, "Float32", name, 3, [&](std::string& o) {
     for (std::size_t e = 0; e < model.blocks.size(); ++e) {
       const Vec3 centroid = model.assembly.elements[e].mass.centroid;
-      for (const Vec3 v : model.blocks[e].shape.vertices)
-        append(o, mode.displacement[e] + cross(mode.rotation[e], v - centroid), "%.6g");
+      for (const Vec3 v : model.blocks[e].shape.vertices) append(o, mode.displacement[e] + cross(mode.rotation[e], v - centroid), "%.6g");
     }
   });
 }

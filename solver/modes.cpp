@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/modes.h"
 
+#include <Spectra/SymEigsShiftSolver.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-#include <Spectra/SymEigsShiftSolver.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

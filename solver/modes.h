@@ -18,9 +18,8 @@ struct Mode {
 };
 
 /// The modes of lowest frequency, ascending; fewer than `count` where the structure has fewer degrees of freedom.
-/// Shift-invert Lanczos (Spectra) over a sparse LDLᵀ factor (Eigen): memory and time grow with the factor, some 20 s for 45 000 degrees of freedom.
-/// \pre count > 0
-/// \throw NumericalError if the iteration does not converge
+/// Shift-invert Lanczos (Spectra) over a sparse LDLᵀ factor (Eigen): memory and time grow with the factor, some 20 s for 45 000 degrees of
+/// freedom. \pre count > 0 \throw NumericalError if the iteration does not converge
 std::vector<Mode> natural_modes(const World& w, int count);
 
 }  // namespace voussoir::solver

@@ -51,8 +51,8 @@ void add_openings(Dice& dice, House& h) {
 
 void add_roof(Dice& dice, House& h) {
   Roof& r = h.roof;
-  r.kind = std::array{RoofKind::none, RoofKind::flat, RoofKind::vault, RoofKind::vault, RoofKind::gables}[static_cast<std::size_t>(
-      dice.whole(0, 4))];
+  r.kind = std::array{RoofKind::none, RoofKind::flat, RoofKind::vault, RoofKind::vault,
+                      RoofKind::gables}[static_cast<std::size_t>(dice.whole(0, 4))];
   r.beam = {dice.pick(0.1, 0.3, 0.05), dice.pick(0.1, 0.2, 0.05)};
   r.element = dice.pick(0.15, 0.3, 0.05);
   r.thickness = std::min(h.bearing_wall, dice.pick(0.1, 0.3, 0.05));

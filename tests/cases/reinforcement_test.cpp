@@ -89,7 +89,7 @@ TEST_CASE("timber is fixed to the ground, mortared to all else, and touches what
   check("same column", 16 * 11 * 0.01, "wood");
   check("same ring beam", (2 * 24 + 2 * 13) * 0.01, "wood");
   check("column - ring beam", 16 * 0.01, "members");
-  check("column - lintel", 4 * 0.1 * 0.1, "members");                         // those beside door and window
+  check("column - lintel", 4 * 0.1 * 0.1, "members");                        // those beside door and window
   check("brick - column", (16 + 4) * 2.3 * 0.1 - 4 * 0.1 * 0.1, "members");  // those in the corners lean on two walls
   check("brick - ring beam", (2 * 5.0 + 4 * 0.1 + 2 * 2.8) * 0.1, "members");
   check("ring beam - ring beam", 4 * 0.01, "members");

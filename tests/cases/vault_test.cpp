@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house_vault.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "cases/census.h"
 #include "cases/house.h"
+#include "cases/house_vault.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;
@@ -42,12 +41,11 @@ double open_surface(const House& h) {
   const Roof& r = h.roof;
   const double length = x + 2 * tn, outer = r.radius + r.thickness;
   double area = 2 * (length + y + 2 * tb + x + y) * h.height;
-  for (const Opening& o : h.openings)
-    area += 2 * o.height * tb - 2 * o.width * o.height + (o.sill > 0.0 ? 2 : 1) * o.width * tb;
+  for (const Opening& o : h.openings) area += 2 * o.height * tb - 2 * o.width * o.height + (o.sill > 0.0 ? 2 : 1) * o.width * tb;
   area += 2 * length * tb + 2 * y * tn - 2 * r.thickness * length - 2 * 2 * r.radius * tn;  // tops of the walls
   area += r.voussoirs * (chord(r.voussoirs, outer) * length + chord(r.voussoirs, r.radius) * x);
   area += 2 * (half_polygon(r.voussoirs, outer) - half_polygon(r.voussoirs, r.radius));  // end faces of the vault
-  return area + 4 * half_polygon(r.voussoirs, r.radius);                                // both faces of both gables
+  return area + 4 * half_polygon(r.voussoirs, r.radius);                                 // both faces of both gables
 }
 
 void check_all_neighbours_joined(const Case& c) {
@@ -146,14 +144,26 @@ TEST_CASE("rings stand one behind the other, their ends in one plane") {
 
 TEST_CASE("vaults off their walls are refused") {
   const Case good = testing::paper_vault20();
-  check_refused(good, [](House& h) { h.roof.radius = 1.4; }, "house.roof.radius", "allowed: 1.5 to 1.5 m");
-  check_refused(good, [](House& h) { h.bearing_wall = 0.4, h.roof.radius = 1.8; }, "house.roof.radius", "allowed: 1.5 to 1.7 m");
-  check_refused(good, [](House& h) { h.roof.thickness = 0.3; }, "house.roof.thickness", "at most 0.2 m");
-  check_refused(good, [](House& h) { h.roof.voussoirs = 2; }, "house.roof.voussoirs", "allowed: 3 to 1000");
-  check_refused(good, [](House& h) { h.roof.ring = 0.001; }, "house.roof.ring", "more than 1000 parts");
-  check_refused(good, [](House& h) { h.walls = {"front", "left", "right"}, h.openings.clear(); }, "house.roof.kind", "leaves one of them out");
-  check_refused(good, [](House& h) { h.roof.kind = RoofKind::gables, h.roof.radius = 1.8; }, "house.roof.radius", "allowed: 0.2 to 1.7 m");
-  check_refused(good, [](House& h) { h.roof.kind = RoofKind::gables, h.walls = {"front"}; }, "house.roof.kind", "leaves out both");
+  check_refused(
+      good, [](House& h) { h.roof.radius = 1.4; }, "house.roof.radius", "allowed: 1.5 to 1.5 m");
+  check_refused(
+      good, [](House& h) { h.bearing_wall = 0.4, h.roof.radius = 1.8; }, "house.roof.radius", "allowed: 1.5 to 1.7 m");
+  check_refused(
+      good, [](House& h) { h.roof.thickness = 0.3; }, "house.roof.thickness", "at most 0.2 m");
+  check_refused(
+      good, [](House& h) { h.roof.voussoirs = 2; }, "house.roof.voussoirs", "allowed: 3 to 1000");
+  check_refused(
+      good, [](House& h) { h.roof.ring = 0.001; }, "house.roof.ring", "more than 1000 parts");
+  check_refused(
+      good,
+      [](House& h) {
+        h.walls = {"front", "left", "right"}, h.openings.clear();
+      },
+      "house.roof.kind", "leaves one of them out");
+  check_refused(
+      good, [](House& h) { h.roof.kind = RoofKind::gables, h.roof.radius = 1.8; }, "house.roof.radius", "allowed: 0.2 to 1.7 m");
+  check_refused(
+      good, [](House& h) { h.roof.kind = RoofKind::gables, h.walls = {"front"}; }, "house.roof.kind", "leaves out both");
 }
 
 TEST_CASE("a surcharge adds its mass to the roof alone, and leaves the joint rules as they are") {
@@ -166,8 +176,9 @@ TEST_CASE("a surcharge adds its mass to the roof alone, and leaves the joint rul
   const double bare_vault = census(build_model(vault)).mass;
   vault.house->roof.surcharge = 80.0;
   CHECK(census(build_model(vault)).mass == doctest::Approx(bare_vault + 80.0 * 25 * chord(25, 1.7) * 5.4).epsilon(1e-12));
-  check_refused(testing::paper_flat20(), [](House& h) { h.roof.kind = RoofKind::none, h.roof.surcharge = 10.0; }, "house.roof.surcharge",
-                "no roof to carry it");
+  check_refused(
+      testing::paper_flat20(), [](House& h) { h.roof.kind = RoofKind::none, h.roof.surcharge = 10.0; }, "house.roof.surcharge",
+      "no roof to carry it");
 
   flat.joints.default_law = "strong";
   flat.joints.between = {{{"wood", "adobe"}, "weak"}};
@@ -195,9 +206,22 @@ TEST_CASE("walls that are left out: the others run to their ends") {
   c.house->roof.kind = RoofKind::vault;
   CHECK(census(build_model(c)).volume ==
         doctest::Approx(5.4 * (2 * 0.2 * 2.4 + half_polygon(25, 1.7) - half_polygon(25, 1.5))).epsilon(1e-9));
-  check_refused(c, [](House& h) { h.walls = {"front", "north"}; }, "house.walls[1]", "is no wall");
-  check_refused(c, [](House& h) { h.walls = {"rear", "rear"}; }, "house.walls[1]", "twice");
-  check_refused(c, [](House& h) { h.walls.clear(); }, "house.walls", "names no wall");
-  check_refused(c, [](House& h) { h.openings = {opening("left", 1.0, 1.0, 0.0, 1.0)}; }, "house.opening[0].wall", "not built");
-  check_refused(c, [](House& h) { h.roof.kind = RoofKind::flat, h.walls = {"front"}; }, "house.roof.kind", "leaves one of them out");
+  check_refused(
+      c,
+      [](House& h) {
+        h.walls = {"front", "north"};
+      },
+      "house.walls[1]", "is no wall");
+  check_refused(
+      c,
+      [](House& h) {
+        h.walls = {"rear", "rear"};
+      },
+      "house.walls[1]", "twice");
+  check_refused(
+      c, [](House& h) { h.walls.clear(); }, "house.walls", "names no wall");
+  check_refused(
+      c, [](House& h) { h.openings = {opening("left", 1.0, 1.0, 0.0, 1.0)}; }, "house.opening[0].wall", "not built");
+  check_refused(
+      c, [](House& h) { h.roof.kind = RoofKind::flat, h.walls = {"front"}; }, "house.roof.kind", "leaves one of them out");
 }

@@ -23,9 +23,10 @@ std::string refusal(const std::string& path) {
 
 TEST_CASE("a case lies over what it includes, key by key; arrays are replaced") {
   const TempFolder folder;
-  folder.write("parts/base.toml",
-               "title = \"base\"\n[house]\nheight = 1.2\nroof = { kind = \"flat\", element = 0.3 }\n[[output.history]]\nname = \"a\"\npoint = "
-               "[0,0,0]\n[[output.history]]\nname = \"b\"\npoint = [1,0,0]\n");
+  folder.write(
+      "parts/base.toml",
+      "title = \"base\"\n[house]\nheight = 1.2\nroof = { kind = \"flat\", element = 0.3 }\n[[output.history]]\nname = \"a\"\npoint = "
+      "[0,0,0]\n[[output.history]]\nname = \"b\"\npoint = [1,0,0]\n");
   folder.write("parts/tall.toml", "include = \"base.toml\"\n[house]\nheight = 3.6\nmaterial = \"brick\"\n");
   const std::string path = folder.write("house.toml",
                                         "title = \"mine\"\ninclude = [\"parts/base.toml\", \"parts/tall.toml\"]\n[house]\nmaterial = "

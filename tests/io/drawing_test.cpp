@@ -42,7 +42,8 @@ TEST_CASE("a drawing has every face that can be seen, a section, a legend and th
   CHECK(count(svg, "<path") == 4 * 2 + 1 + 1);  // two faces an elevation, one brick in the section, one patch in the legend
   CHECK(count(svg, "a &lt; b &amp; c") == 1);
   CHECK(count(svg, ">top brick<") == 4 + 1);  // no wall hides it
-  for (const char* view : {"front, 0.20 x 0.20 m", "rear,", "left, 0.10 x 0.20 m", "right,", "plan at z = 0.10 m"}) CHECK(count(svg, view) == 1);
+  for (const char* view : {"front, 0.20 x 0.20 m", "rear,", "left, 0.10 x 0.20 m", "right,", "plan at z = 0.10 m"})
+    CHECK(count(svg, view) == 1);
 }
 
 TEST_CASE("a house's plans lie in two courses that meet its openings, and its hidden faces are not drawn") {
