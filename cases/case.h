@@ -15,8 +15,8 @@
 /// What is simulated, as plain data: the case file, read. SI units, z up; angles in degrees, as the user writes them.
 namespace voussoir::cases {
 
-/// A fault in what the user asked for. `key` is the path in the case file ("house.opening[1].width", indices from 0; empty: the whole file);
-/// the message says what is wrong, the value, and what is allowed. io adds file and line.
+/// A fault in what the user asked for. `key` is the path in the case file ("house.opening[1].width", indices from 0; empty: the whole
+/// file); the message says what is wrong, the value, and what is allowed. io adds file and line.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string key, const std::string& problem)
@@ -29,46 +29,46 @@ class InputError : public std::runtime_error {
 };
 
 struct Gravity {
-  Vec3 acceleration{0.0, 0.0, -9.8};   // m/s2
-  bool settle = true;                  // ramp gravity and wait for rest before time zero
-  std::optional<double> ramp;          // s; default five periods of damping.frequency, else 1 s
-  double settle_limit = 3.0;           // s
+  Vec3 acceleration{0.0, 0.0, -9.8};  // m/s2
+  bool settle = true;                 // ramp gravity and wait for rest before time zero
+  std::optional<double> ramp;         // s; default five periods of damping.frequency, else 1 s
+  double settle_limit = 3.0;          // s
 };
 
 struct Time {
-  std::optional<double> step;          // s; absent = "auto"
-  double duration = 10.0;              // s, after settling
+  std::optional<double> step;  // s; absent = "auto"
+  double duration = 10.0;      // s, after settling
 };
 
 struct Damping {
-  double ratio = 0.0;                  // of critical, at `frequency`
-  std::optional<double> frequency;     // Hz
-  std::optional<double> alpha;         // 1/s; instead of ratio and frequency
-  bool debris = true;                  // "keep" | "off": mass damping of elements without a bond
+  double ratio = 0.0;               // of critical, at `frequency`
+  std::optional<double> frequency;  // Hz
+  std::optional<double> alpha;      // 1/s; instead of ratio and frequency
+  bool debris = true;               // "keep" | "off": mass damping of elements without a bond
 };
 
 struct Material {
-  double density = 0.0;                // kg/m3
-  double young = 0.0;                  // Pa
+  double density = 0.0;  // kg/m3
+  double young = 0.0;    // Pa
   double poisson = 0.0;
 };
 
 /// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
 struct JointLaw {
-  double tension = 0.0;                // f_t, Pa
-  double cohesion = 0.0;               // c, Pa
-  double friction = 0.0;               // phi, degrees
-  double compression = 0.0;            // f_m, Pa
-  double cap = 9.0;                    // C_s
-  double thickness = 0.0;              // t_M, m
-  double young = 0.0;                  // E_M, Pa
+  double tension = 0.0;      // f_t, Pa
+  double cohesion = 0.0;     // c, Pa
+  double friction = 0.0;     // phi, degrees
+  double compression = 0.0;  // f_m, Pa
+  double cap = 9.0;          // C_s
+  double thickness = 0.0;    // t_M, m
+  double young = 0.0;        // E_M, Pa
   double poisson = 0.0;
 };
 
 enum class PostShear { plastic, brittle };
 enum class ShearInTension { cohesion, none, coulomb };
 struct Failure {
-  bool shear = true;                   // "on" | "off"
+  bool shear = true;  // "on" | "off"
   PostShear post_shear = PostShear::plastic;
   ShearInTension shear_in_tension = ShearInTension::cohesion;
 };
@@ -78,46 +78,46 @@ struct JointRule {
   std::string law;                       // a name of joint_laws, or "dry"
 };
 struct Joints {
-  std::string default_law = "dry";     // key: default
+  std::string default_law = "dry";  // key: default
   std::vector<JointRule> between;
 };
 
 enum class ContactNormal { slave, master };
 struct Contact {
-  double friction = 32.0;              // degrees
-  double damping = 1.0;                // h_n = h_s
+  double friction = 32.0;  // degrees
+  double damping = 1.0;    // h_n = h_s
   ContactNormal normal = ContactNormal::slave;
 };
 
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
-  std::optional<std::string> record;   // "bam-like", or a folder holding record.toml
-  std::string direction = "LTV";       // which of L, T, V goes to x, y, z
+  std::optional<std::string> record;              // "bam-like", or a folder holding record.toml
+  std::string direction = "LTV";                  // which of L, T, V goes to x, y, z
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V
-  std::optional<std::string> unit;     // "g", "m/s2", "cm/s2": where a format does not say
+  std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": where a format does not say
   std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
 };
 
 struct HistoryPoint {
   std::string name;
-  Vec3 point;                          // m
+  Vec3 point;  // m
 };
 struct Output {
-  double history_interval = 0.001;     // s
-  double frame_interval = 0.02;        // s
-  double ledger_interval = 0.01;       // s: rows of /energy, /forces, /damage
+  double history_interval = 0.001;  // s
+  double frame_interval = 0.02;     // s
+  double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
 };
 
 struct Rotation {
   Vec3 axis{0, 0, 1};
-  double angle = 0.0;                  // degrees
-  Vec3 about;                          // m
+  double angle = 0.0;  // degrees
+  Vec3 about;          // m
 };
 /// Motion of a fixed block: constant velocity, or a file of t [s], x, y, z [m].
 struct SupportMotion {
-  std::optional<Vec3> velocity;        // m/s
+  std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
 };
 /// A free-standing block. Exactly one of box, vertices, polygon + extrude.
@@ -128,18 +128,19 @@ struct BlockSpec {
   std::vector<std::array<double, 2>> polygon;
   std::optional<std::array<double, 2>> extrude;
   bool fixed = false, free = false;
-  Vec3 velocity, angular_velocity;     // m/s, rad/s, global axes
+  Vec3 velocity, angular_velocity;  // m/s, rad/s, global axes
   std::optional<Rotation> rotate;
   std::optional<SupportMotion> motion;
 };
 struct Load {
   std::string block;
-  Vec3 force, moment;                  // N, N m
-  std::optional<Vec3> at;              // m, a material point; default the centroid
-  std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while settling with the value it has at time 0)
+  Vec3 force, moment;                    // N, N m
+  std::optional<Vec3> at;                // m, a material point; default the centroid
+  std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
+                                         // settling with the value it has at time 0)
 };
 struct Base {
-  double z = 0.0;                      // m
+  double z = 0.0;                        // m
   std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
 };
 
@@ -147,7 +148,7 @@ struct Lintel {
   double length = 0.0, height = 0.1, element = 0.2;  // m
 };
 struct Opening {
-  std::string wall;                    // front | rear | left | right
+  std::string wall;                                          // front | rear | left | right
   double from = 0.0, width = 0.0, sill = 0.0, height = 0.0;  // m
   std::optional<Lintel> lintel;
 };
@@ -159,33 +160,33 @@ enum class RoofKind { none, flat, vault, gables };
 struct Roof {
   RoofKind kind = RoofKind::none;
   std::array<double, 2> beam{0.2, 0.2};  // width along x, height, m (flat)
-  double element = 0.2;                // m (flat)
+  double element = 0.2;                  // m (flat)
   std::string between_beams = "normal";
   double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault; radius also gables)
-  int voussoirs = 25;                  // of a ring (vault, gables)
-  double surcharge = 0.0;              // kg per m2 of the roof's upper surface (flat, vault)
+  int voussoirs = 25;                                // of a ring (vault, gables)
+  double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
 };
 struct Reinforcement {
   std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
   std::vector<double> bearing, nonbearing;                      // column axes, m
-  double element = 0.2;                // length of an element of a member, m
+  double element = 0.2;                                         // length of an element of a member, m
 };
 enum class Bond { english, running };
 struct House {
   std::array<double, 2> inner_size{5.0, 3.0};  // m
-  double height = 2.4;                 // m
+  double height = 2.4;                         // m
   std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m
   Bond bond = Bond::english;
   std::string material = "adobe", joint = "normal";
   HouseWood wood;
   std::array<double, 2> origin{0.0, 0.0};  // m
-  double turn = 0.0;                   // degrees about z: 0, 90, 180, 270
+  double turn = 0.0;                       // degrees about z: 0, 90, 180, 270
   std::array<int, 2> copies{1, 1};
-  std::array<double, 2> spacing{8.0, 6.0};  // m
-  double bearing_wall = 0.2, nonbearing_wall = 0.2;  // m
+  std::array<double, 2> spacing{8.0, 6.0};                           // m
+  double bearing_wall = 0.2, nonbearing_wall = 0.2;                  // m
   std::vector<std::string> walls{"front", "right", "rear", "left"};  // those that are built
   Roof roof;
-  std::vector<Opening> openings;       // key: opening
+  std::vector<Opening> openings;  // key: opening
   std::optional<Reinforcement> reinforcement;
 };
 
@@ -204,10 +205,10 @@ struct Case {
   std::optional<double> segment_size;  // m; key segments.size
   Output output;
   std::optional<House> house;
-  std::vector<BlockSpec> blocks;       // key: block
-  std::vector<Load> loads;             // key: load
+  std::vector<BlockSpec> blocks;  // key: block
+  std::vector<Load> loads;        // key: load
   std::optional<Base> base;
-  std::string folder;                  // of the case file; relative paths in the case start here (not a key)
+  std::string folder;  // of the case file; relative paths in the case start here (not a key)
 };
 
 }  // namespace voussoir::cases

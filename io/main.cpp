@@ -111,11 +111,13 @@ void add_bench(CLI::App& app, Words& w) {
   CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment; thread scaling");
   add_case(bench, w);
   bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(CLI::NonNegativeNumber);
-  bench->add_option("--batches", w.bench.batches, "a figure is the median of so many batches of steps (default: 7)")->check(CLI::Range(1, 1000));
+  bench->add_option("--batches", w.bench.batches, "a figure is the median of so many batches of steps (default: 7)")
+      ->check(CLI::Range(1, 1000));
   bench->add_option("--steps", w.bench.steps, "steps in a batch (default: about 0.1 s of them)")->check(CLI::Range(1, 1000000));
   bench->add_option("--csv", w.bench.csv, "also write the table to this file");
   bench->add_flag("--overwrite", w.bench.overwrite, "replace that file");
-  bench->footer("CASE may also be a checkpoint (.h5) of a run: measured as it stands there\nexample: voussoir bench flat20n -j 2 --after 3.5");
+  bench->footer(
+      "CASE may also be a checkpoint (.h5) of a run: measured as it stands there\nexample: voussoir bench flat20n -j 2 --after 3.5");
 }
 
 void add_resume(CLI::App& app, Words& w) {

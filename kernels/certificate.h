@@ -4,8 +4,8 @@
 
 #include "kernels/side_lanes.h"
 
-/// Sides that need no look at their segments, kWidth at a time. The relative displacement of two rigid faces is affine, u = d + s·a + t·b, so
-/// the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the points. All limits are
+/// Sides that need no look at their segments, kWidth at a time. The relative displacement of two rigid faces is affine, u = d + s·a + t·b,
+/// so the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the points. All limits are
 /// convex in (s, t) once split as below, so four corners bound every segment.
 namespace voussoir::kernels {
 
@@ -29,8 +29,8 @@ VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
 
 /// Lanes whose every segment is certainly inside all limits.
 ///
-/// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 |u|²; where
-/// the cap holds |u| is under f_m/k_s, so a share of f_m² covers it (kRound).
+/// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 |u|²;
+/// where the cap holds |u| is under f_m/k_s, so a share of f_m² covers it (kRound).
 VOUSSOIR_INLINE LaneMask certified(const SideBlock& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at), ks2 = ks * ks;
   const Lanes ft = kMargin * load_lanes(s.tension + at), c = kMargin * load_lanes(s.cohesion + at), tan_phi = load_lanes(s.tan_phi + at);

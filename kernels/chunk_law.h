@@ -60,9 +60,9 @@ struct Totals {
 
 /// Springs of a chunk after this step.
 struct Springs {
-  LocalLanes traction;    // Pa
-  Lanes slip1, slip2;     // history after the step
-  LaneMask rare{};        // lanes that the literal law must decide
+  LocalLanes traction;      // Pa
+  Lanes slip1, slip2;       // history after the step
+  LaneMask rare{};          // lanes that the literal law must decide
   Lanes shear{}, normal{};  // J/m2, lost in this step
 };
 

@@ -58,7 +58,8 @@ VOUSSOIR_INLINE FacingLanes facing_lanes(const Facing& f, const Mat3& d, double 
 
 /// Traction of the points of a chunk that touch one face, and their slip: the law of `touch` in reference/contact_patch.cpp. Points that
 /// are inside but not down on their offset carry nothing and lose their slip.
-VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine, Touching& sum) noexcept {
+VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine,
+                           Touching& sum) noexcept {
   const Lanes zero{}, one = lanes(1.0), s = load_lanes(p.s + i), t = load_lanes(p.t + i), da = f.factor * load_lanes(p.area + i);
   const Lanes xn = f.depth.g0 + s * f.depth.gs + t * f.depth.gt - load_lanes(q.closure + i);
   const LaneMask closed = mine & (xn < 0.0);
@@ -164,8 +165,8 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 // Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. A patch that
 // touched nothing, and whose candidates are all out of reach or still separated, is left at once: most are.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                          const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
-                          std::uint8_t* active) noexcept {
+                          const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                          PairWrench* wrench, std::uint8_t* active) noexcept {
   const auto count = static_cast<std::int32_t>(candidates.size());
   std::fill_n(active, count, std::uint8_t{0});
   const auto skip = [&](const Candidate& c) { return !had_partners && out_of_reach(patch, bodies, c, gap[&c - candidates.data()]); };

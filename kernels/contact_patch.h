@@ -94,8 +94,8 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 /// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)
 /// \pre  histories of the points are padded to kLanes with points that have no partner
 using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                                 const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
-                                 PairWrench* wrench, std::uint8_t* active) noexcept;
+                                 const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o,
+                                 PatchScratch scratch, PairWrench* wrench, std::uint8_t* active) noexcept;
 AdvancePatch advance_patch;            // several points at a time
 AdvancePatch advance_patch_reference;  // the plain twin
 

@@ -135,7 +135,8 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
 
 void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept {
   const Lanes quarter = lanes(0.25 * dt);
-  constexpr int kGroups = kLanes / kWidth;  // side by side: the chain from ω to the next ω is long, and one alone leaves the machine waiting
+  constexpr int kGroups =
+      kLanes / kWidth;  // side by side: the chain from ω to the next ω is long, and one alone leaves the machine waiting
   for (std::int64_t i = first; i < last; i += kLanes) {
     VecLanes w[kGroups];
     // The last ω is as good a start as L at the last orientation, and free.

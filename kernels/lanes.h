@@ -73,9 +73,7 @@ VOUSSOIR_INLINE Pair load_pair(const double* p) noexcept {
   return x;
 }
 VOUSSOIR_INLINE void store_quad(double* p, Quad x) noexcept { __builtin_memcpy(p, &x, sizeof x); }
-VOUSSOIR_INLINE void add_quad(double* p, Quad x) noexcept {
-  store_quad(p, load_quad(p) + x);
-}
+VOUSSOIR_INLINE void add_quad(double* p, Quad x) noexcept { store_quad(p, load_quad(p) + x); }
 VOUSSOIR_INLINE void add_pair(double* p, Pair x) noexcept {
   x = load_pair(p) + x;
   __builtin_memcpy(p, &x, sizeof x);

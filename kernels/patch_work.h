@@ -94,7 +94,7 @@ inline void distances(PointsView p, const PlaneFields& planes, double* distance)
 
 /// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
 inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
-                        double& depth) noexcept {
+                               double& depth) noexcept {
   std::int32_t best = kNoFace;
   depth = 1e300;
   for (int f = 0; f < planes.count; ++f) {
@@ -116,7 +116,8 @@ inline void release(ContactPoints q, int i) noexcept {
 }
 
 /// Springs and dashpots between the patch and one face (Eqs. 2, 9, 10).
-inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t, const ContactOptions& o) noexcept {
+inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t,
+                           const ContactOptions& o) noexcept {
   Stiffness k;
   if (slave == p.origin) {
     k.kn = p.origin_kn, k.ks = p.origin_ks;
@@ -141,8 +142,8 @@ struct Facing {
   double tan_phi = 0.0, factor = 0.5;
 };
 
-inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const FaceTable& faces,
-              const ContactOptions& o) noexcept {
+inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b,
+                     const FaceTable& faces, const ContactOptions& o) noexcept {
   const Pose slave = load_pose(b.pose, c.element);
   const Twist twist = load_twist(b.twist, c.element);
   const Vec3 nb = apply(slave, faces.normal[face]);
@@ -166,7 +167,7 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
 
 /// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
 inline void book_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
-                  PatchResult& r) noexcept {
+                         PatchResult& r) noexcept {
   const double un = f.depth.at(s, t) - q.closure[i];
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
   const double vn = dot(v, f.n);

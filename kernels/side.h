@@ -90,9 +90,10 @@ struct EventSink {
   int count = 0;
 };
 
-/// Advances the segments of a side by one step, one by one, by the literal law. Writes `q`; appends events. \pre sink has room for points.n.
-SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
-                               FailureOptions o, EventSink& sink) noexcept;
+/// Advances the segments of a side by one step, one by one, by the literal law. Writes `q`; appends events. \pre sink has room for
+/// points.n.
+SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
+                               double time, FailureOptions o, EventSink& sink) noexcept;
 
 /// Elastic energy in the springs of a side as they are [J]: of bonded segments, of contacts.
 struct SideEnergy {
@@ -108,8 +109,8 @@ struct SideParts {
   SegmentsView segments;
 };
 
-/// Where sides leave their forces if they do not add them to the elements' rows: 12 numbers a side, the force and torque on the master, then
-/// those on the slave.
+/// Where sides leave their forces if they do not add them to the elements' rows: 12 numbers a side, the force and torque on the master,
+/// then those on the slave.
 inline constexpr int kPairStride = 12;
 struct PairBuffer {
   double *wrench = nullptr, *dashpot = nullptr;  // the whole; the dashpots' share
@@ -145,11 +146,11 @@ enum class Quick : std::uint8_t {
 
 /// The sides of a block as they stand.
 struct BlockState {
-  const Quick* quick = nullptr;       // kLanes
-  const SideParts* parts = nullptr;   // kLanes
-  std::int64_t first = 0;             // number of the first side
-  unsigned live = 0;                  // bit mask of the lanes that take part
-  bool look_closely = false;          // look also at open sides, which may have come apart
+  const Quick* quick = nullptr;      // kLanes
+  const SideParts* parts = nullptr;  // kLanes
+  std::int64_t first = 0;            // number of the first side
+  unsigned live = 0;                 // bit mask of the lanes that take part
+  bool look_closely = false;         // look also at open sides, which may have come apart
 };
 
 /// The clock of a step.

@@ -92,7 +92,8 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
   return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
 }
 
-/// Hands the wrenches of the chosen lanes to their elements, or leaves them in the buffer for pairs. `dashpot`: they are the dashpots' share.
+/// Hands the wrenches of the chosen lanes to their elements, or leaves them in the buffer for pairs. `dashpot`: they are the dashpots'
+/// share.
 VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
                              bool dashpot) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;

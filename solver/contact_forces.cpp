@@ -14,10 +14,10 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   const auto i = static_cast<std::size_t>(c.active[a]);
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
-  const kernels::PatchResult r = advance(
-      p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0, {c.candidate.data() + first, count}, c.gap.data() + first,
-      bodies, faces, w.contact, {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
-      c.wrench.data() + first, c.on.data() + first);
+  const kernels::PatchResult r = advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0,
+                                         {c.candidate.data() + first, count}, c.gap.data() + first, bodies, faces, w.contact,
+                                         {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
+                                         c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
   p.friction[i] += r.friction;

@@ -56,7 +56,8 @@ PlacedPatch placed(const World& w, std::size_t p) {
   return r;
 }
 
-/// True unless a face of the element has the whole patch farther out than the skin. `separating`: the face that is farthest from it, by `farthest`.
+/// True unless a face of the element has the whole patch farther out than the skin. `separating`: the face that is farthest from it, by
+/// `farthest`.
 bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, std::int32_t& separating, double& farthest) {
   const auto i = static_cast<std::size_t>(element);
   const Body b = body(w, element);

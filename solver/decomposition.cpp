@@ -13,8 +13,8 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr double kFits = 0.995;              // share of the sides that must fit between two neighbouring cells
-constexpr double kElementsInACell = 16.0;    // if the model filled its plan evenly; walls are denser
+constexpr double kFits = 0.995;            // share of the sides that must fit between two neighbouring cells
+constexpr double kElementsInACell = 16.0;  // if the model filled its plan evenly; walls are denser
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 

@@ -21,8 +21,8 @@ struct ForceStage {
   std::vector<ThreadRoom> by_thread;
 };
 
-/// One team of threads from the first side to the last slot: contacts and joints need nothing of each other, so only colours, and the gather
-/// behind them, wait.
+/// One team of threads from the first side to the last slot: contacts and joints need nothing of each other, so only colours, and the
+/// gather behind them, wait.
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

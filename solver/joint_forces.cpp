@@ -41,11 +41,12 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   kernels::DamagedSide result[kernels::kLanes];
   kernels::EventSink sink{found.room.data(), 0};
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
-  const unsigned looked_at = advance(s.blocks[block], {.quick = s.quick.data() + first,
-                                                        .parts = s.parts.data() + first,
-                                                        .first = static_cast<std::int64_t>(first),
-                                                        .live = s.live_lanes[block],
-                                                        .look_closely = look_closely},
+  const unsigned looked_at = advance(s.blocks[block],
+                                     {.quick = s.quick.data() + first,
+                                      .parts = s.parts.data() + first,
+                                      .first = static_cast<std::int64_t>(first),
+                                      .live = s.live_lanes[block],
+                                      .look_closely = look_closely},
                                      rows, clock, w.failure, result, sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);

@@ -72,12 +72,12 @@ struct PointSets {
 /// Sides of joints, in blocks of kLanes, blocks in tasks, tasks in colours (decomposition.h). A side's number is block × kLanes + lane.
 struct Sides {
   Array<kernels::SideBlock> blocks;
-  std::vector<std::int32_t> task_first;     // blocks of task t: [task_first[t], task_first[t + 1])
-  std::vector<std::int32_t> colour_first;   // tasks of colour c: [colour_first[c], colour_first[c + 1])
-  std::int32_t overflow_colour = -1;        // one task, run serially; −1: none
-  std::vector<std::int32_t> live;           // blocks with a side that is not retired, ascending
-  std::vector<std::int32_t> live_first;     // by task, into `live`; tasks + 1 entries
-  std::vector<std::uint8_t> live_lanes;     // by block, bit mask of the sides that are not retired
+  std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;       // one task, run serially; −1: none
+  std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
+  std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
+  std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
   std::vector<std::int32_t> master_face, slave_face;  // into Faces

@@ -58,8 +58,8 @@ void hand_out(const Side& side, std::int64_t id, bool on_base, const SideFrame& 
 
 }  // namespace
 
-SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step, double time,
-                               FailureOptions o, EventSink& sink) noexcept {
+SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
+                               double time, FailureOptions o, EventSink& sink) noexcept {
   SegmentTotals r;
   for (int i = 0; i < p.n; ++i) {
     const double s = p.s[i], t = p.t[i], da = side.factor * p.area[i];

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "kernels/contact_patch.h"
+
 #include <doctest/doctest.h>
 
-#include "kernels/contact_patch.h"
 #include "tests/kernels/side_fixture.h"
 
 using namespace voussoir;
@@ -58,13 +59,15 @@ struct Twin {
     patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;
   }
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
-    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0}, gap[2] = {-1.0, -1.0}, moved[3] = {1.0, 1.0, 0.0};
+    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0}, gap[2] = {-1.0, -1.0},
+                        moved[3] = {1.0, 1.0, 0.0};
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, moved};
     std::vector<double> depth(kPadded), distance(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
-    last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
-                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0, candidates, gap,
-                   bodies, bricks.table(), o, {depth.data(), distance.data(), candidate.data(), new_face.data()}, wrench, on);
+    last =
+        advance(patch, {s.data(), t.data(), area.data(), kPoints},
+                {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0, candidates,
+                gap, bodies, bricks.table(), o, {depth.data(), distance.data(), candidate.data(), new_face.data()}, wrench, on);
   }
 };
 
