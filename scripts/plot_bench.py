@@ -11,6 +11,7 @@ import pathlib
 import re
 
 import matplotlib
+import matplotlib.ticker
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -19,6 +20,11 @@ import matplotlib.pyplot as plt
 def rows(path):
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
+
+
+def in_powers_of_two(axis, set_scale):
+    set_scale("log", base=2)
+    axis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
 
 
 def speedups(axes, tables):
@@ -31,7 +37,9 @@ def speedups(axes, tables):
             style = "-o" if scatter == "colour" else "--s"
             axes.plot(threads, [float(r["speedup"]) for r in mine], style, label=f"{path.stem}, {scatter}")
     axes.plot([1, most], [1, most], color="grey", linewidth=0.8)
-    axes.set(xlabel="threads", ylabel="speed-up", xscale="log", yscale="log")
+    axes.set(xlabel="threads", ylabel="speed-up")
+    in_powers_of_two(axes.xaxis, axes.set_xscale)
+    in_powers_of_two(axes.yaxis, axes.set_yscale)
     axes.legend(fontsize=7)
 
 
@@ -41,7 +49,8 @@ def growth(axes, tables):
         points = sorted((n, float(r["ns_per_joint"])) for n, table in houses.items() for r in table
                         if r["scatter"] == scatter and r["threads"] == "1")
         axes.plot([n for n, _ in points], [t for _, t in points], style, label=f"{scatter}, 1 thread")
-    axes.set(xlabel="houses", ylabel="ns a joint and step", xscale="log")
+    axes.set(xlabel="houses", ylabel="ns a joint and step")
+    in_powers_of_two(axes.xaxis, axes.set_xscale)
     axes.set_ylim(bottom=0.0)
     axes.legend(fontsize=7)
 
