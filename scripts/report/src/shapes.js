@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+// Elements that look the same are drawn together: all boxes as one cube with a size each, the others by distinct shape.
+import { BoxGeometry, BufferGeometry, Float32BufferAttribute } from "three";
+
+// Faces of VTK's hexahedron (12) and wedge (13), outward.
+const kFaces = {
+  12: [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+  13: [[0, 1, 2], [3, 5, 4], [0, 3, 4, 1], [1, 4, 5, 2], [2, 5, 3, 0]],
+};
+
+/** Outer faces of an element as lists of corners from its centroid. */
+function outline(run, cells, e) {
+  const faces = new Map(); // a face that two cells share is inside
+  for (const c of cells) {
+    for (const face of kFaces[run.cellTypes[c]]) {
+      const corners = face.map((k) => run.cells[8 * c + k]);
+      const key = [...corners].sort((a, b) => a - b).join();
+      if (!faces.delete(key)) faces.set(key, corners);
+    }
+  }
+  const corner = (v) => [0, 1, 2].map((k) => run.vertices[3 * v + k] - run.frames.centroids[3 * e + k]);
+  return [...faces.values()].map((face) => face.map(corner));
+}
+
+/** Lengths of an upright box about the centroid, or nothing. */
+function boxSize(faces) {
+  const corners = faces.flat();
+  const half = [0, 1, 2].map((k) => Math.max(...corners.map((p) => Math.abs(p[k]))));
+  const upright = faces.length === 6 && corners.every((p) => p.every((x, k) => Math.abs(Math.abs(x) - half[k]) < 1e-5));
+  return upright ? half.map((h) => 2 * h) : null;
+}
+
+function solid(faces) {
+  const points = [];
+  for (const face of faces) {
+    for (let i = 2; i < face.length; ++i) points.push(...face[0], ...face[i - 1], ...face[i]);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+/** [{geometry, elements, sizes}]; sizes: three an element, factors on the geometry. */
+export function distinctShapes(run) {
+  const cellsOf = Array.from({ length: run.frames.n }, () => []);
+  run.cellElements.forEach((e, c) => cellsOf[e].push(c));
+  const shapes = new Map();
+  cellsOf.forEach((cells, e) => {
+    const faces = outline(run, cells, e), box = boxSize(faces);
+    const key = box ? "box" : JSON.stringify(faces.map((f) => f.map((p) => p.map((x) => Math.round(1e5 * x))))); // to 0.01 mm
+    if (!shapes.has(key)) shapes.set(key, { geometry: box ? new BoxGeometry(1, 1, 1) : solid(faces), elements: [], sizes: [] });
+    const shape = shapes.get(key);
+    shape.elements.push(e);
+    shape.sizes.push(...(box ?? [1, 1, 1]));
+  });
+  return [...shapes.values()];
+}
