@@ -1,19 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // The house in three dimensions. Nothing is drawn unless something changed.
-import {
-  AmbientLight, Color, DirectionalLight, EdgesGeometry, GridHelper, InstancedMesh, LineBasicMaterial, MeshLambertMaterial, PerspectiveCamera,
-  Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
-} from "three";
+import { Color, GridHelper, InstancedMesh, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { brickMaterial } from "./brick.js";
 import { distinctShapes } from "./shapes.js";
 
 const kViews = { corner: [1, -1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1] };
-
-/** Instances as lines: three.js draws an InstancedMesh by these marks. */
-function asLines(mesh) {
-  return Object.assign(mesh, { isMesh: false, isLine: true, isLineSegments: true });
-}
 
 export class House {
   constructor(canvas, run) {
@@ -25,7 +18,8 @@ export class House {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
-    this.#light();
+    this.#layGround();
+    this.material = brickMaterial();
     this.meshes = distinctShapes(run).map((shape) => this.#add(shape));
     this.#measure();
     this.look("corner");
@@ -33,12 +27,7 @@ export class House {
     this.#resize();
   }
 
-  #light() {
-    const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(-0.5, -1, 2);
-    const fill = new DirectionalLight(0xffffff, 0.7);
-    fill.position.set(1, 0.6, 0.4);
-    this.scene.add(sun, fill, new AmbientLight(0xffffff, 1.0));
+  #layGround() {
     const grid = new GridHelper(40, 40, 0x888888, 0x888888);
     grid.rotation.x = Math.PI / 2;
     grid.material.transparent = true;
@@ -47,13 +36,10 @@ export class House {
   }
 
   #add({ geometry, elements, sizes }) {
-    const faces = new MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-    const mesh = new InstancedMesh(geometry, faces, elements.length);
-    const edges = asLines(new InstancedMesh(new EdgesGeometry(geometry, 15), new LineBasicMaterial({ color: 0x2a2a2a }), elements.length));
-    edges.instanceMatrix = mesh.instanceMatrix;
-    mesh.frustumCulled = edges.frustumCulled = false; // instances leave the bounds of the first frame
+    const mesh = new InstancedMesh(geometry, this.material, elements.length);
+    mesh.frustumCulled = false; // instances leave the bounds of the first frame
     mesh.setColorAt(0, new Color());
-    this.scene.add(mesh, edges);
+    this.scene.add(mesh);
     return Object.assign(mesh, { elements, sizes });
   }
 

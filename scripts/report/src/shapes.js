@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // Elements that look the same are drawn together: all boxes as one cube with a size each, the others by distinct shape.
-import { BoxGeometry, BufferGeometry, Float32BufferAttribute } from "three";
+import { BufferGeometry, Float32BufferAttribute } from "three";
 
 // Faces of VTK's hexahedron (12) and wedge (13), outward.
 const kFaces = {
@@ -31,16 +31,24 @@ function boxSize(faces) {
   return upright ? half.map((h) => 2 * h) : null;
 }
 
+/** Faces as fans about their middle; `inside` is 1 there and 0 on the edges. Faces are convex. */
 function solid(faces) {
-  const points = [];
+  const points = [], inside = [];
   for (const face of faces) {
-    for (let i = 2; i < face.length; ++i) points.push(...face[0], ...face[i - 1], ...face[i]);
+    const middle = [0, 1, 2].map((k) => face.reduce((sum, p) => sum + p[k], 0) / face.length);
+    face.forEach((p, i) => {
+      points.push(...middle, ...p, ...face[(i + 1) % face.length]);
+      inside.push(1, 0, 0);
+    });
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
+  geometry.setAttribute("inside", new Float32BufferAttribute(inside, 1));
   geometry.computeVertexNormals();
   return geometry;
 }
+
+const unit = (faces, size) => faces.map((face) => face.map((p) => p.map((x, k) => x / size[k])));
 
 /** [{geometry, elements, sizes}]; sizes: three an element, factors on the geometry. */
 export function distinctShapes(run) {
@@ -50,7 +58,7 @@ export function distinctShapes(run) {
   cellsOf.forEach((cells, e) => {
     const faces = outline(run, cells, e), box = boxSize(faces);
     const key = box ? "box" : JSON.stringify(faces.map((f) => f.map((p) => p.map((x) => Math.round(1e5 * x))))); // to 0.01 mm
-    if (!shapes.has(key)) shapes.set(key, { geometry: box ? new BoxGeometry(1, 1, 1) : solid(faces), elements: [], sizes: [] });
+    if (!shapes.has(key)) shapes.set(key, { geometry: solid(box ? unit(faces, box) : faces), elements: [], sizes: [] });
     const shape = shapes.get(key);
     shape.elements.push(e);
     shape.sizes.push(...(box ?? [1, 1, 1]));
