@@ -31,20 +31,34 @@ function boxSize(faces) {
   return upright ? half.map((h) => 2 * h) : null;
 }
 
-/** Faces as fans about their middle; `inside` is 1 there and 0 on the edges. Faces are convex. */
-function solid(faces) {
-  const points = [], inside = [];
-  for (const face of faces) {
-    const middle = [0, 1, 2].map((k) => face.reduce((sum, p) => sum + p[k], 0) / face.length);
-    face.forEach((p, i) => {
-      points.push(...middle, ...p, ...face[(i + 1) % face.length]);
-      inside.push(1, 0, 0);
-    });
+const kSquare = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+
+/** Appends a face, which is convex. `across` tells where edges are: there one of its two numbers is 1 or -1 (see brick.js). */
+function addFace(face, to) {
+  const first = to.points.length / 3;
+  to.points.push(...face.flat());
+  if (face.length === 4) {
+    to.across.push(...kSquare.flat());
+    to.index.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    return;
   }
+  const middle = first + face.length; // a fan about it
+  to.points.push(...[0, 1, 2].map((k) => face.reduce((sum, p) => sum + p[k], 0) / face.length));
+  face.forEach((_, i) => {
+    to.across.push(1, 0);
+    to.index.push(middle, first + i, first + ((i + 1) % face.length));
+  });
+  to.across.push(0, 0);
+}
+
+function solid(faces) {
+  const to = { points: [], across: [], index: [] };
+  for (const face of faces) addFace(face, to);
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
-  geometry.setAttribute("inside", new Float32BufferAttribute(inside, 1));
-  geometry.computeVertexNormals();
+  geometry.setAttribute("position", new Float32BufferAttribute(to.points, 3));
+  geometry.setAttribute("across", new Float32BufferAttribute(to.across, 2));
+  geometry.setIndex(to.index);
+  geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
   return geometry;
 }
 
