@@ -39,12 +39,8 @@ const { last, n, quantum } = await page.evaluate("({ last: report.last, n: repor
 for (const part of [0.2, 0.45, 0.6, 1]) {
   const frame = Math.round(part * last);
   await page.locator("#time").fill(String(frame));
-  // what is drawn: the last column of every instance's matrix
-  const drawn = await page.evaluate(`(() => {
-    const out = new Array(3 * report.run.frames.n);
-    for (const m of report.house.meshes) m.elements.forEach((e, i) => { for (let k = 0; k < 3; ++k) out[3 * e + k] = m.instanceMatrix.array[16 * i + 12 + k]; });
-    return out;
-  })()`);
+  // what is drawn: the first three of twelve numbers an element
+  const drawn = await page.evaluate("Array.from({ length: 3 * report.run.frames.n }, (_, i) => report.house.state[12 * Math.floor(i / 3) + (i % 3)])");
   const run = frameOf(frame, n);
   const worst = run.reduce((w, x, i) => Math.max(w, Math.abs(x - drawn[i])), 0);
   console.log(`frame ${frame}: positions within ${(1000 * worst).toFixed(4)} mm of the run, quantum ${(1000 * quantum).toFixed(4)} mm`);

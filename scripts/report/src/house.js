@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // The house in three dimensions. Nothing is drawn unless something changed.
-import { Color, GridHelper, InstancedMesh, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Box3, GridHelper, Mesh, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { brickMaterial } from "./brick.js";
-import { distinctShapes } from "./shapes.js";
+import { brickMaterial, kStride, stateTexture } from "./brick.js";
+import { allShapes } from "./shapes.js";
 
 const kViews = { corner: [1, -1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1] };
 
@@ -28,8 +28,7 @@ export class House {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
     this.#layGround();
-    this.material = brickMaterial();
-    this.meshes = distinctShapes(run).map((shape) => this.#add(shape));
+    this.#build();
     this.#measure();
     this.look("corner");
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
@@ -44,12 +43,14 @@ export class House {
     this.scene.add(grid);
   }
 
-  #add({ geometry, elements, sizes }) {
-    const mesh = new InstancedMesh(geometry, this.material, elements.length);
-    mesh.frustumCulled = false; // instances leave the bounds of the first frame
-    mesh.setColorAt(0, new Color());
+  #build() {
+    const { geometry, extent } = allShapes(this.run);
+    this.extent = extent;
+    this.texture = stateTexture(this.run.frames.n);
+    this.state = this.texture.image.data;
+    const mesh = new Mesh(geometry, brickMaterial(this.texture));
+    mesh.frustumCulled = false; // the geometry does not know where its elements are
     this.scene.add(mesh);
-    return Object.assign(mesh, { elements, sizes });
   }
 
   #measure() {
@@ -81,37 +82,36 @@ export class House {
 
   /** Puts every element where it is at frame `at` (need not be whole); `colour(e)` gives [r, g, b]. */
   show(at, colour) {
-    for (const mesh of this.meshes) {
-      mesh.elements.forEach((e, i) => {
-        this.#place(mesh.instanceMatrix.array, 16 * i, e, at, mesh.sizes, 3 * i);
-        mesh.instanceColor.array.set(colour(e), 3 * i);
-      });
-      mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
+    const { state, run: { frames } } = this;
+    for (let e = 0, to = 0; e < frames.n; ++e, to += kStride) {
+      for (let k = 0; k < 3; ++k) state[to + k] = frames.position(at, e, k);
+      const w = frames.quaternion(at, e, 0), x = frames.quaternion(at, e, 1), y = frames.quaternion(at, e, 2), z = frames.quaternion(at, e, 3);
+      const length = Math.sqrt(w * w + x * x + y * y + z * z) || 1;
+      state[to + 4] = x / length, state[to + 5] = y / length, state[to + 6] = z / length, state[to + 7] = w / length;
+      state.set(colour(e), to + 8);
     }
+    this.texture.needsUpdate = true;
     this.draw();
   }
 
-  /** Column-major 4×4 of rotation, size and position. */
-  #place(m, to, e, at, sizes, s) {
-    const frames = this.run.frames;
-    let w = frames.quaternion(at, e, 0), x = frames.quaternion(at, e, 1), y = frames.quaternion(at, e, 2), z = frames.quaternion(at, e, 3);
-    const length = Math.hypot(w, x, y, z) || 1;
-    (w /= length), (x /= length), (y /= length), (z /= length);
-    const a = sizes[s], b = sizes[s + 1], c = sizes[s + 2];
-    m[to] = a * (1 - 2 * (y * y + z * z)), m[to + 1] = 2 * a * (x * y + w * z), m[to + 2] = 2 * a * (x * z - w * y);
-    m[to + 4] = 2 * b * (x * y - w * z), m[to + 5] = b * (1 - 2 * (x * x + z * z)), m[to + 6] = 2 * b * (y * z + w * x);
-    m[to + 8] = 2 * c * (x * z + w * y), m[to + 9] = 2 * c * (y * z - w * x), m[to + 10] = c * (1 - 2 * (x * x + y * y));
-    for (let k = 0; k < 3; ++k) m[to + 12 + k] = frames.position(at, e, k);
-    m[to + 15] = 1;
-  }
-
-  /** The element under a point of the window, or -1. */
+  /** The element under a point of the window, or -1; of one that is no box, the box about it counts. */
   pick(x, y) {
-    const r = this.canvas.getBoundingClientRect(), ray = new Raycaster();
-    ray.setFromCamera(new Vector2((2 * (x - r.left)) / r.width - 1, 1 - (2 * (y - r.top)) / r.height), this.camera);
-    for (const mesh of this.meshes) mesh.computeBoundingSphere();
-    const hit = ray.intersectObjects(this.meshes)[0];
-    return hit ? hit.object.elements[hit.instanceId] : -1;
+    const r = this.canvas.getBoundingClientRect(), caster = new Raycaster(), hit = new Vector3(), box = new Box3(), turn = new Quaternion();
+    caster.setFromCamera(new Vector2((2 * (x - r.left)) / r.width - 1, 1 - (2 * (y - r.top)) / r.height), this.camera);
+    let nearest = Infinity, picked = -1;
+    for (let e = 0, at = 0; e < this.run.frames.n; ++e, at += kStride) {
+      turn.fromArray(this.state, at + 4).invert();
+      const ray = caster.ray.clone(); // as the element sees it
+      ray.origin.sub(new Vector3().fromArray(this.state, at)).applyQuaternion(turn);
+      ray.direction.applyQuaternion(turn);
+      box.min.fromArray(this.extent, 6 * e);
+      box.max.fromArray(this.extent, 6 * e + 3);
+      if (ray.intersectBox(box, hit) && hit.distanceTo(ray.origin) < nearest) {
+        nearest = hit.distanceTo(ray.origin);
+        picked = e;
+      }
+    }
+    return picked;
   }
 
   draw() {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// Elements that look the same are drawn together: all boxes as one cube with a size each, the others by distinct shape.
+// The faces of all elements, each about its centroid.
 import { BufferGeometry, Float32BufferAttribute } from "three";
 
 // Faces of VTK's hexahedron (12) and wedge (13), outward.
@@ -23,14 +23,6 @@ function outline(run, cells, e) {
   return [...faces.values()].map((face) => face.map(corner));
 }
 
-/** Lengths of an upright box about the centroid, or nothing. */
-function boxSize(faces) {
-  const corners = faces.flat();
-  const half = [0, 1, 2].map((k) => Math.max(...corners.map((p) => Math.abs(p[k]))));
-  const upright = faces.length === 6 && corners.every((p) => p.every((x, k) => Math.abs(Math.abs(x) - half[k]) < 1e-5));
-  return upright ? half.map((h) => 2 * h) : null;
-}
-
 const kSquare = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
 
 /** Appends a face, which is convex. `across` tells where edges are: there one of its two numbers is 1 or -1 (see brick.js). */
@@ -51,31 +43,25 @@ function addFace(face, to) {
   to.across.push(0, 0);
 }
 
-function solid(faces) {
-  const to = { points: [], across: [], index: [] };
-  for (const face of faces) addFace(face, to);
+/** {geometry, extent}: all elements as one geometry, each about its centroid, and six numbers an element: its lowest and highest corner. */
+export function allShapes(run) {
+  const n = run.frames.n, to = { points: [], across: [], index: [] }, element = [], extent = new Float32Array(6 * n);
+  const cellsOf = Array.from({ length: n }, () => []);
+  run.cellElements.forEach((e, c) => cellsOf[e].push(c));
+  cellsOf.forEach((cells, e) => {
+    const faces = outline(run, cells, e), corners = faces.flat();
+    for (const face of faces) addFace(face, to);
+    while (element.length < to.points.length / 3) element.push(e);
+    for (let k = 0; k < 3; ++k) {
+      extent[6 * e + k] = Math.min(...corners.map((p) => p[k]));
+      extent[6 * e + 3 + k] = Math.max(...corners.map((p) => p[k]));
+    }
+  });
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new Float32BufferAttribute(to.points, 3));
   geometry.setAttribute("across", new Float32BufferAttribute(to.across, 2));
+  geometry.setAttribute("element", new Float32BufferAttribute(element, 1));
   geometry.setIndex(to.index);
   geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
-  return geometry;
-}
-
-const unit = (faces, size) => faces.map((face) => face.map((p) => p.map((x, k) => x / size[k])));
-
-/** [{geometry, elements, sizes}]; sizes: three an element, factors on the geometry. */
-export function distinctShapes(run) {
-  const cellsOf = Array.from({ length: run.frames.n }, () => []);
-  run.cellElements.forEach((e, c) => cellsOf[e].push(c));
-  const shapes = new Map();
-  cellsOf.forEach((cells, e) => {
-    const faces = outline(run, cells, e), box = boxSize(faces);
-    const key = box ? "box" : JSON.stringify(faces.map((f) => f.map((p) => p.map((x) => Math.round(1e5 * x))))); // to 0.01 mm
-    if (!shapes.has(key)) shapes.set(key, { geometry: solid(box ? unit(faces, box) : faces), elements: [], sizes: [] });
-    const shape = shapes.get(key);
-    shape.elements.push(e);
-    shape.sizes.push(...(box ?? [1, 1, 1]));
-  });
-  return [...shapes.values()];
+  return { geometry, extent };
 }
