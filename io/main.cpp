@@ -15,6 +15,7 @@
 #include "io/errors.h"
 #include "io/modes_command.h"
 #include "io/motion_command.h"
+#include "io/report_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
 #include "io/verify_command.h"
@@ -36,6 +37,7 @@ struct Words {
   io::RunOptions run;
   io::BenchOptions bench;
   io::ResumeOptions resume;
+  io::ReportOptions report;
   io::MotionOptions motion_options;
   io::CheckOptions check;
   io::ModesOptions modes;
@@ -137,6 +139,14 @@ void add_compare(CLI::App& app, Words& w) {
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
+void add_report(CLI::App& app, Words& w) {
+  CLI::App* report = app.add_subcommand("report", "one HTML page that shows a run: 3D replay, histories, damage, energy");
+  report->add_option("DIR", w.report.folder, "folder of the run")->required();
+  report->add_option("-o,--output", w.report.page, "file of the page (default: DIR/report.html)");
+  report->add_flag("--overwrite", w.report.overwrite, "replace an existing page");
+  report->footer("example: voussoir report results/flat20n -o flat20n.html");
+}
+
 void add_check(CLI::App& app, Words& w) {
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
@@ -186,6 +196,7 @@ int dispatch(const CLI::App& app, Words& w) {
   }
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
   if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
+  if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
@@ -229,6 +240,7 @@ int main(int argc, char** argv) {
   add_run(app, w);
   add_resume(app, w);
   add_compare(app, w);
+  add_report(app, w);
   add_check(app, w);
   add_modes(app, w);
   add_motion(app, w);

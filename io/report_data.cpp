@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "io/case_file.h"
+#include "io/hdf5_file.h"
+#include "io/motion_files.h"
+#include "io/packed_text.h"
+#include "io/report_frames.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kPlotPoints = 4000;  // of a curve at most: more than a screen has columns
+
+/// Every so many rows are shown of `rows`.
+std::size_t stride_of(std::size_t rows) { return std::max<std::size_t>(1, (rows + kPlotPoints - 1) / kPlotPoints); }
+
+/// Component `first` of rows of `width`, thinned, to six digits.
+Json thinned(const std::vector<double>& values, std::size_t first = 0, std::size_t width = 1) {
+  Json out = Json::array();
+  const std::size_t rows = values.size() / width, stride = stride_of(rows);
+  for (std::size_t i = 0; i < rows; i += stride) {
+    const double v = values[first + i * width];
+    const double digit = v == 0 || !std::isfinite(v) ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(v))) - 5);
+    out.push_back(std::round(v / digit) * digit);  // JSON has no NaN: it becomes null
+  }
+  return out;
+}
+
+Json curve(const std::string& name, Json values) { return {{"name", name}, {"y", std::move(values)}}; }
+
+/// One diagram: what stands on it, and its curves over one time.
+Json plot(const std::string& title, const std::string& unit, Json time, Json curves) {
+  return {{"title", title}, {"unit", unit}, {"t", std::move(time)}, {"curves", std::move(curves)}};
+}
+
+constexpr std::array kAxes{"x", "y", "z"};
+
+/// Ground acceleration at the times of the histories' rows.
+Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
+  std::vector<double> time, value;
+  for (std::size_t i = 0; i < kPlotPoints; ++i) {
+    time.push_back(from + (until - from) * static_cast<double>(i) / (kPlotPoints - 1));
+    const Vec3 a = cases::acceleration_at(motion, time.back());
+    value.insert(value.end(), {a.x, a.y, a.z});
+  }
+  Json curves = Json::array();
+  for (std::size_t k = 0; k < 3; ++k) curves.push_back(curve(kAxes[k], thinned(value, k, 3)));
+  return plot("Ground acceleration", "m/s²", thinned(time), std::move(curves));
+}
+
+void add_histories(const Hdf5File& file, Json& plots) {
+  const Json time = thinned(file.read<double>("/history/time"));
+  for (const std::string& name : file.children("/history")) {
+    const std::string group = "/history/" + name;
+    if (!file.is_group(group)) continue;
+    const std::vector<double> u = file.read<double>(group + "/displacement");
+    Json curves = Json::array();
+    for (std::size_t k = 0; k < 3; ++k) curves.push_back(curve(kAxes[k], thinned(u, k, 3)));
+    plots.push_back(plot("Displacement of " + name, "m", time, std::move(curves)));
+  }
+}
+
+/// Some columns of one table.
+Json table_plot(const Hdf5File& file, const std::string& title, const std::string& unit, const std::string& table,
+                const std::vector<std::string>& columns) {
+  Json curves = Json::array();
+  for (const std::string& c : columns) curves.push_back(curve(c, thinned(file.read<double>(table + "/" + c))));
+  return plot(title, unit, thinned(file.read<double>(table + "/time")), std::move(curves));
+}
+
+/// Attributes that are there, as numbers.
+Json numbers(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
+  Json out = Json::object();
+  for (const std::string& name : names)
+    if (file.has_attribute(object, name)) out[name] = file.attribute_double(object, name);
+  return out;
+}
+
+Json texts(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
+  Json out = Json::object();
+  for (const std::string& name : names)
+    if (file.has_attribute(object, name)) out[name] = file.attribute_text(object, name);
+  return out;
+}
+
+/// Title and ground motion stand in the case. Its records may be gone: then the page has all but their curves.
+void add_case(const Hdf5File& file, double from, double until, Json& facts) {
+  facts["title"] = std::filesystem::path(file.path()).parent_path().filename().string();
+  try {
+    const LoadedCase c = read_case({file.path(), file.attribute_text("/case", "toml")});
+    facts["title"] = c.value.title;
+    if (c.value.motion) facts["plots"].push_back(ground_plot(load_motion(*c.value.motion, c.value.folder), from, until));
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "warning: the page has no ground motion: %s\n", e.what());
+  }
+}
+
+/// "roof beam 11" is of the part "roof beam".
+std::string part_of(const std::string& tag) {
+  const std::size_t end = tag.find_last_not_of("0123456789 ");
+  return end == std::string::npos ? tag : tag.substr(0, end + 1);
+}
+
+/// Parts of the building by number, in order of their first element.
+std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
+  std::map<std::string, std::int32_t> numbers;
+  std::vector<std::int32_t> part;
+  facts["parts"] = Json::array();
+  for (const std::string& tag : file.read_strings("/model/element/tag")) {
+    const auto [at, is_new] = numbers.emplace(part_of(tag), static_cast<std::int32_t>(numbers.size()));
+    if (is_new) facts["parts"].push_back(at->first);
+    part.push_back(at->second);
+  }
+  return part;
+}
+
+std::string script(const char* type, const std::string& id, const std::string& text) {
+  return "<script type=\"" + std::string(type) + "\" id=\"" + id + "\">" + text + "</script>\n";
+}
+
+template <class T>
+std::string packed_script(const std::string& id, const std::vector<T>& values) {
+  return script("text/plain", id, packed(std::span<const T>(values)));
+}
+
+/// JSON that may stand inside a script element: nothing in it can end the element.
+std::string safe_json(const Json& json) {
+  std::string out;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+std::string report_data(const std::string& run) {
+  const Hdf5File file = Hdf5File::open(run);
+  const std::vector<double> times = file.read<double>("/frames/time");
+  Json facts;
+  facts["plots"] = Json::array();
+  if (!times.empty()) add_case(file, times.front(), times.back(), facts);
+  add_histories(file, facts["plots"]);
+  facts["plots"].push_back(
+      table_plot(file, "Broken and slipped segment sides", "", "/damage", {"tension", "shear", "compression", "slipped"}));
+  facts["plots"].push_back(table_plot(file, "Energy", "J", "/energy",
+                                      {"input", "kinetic", "strain", "contact", "gravity", "dashpot", "friction", "fracture", "damping"}));
+  facts["summary"] = numbers(file, "/summary",
+                             {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear",
+                              "compression", "slipped", "peak_base_shear", "peak_speed", "worst_residual"});
+  facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
+  facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
+  facts["times"] = times;
+  const std::vector<std::int32_t> part = number_parts(file, facts);
+  const PackedFrames frames = pack_frames(file);
+  facts["quantum"] = frames.quantum;
+  return script("application/json", "facts", safe_json(facts)) + packed_script("vertices", file.read<float>("/model/vertex")) +
+         packed_script("cells", file.read<std::int32_t>("/model/cells")) +
+         packed_script("cell-types", file.read<std::uint8_t>("/model/cell_type")) +
+         packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
+         packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
+         script("text/plain", "frames", frames.text);
+}
+
+}  // namespace voussoir::io

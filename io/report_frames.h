@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+/// Frames of a run as the report page reads them.
+namespace voussoir::io {
+
+class Hdf5File;
+
+/// All frames, packed (see packed_text.h). A frame of n elements is 15 n bytes, all of them steps from the frame before (the first: from
+/// zero): for each of dx, dy, dz, w, x, y, z the n low bytes, then the n high bytes of zigzag_step; then n bytes of the broken fraction,
+/// modulo 256. Displacements from position0 are in units of `quantum`, quaternions of 1/32767, fractions of 1/255.
+struct PackedFrames {
+  double quantum = 0;  // m; positions are within half of it
+  std::string text;
+};
+
+/// \throw FileError, also for a frame with a value that is no number
+PackedFrames pack_frames(const Hdf5File& run);
+
+}  // namespace voussoir::io

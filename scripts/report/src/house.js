@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+// The house in three dimensions. Nothing is drawn unless something changed.
+import { Box3, GridHelper, Mesh, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { brickMaterial, kStride, stateTexture } from "./brick.js";
+import { allShapes } from "./shapes.js";
+
+const kViews = { corner: [1, -1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1] };
+
+/** Whether the processor draws; smoothing by four samples a pixel would then halve the rate of frames. */
+function drawsInSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl?.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER) ?? "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+export class House {
+  constructor(canvas, run) {
+    this.run = run;
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, antialias: !drawsInSoftware(), alpha: true });
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(35, 1, 0.05, 500);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    this.#layGround();
+    this.#build();
+    this.#measure();
+    this.look("corner");
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
+    this.#resize();
+  }
+
+  #layGround() {
+    const grid = new GridHelper(40, 40, 0x888888, 0x888888);
+    grid.rotation.x = Math.PI / 2;
+    grid.material.transparent = true;
+    grid.material.opacity = 0.35;
+    this.scene.add(grid);
+  }
+
+  #build() {
+    const { geometry, extent } = allShapes(this.run);
+    this.extent = extent;
+    this.texture = stateTexture(this.run.frames.n);
+    this.state = this.texture.image.data;
+    const mesh = new Mesh(geometry, brickMaterial(this.texture));
+    mesh.frustumCulled = false; // the geometry does not know where its elements are
+    this.scene.add(mesh);
+  }
+
+  #measure() {
+    const c = this.run.frames.centroids, low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+    for (let i = 0; i < c.length; i += 3) {
+      low.min(new Vector3(c[i], c[i + 1], c[i + 2]));
+      high.max(new Vector3(c[i], c[i + 1], c[i + 2]));
+    }
+    this.centre = low.clone().add(high).multiplyScalar(0.5);
+    this.size = Math.max(0.1, high.distanceTo(low));
+  }
+
+  look(name) {
+    this.controls.target.copy(this.centre);
+    this.camera.position.copy(new Vector3(...kViews[name]).normalize().multiplyScalar(2.3 * this.size).add(this.centre));
+    this.controls.update();
+    this.draw();
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Puts every element where it is at frame `at` (need not be whole); `colour(e)` gives [r, g, b]. */
+  show(at, colour) {
+    const { state, run: { frames } } = this;
+    for (let e = 0, to = 0; e < frames.n; ++e, to += kStride) {
+      for (let k = 0; k < 3; ++k) state[to + k] = frames.position(at, e, k);
+      const w = frames.quaternion(at, e, 0), x = frames.quaternion(at, e, 1), y = frames.quaternion(at, e, 2), z = frames.quaternion(at, e, 3);
+      const length = Math.sqrt(w * w + x * x + y * y + z * z) || 1;
+      state[to + 4] = x / length, state[to + 5] = y / length, state[to + 6] = z / length, state[to + 7] = w / length;
+      state.set(colour(e), to + 8);
+    }
+    this.texture.needsUpdate = true;
+    this.draw();
+  }
+
+  /** The element under a point of the window, or -1; of one that is no box, the box about it counts. */
+  pick(x, y) {
+    const r = this.canvas.getBoundingClientRect(), caster = new Raycaster(), hit = new Vector3(), box = new Box3(), turn = new Quaternion();
+    caster.setFromCamera(new Vector2((2 * (x - r.left)) / r.width - 1, 1 - (2 * (y - r.top)) / r.height), this.camera);
+    let nearest = Infinity, picked = -1;
+    for (let e = 0, at = 0; e < this.run.frames.n; ++e, at += kStride) {
+      turn.fromArray(this.state, at + 4).invert();
+      const ray = caster.ray.clone(); // as the element sees it
+      ray.origin.sub(new Vector3().fromArray(this.state, at)).applyQuaternion(turn);
+      ray.direction.applyQuaternion(turn);
+      box.min.fromArray(this.extent, 6 * e);
+      box.max.fromArray(this.extent, 6 * e + 3);
+      if (ray.intersectBox(box, hit) && hit.distanceTo(ray.origin) < nearest) {
+        nearest = hit.distanceTo(ray.origin);
+        picked = e;
+      }
+    }
+    return picked;
+  }
+
+  draw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+import { colourings } from "./colours.js";
+import { loadRun } from "./data.js";
+import { House } from "./house.js";
+import { Plot } from "./plots.js";
+import { showSummary } from "./summary.js";
+
+const by = (id) => document.getElementById(id);
+
+class Report {
+  constructor(run) {
+    this.run = run;
+    this.times = run.facts.times;
+    this.last = this.times.length - 1;
+    this.at = 0; // frame; between two while it plays
+    this.playing = false;
+    this.house = new House(by("view"), run);
+    this.colours = colourings(run);
+    const from = this.times[0], until = this.times[this.last];
+    this.plots = run.facts.plots.map((p) => new Plot(by("plots"), p, from, until, (t) => this.seek(t)));
+    by("title").textContent = document.title = run.facts.title;
+    showSummary(by("summary"), run);
+    by("time").max = this.last;
+    this.#listen();
+    this.show(0);
+  }
+
+  #listen() {
+    by("time").addEventListener("input", (e) => this.show(Number(e.target.value)));
+    by("play").addEventListener("click", () => this.play(!this.playing));
+    by("colour").addEventListener("change", () => this.show(this.at));
+    by("camera").addEventListener("change", (e) => this.house.look(e.target.value));
+    let down = [0, 0];
+    by("view").addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
+    by("view").addEventListener("pointerup", (e) => {
+      if (Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(this.house.pick(e.clientX, e.clientY));
+    });
+    document.addEventListener("keydown", (e) => this.#key(e));
+  }
+
+  #key(event) {
+    const step = event.shiftKey ? 10 : 1, here = Math.round(this.at);
+    const to = { ArrowLeft: here - step, ArrowRight: here + step, Home: 0, End: this.last }[event.key];
+    if (event.target.matches("select")) return;
+    if (event.key === " " && !event.target.matches("button")) this.play(!this.playing);
+    else if (to !== undefined) this.show(to);
+    else return;
+    event.preventDefault();
+  }
+
+  /** Shows frame `at`, which need not be whole. */
+  show(at) {
+    this.at = Math.min(Math.max(at, 0), this.last);
+    const { of, legend } = this.colours[by("colour").value];
+    this.house.show(this.at, (e) => of(this.at, e));
+    if (this.legend !== legend) by("legend").innerHTML = this.legend = legend;
+    const t = this.time();
+    by("clock").textContent = `${t.toFixed(2)} s`;
+    by("time").value = Math.round(this.at);
+    by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
+    for (const plot of this.plots) plot.now(t);
+    this.#describe();
+  }
+
+  time() {
+    const f = Math.floor(this.at), g = Math.min(f + 1, this.last);
+    return this.times[f] + (this.at - f) * (this.times[g] - this.times[f]);
+  }
+
+  seek(t) {
+    const after = this.times.findIndex((x) => x >= t);
+    this.show(after < 0 ? this.last : after);
+  }
+
+  play(on) {
+    this.playing = on;
+    by("play").textContent = on ? "Pause" : "Play";
+    if (!on) return;
+    if (this.at >= this.last) this.show(0);
+    let before = performance.now();
+    const tick = (now) => {
+      if (!this.playing) return;
+      this.#advance(((now - before) / 1000) * Number(by("speed").value));
+      before = now;
+      if (this.at >= this.last) this.play(false);
+      else requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  /** Goes on by so many seconds of simulated time. */
+  #advance(seconds) {
+    let f = this.at, left = Math.max(0, seconds);
+    while (f < this.last && left > 0) {
+      const i = Math.floor(f), interval = this.times[i + 1] - this.times[i], rest = (i + 1 - f) * interval;
+      if (left < rest) f += left / interval;
+      else f = i + 1;
+      left -= rest;
+    }
+    this.show(f);
+  }
+
+  /** Follows an element: its displacement over time as a plot. -1: none. */
+  pick(element) {
+    this.picked = element;
+    this.own?.svg.parentElement.remove();
+    this.plots = this.plots.filter((p) => p !== this.own);
+    this.own = undefined;
+    if (element >= 0) {
+      const frames = this.run.frames, along = (k) => this.times.map((_, f) => frames.displacement(f, element, k));
+      const plot = { title: `Displacement of element ${element}`, unit: "m", t: this.times, curves: ["x", "y", "z"].map((name, k) => ({ name, y: along(k) })) };
+      this.own = new Plot(by("plots"), plot, this.times[0], this.times[this.last], (t) => this.seek(t));
+      by("plots").prepend(this.own.svg.parentElement);
+      this.plots.push(this.own);
+    }
+    this.show(this.at);
+  }
+
+  #describe() {
+    const e = this.picked ?? -1, { frames, parts, facts } = this.run;
+    by("picked").textContent = e < 0 ? "" : `Element ${e}, ${facts.parts[parts[e]]}: displaced ${frames.distance(this.at, e).toFixed(3)} m, ${Math.round(100 * frames.broken(this.at, e))} % of its bonds broken`;
+  }
+}
+
+async function open() {
+  const run = await loadRun();
+  by("status").textContent = run.facts.times.length > 0 ? "" : "The run has no frames.";
+  if (run.facts.times.length > 0) window.report = new Report(run);
+}
+
+open().catch((error) => {
+  by("status").textContent = `The page cannot be shown: ${error.message}`;
+  throw error;
+});

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+// The faces of all elements, each about its centroid.
+import { BufferGeometry, Float32BufferAttribute } from "three";
+
+// Faces of VTK's hexahedron (12) and wedge (13), outward.
+const kFaces = {
+  12: [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+  13: [[0, 1, 2], [3, 5, 4], [0, 3, 4, 1], [1, 4, 5, 2], [2, 5, 3, 0]],
+};
+
+/** Outer faces of an element as lists of corners from its centroid. */
+function outline(run, cells, e) {
+  const faces = new Map(); // a face that two cells share is inside
+  for (const c of cells) {
+    for (const face of kFaces[run.cellTypes[c]]) {
+      const corners = face.map((k) => run.cells[8 * c + k]);
+      const key = [...corners].sort((a, b) => a - b).join();
+      if (!faces.delete(key)) faces.set(key, corners);
+    }
+  }
+  const corner = (v) => [0, 1, 2].map((k) => run.vertices[3 * v + k] - run.frames.centroids[3 * e + k]);
+  return [...faces.values()].map((face) => face.map(corner));
+}
+
+const kSquare = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+
+/** Appends a face, which is convex. `across` tells where edges are: there one of its two numbers is 1 or -1 (see brick.js). */
+function addFace(face, to) {
+  const first = to.points.length / 3;
+  to.points.push(...face.flat());
+  if (face.length === 4) {
+    to.across.push(...kSquare.flat());
+    to.index.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    return;
+  }
+  const middle = first + face.length; // a fan about it
+  to.points.push(...[0, 1, 2].map((k) => face.reduce((sum, p) => sum + p[k], 0) / face.length));
+  face.forEach((_, i) => {
+    to.across.push(1, 0);
+    to.index.push(middle, first + i, first + ((i + 1) % face.length));
+  });
+  to.across.push(0, 0);
+}
+
+/** {geometry, extent}: all elements as one geometry, each about its centroid, and six numbers an element: its lowest and highest corner. */
+export function allShapes(run) {
+  const n = run.frames.n, to = { points: [], across: [], index: [] }, element = [], extent = new Float32Array(6 * n);
+  const cellsOf = Array.from({ length: n }, () => []);
+  run.cellElements.forEach((e, c) => cellsOf[e].push(c));
+  cellsOf.forEach((cells, e) => {
+    const faces = outline(run, cells, e), corners = faces.flat();
+    for (const face of faces) addFace(face, to);
+    while (element.length < to.points.length / 3) element.push(e);
+    for (let k = 0; k < 3; ++k) {
+      extent[6 * e + k] = Math.min(...corners.map((p) => p[k]));
+      extent[6 * e + 3 + k] = Math.max(...corners.map((p) => p[k]));
+    }
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(to.points, 3));
+  geometry.setAttribute("across", new Float32BufferAttribute(to.across, 2));
+  geometry.setAttribute("element", new Float32BufferAttribute(element, 1));
+  geometry.setIndex(to.index);
+  geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
+  return { geometry, extent };
+}
