@@ -54,7 +54,8 @@ export class Plot {
   #axes(low, high) {
     for (const v of new Set([low, 0, high])) {
       make("line", { class: "axis", x1: kLeft, x2: kWidth - kRight, y1: this.y(v), y2: this.y(v) }, this.svg);
-      if (v !== 0 || this.y(low) - this.y(0) > 9 || low === 0) make("text", { x: kLeft - 3, y: this.y(v) + 3, "text-anchor": "end" }, this.svg, +v.toPrecision(2));
+      const beside = v !== 0 && Math.abs(this.y(v) - this.y(0)) < 9; // of zero: no room for both
+      if (!beside) make("text", { x: kLeft - 3, y: this.y(v) + 3, "text-anchor": "end" }, this.svg, +v.toPrecision(2));
     }
     make("text", { x: kLeft, y: kHeight - 3 }, this.svg, `${+this.from.toFixed(2)} s`);
     make("text", { x: kWidth - kRight, y: kHeight - 3, "text-anchor": "end" }, this.svg, `${+this.until.toFixed(2)} s`);
