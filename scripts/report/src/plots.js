@@ -26,6 +26,9 @@ function peaks(values) {
   return keep;
 }
 
+/** Two digits in little room. */
+const short = (v) => (v !== 0 && (Math.abs(v) < 1e-3 || Math.abs(v) >= 1e5) ? v.toExponential(1) : String(+v.toPrecision(2)));
+
 export class Plot {
   /** \param seek called with the time that a click points at */
   constructor(parent, plot, from, until, seek) {
@@ -55,7 +58,7 @@ export class Plot {
     for (const v of new Set([low, 0, high])) {
       make("line", { class: "axis", x1: kLeft, x2: kWidth - kRight, y1: this.y(v), y2: this.y(v) }, this.svg);
       const beside = v !== 0 && Math.abs(this.y(v) - this.y(0)) < 9; // of zero: no room for both
-      if (!beside) make("text", { x: kLeft - 3, y: this.y(v) + 3, "text-anchor": "end" }, this.svg, +v.toPrecision(2));
+      if (!beside) make("text", { x: kLeft - 3, y: this.y(v) + 3, "text-anchor": "end" }, this.svg, short(v));
     }
     make("text", { x: kLeft, y: kHeight - 3 }, this.svg, `${+this.from.toFixed(2)} s`);
     make("text", { x: kWidth - kRight, y: kHeight - 3, "text-anchor": "end" }, this.svg, `${+this.until.toFixed(2)} s`);

@@ -20,7 +20,8 @@ function rows({ facts, frames }) {
     has("peak_speed") && ["Peak speed", `${s.peak_speed.toFixed(2)} m/s`],
     has("worst_residual") && ["Energy residual", s.worst_residual.toExponential(1)],
     p.version && ["Voussoir", p.version],
-    p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s, ${p.threads ?? "?"} threads`],
+    p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s`],
+    p.threads !== undefined && ["Threads", count(p.threads)],
     ["Positions within", `${((1000 * facts.quantum) / 2).toFixed(3)} mm`],
   ].filter(Boolean);
 }
