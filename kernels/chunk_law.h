@@ -20,9 +20,6 @@ VOUSSOIR_INLINE LocalLanes operator*(Lanes f, LocalLanes a) noexcept { return {f
 VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {
   return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
 }
-VOUSSOIR_INLINE VecLanes select3(LaneMask m, VecLanes a, VecLanes b) noexcept {
-  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
-}
 VOUSSOIR_INLINE Lanes square(Lanes a, Lanes b) noexcept { return a * a + b * b; }
 
 /// What the points of one side share.

@@ -7,11 +7,6 @@ namespace voussoir::kernels {
 
 namespace {
 
-VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
-VOUSSOIR_INLINE VecLanes select3(LaneMask m, VecLanes a, VecLanes b) noexcept {
-  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
-}
-
 /// Lanes whose entry of `list` is `value`.
 VOUSSOIR_INLINE LaneMask equal(const std::int32_t* list, std::int32_t value) noexcept {
   typedef std::int32_t Ints __attribute__((vector_size(4 * kWidth)));

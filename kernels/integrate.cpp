@@ -71,8 +71,6 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
   return {load_lanes(e.qw + i), load_lanes(e.qx + i), load_lanes(e.qy + i), load_lanes(e.qz + i)};
 }
 
-VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
-
 VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v,
                                 VecLanes w) noexcept {
   const auto pose_row = [=](int l) { return pose + (i + l) * kPoseStride; };

@@ -168,6 +168,10 @@ VOUSSOIR_INLINE void add_row(double* row, const SixColumns& r, int lane) noexcep
 struct VecLanes {
   Lanes x, y, z;
 };
+VOUSSOIR_INLINE VecLanes spread(Vec3 v) noexcept { return {lanes(v.x), lanes(v.y), lanes(v.z)}; }
+VOUSSOIR_INLINE VecLanes select3(LaneMask m, VecLanes a, VecLanes b) noexcept {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
 VOUSSOIR_INLINE VecLanes operator+(VecLanes a, VecLanes b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 VOUSSOIR_INLINE VecLanes operator-(VecLanes a, VecLanes b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 VOUSSOIR_INLINE VecLanes operator*(Lanes f, VecLanes a) noexcept { return {f * a.x, f * a.y, f * a.z}; }

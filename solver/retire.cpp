@@ -75,6 +75,11 @@ void activate_last_patch(World& w) {
   c.gather_stale = true;
 }
 
+/// The master's patch of a retired side, or (mirrored) the slave's, without partners.
+void append_retired_patch(World& w, std::int32_t side, const kernels::Side& s, bool mirrored) {
+  append_patch(w, patch_of(w, side, s, mirrored), w.sides.set[static_cast<std::size_t>(side)], side, !mirrored);
+}
+
 }  // namespace
 
 void retire_side(World& w, std::int32_t side) {
@@ -85,12 +90,10 @@ void retire_side(World& w, std::int32_t side) {
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
-  append_patch(w, patch_of(w, id, s, false), sides.set[i], side, true);
-  hand_over(w, id, s, f, false);
-  activate_last_patch(w);
-  if (sides.faces[i] == 2) {
-    append_patch(w, patch_of(w, id, s, true), sides.set[i], side, false);
-    hand_over(w, id, s, f, true);
+  const int patches = sides.faces[i];  // 2: the side stood for both faces
+  for (int k = 0; k < patches; ++k) {
+    append_retired_patch(w, side, s, k == 1);
+    hand_over(w, id, s, f, k == 1);
     activate_last_patch(w);
   }
   sides.retired[i] = 1;
@@ -100,12 +103,9 @@ void retire_side(World& w, std::int32_t side) {
 }
 
 std::size_t append_retired(World& w, std::int32_t side) {
-  const auto i = static_cast<std::size_t>(side);
-  const kernels::Side s = w.sides.side(side);
-  append_patch(w, patch_of(w, side, s, false), w.sides.set[i], side, true);
-  if (w.sides.faces[i] != 2) return 1;
-  append_patch(w, patch_of(w, side, s, true), w.sides.set[i], side, false);
-  return 2;
+  const auto patches = static_cast<std::size_t>(w.sides.faces[static_cast<std::size_t>(side)]);
+  for (std::size_t k = 0; k < patches; ++k) append_retired_patch(w, side, w.sides.side(side), k == 1);
+  return patches;
 }
 
 void list_live_blocks(World& w) {

@@ -10,6 +10,7 @@
 
 #include "cases/census.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;
@@ -40,17 +41,7 @@ std::map<std::string, Sort> sorts(const Model& m) {
 }
 
 void check_refused(const std::function<void(House&)>& change, const std::string& key, const std::string& says) {
-  Case c = testing::reinforced(testing::paper_flat20());
-  change(*c.house);
-  std::string got, problem = "nothing was refused";
-  try {
-    build_model(c);
-  } catch (const InputError& e) {
-    got = e.key(), problem = e.problem();
-  }
-  CHECK(got == key);
-  CAPTURE(problem);
-  CHECK(problem.find(says) != std::string::npos);
+  testing::check_refused(testing::reinforced(testing::paper_flat20()), change, key, says);
 }
 
 }  // namespace

@@ -12,9 +12,11 @@
 #include "cases/house.h"
 #include "cases/house_vault.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;
+using voussoir::testing::check_refused;
 using voussoir::testing::opening;
 
 namespace {
@@ -54,20 +56,6 @@ void check_all_neighbours_joined(const Case& c) {
   for (const geometry::Face& f : a.faces) faces += f.area;
   for (const geometry::Joint& j : a.joints) joined += j.area * (j.element_b == geometry::kBase ? 1 : 2);
   CHECK(std::abs((joined + open_surface(*c.house)) / faces - 1.0) < 1e-9);
-}
-
-void check_refused(const Case& good, const std::function<void(House&)>& change, const std::string& key, const std::string& says) {
-  Case c = good;
-  change(*c.house);
-  std::string got, problem = "nothing was refused";
-  try {
-    build_model(c);
-  } catch (const InputError& e) {
-    got = e.key(), problem = e.problem();
-  }
-  CHECK(got == key);
-  CAPTURE(problem);
-  CHECK(problem.find(says) != std::string::npos);
 }
 
 }  // namespace

@@ -58,9 +58,9 @@ struct Twin {
     std::swap(s, t);
     patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;
   }
+  double gap[2] = {-1.0, -1.0}, moved[3] = {1.0, 1.0, 0.0};
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
-    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0}, gap[2] = {-1.0, -1.0},
-                        moved[3] = {1.0, 1.0, 0.0};
+    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0};
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, moved};
     std::vector<double> depth(kPadded), distance(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
@@ -117,4 +117,21 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
   CHECK(touching > 2000);
   CHECK(letting_go > 200);
   MESSAGE("steps in touch " << touching << ", letting go " << letting_go << ", on the base " << on_base);
+}
+
+TEST_CASE("a candidate is passed over only while both bodies together cannot have closed the gap of the last search") {
+  const Bricks bricks;
+  TwoBodies b;
+  b.place(0, {0.0, 0.0, -2e-4}, {});  // pressed 0.2 mm into the other brick
+  const auto touches = [&](double moved_patch, double moved_other) {
+    Twin t(kernels::advance_patch);
+    t.gap[0] = 5e-4;
+    t.moved[0] = moved_patch, t.moved[1] = moved_other;
+    t.step(b, bricks, {kStep, 1.0, 0.6, false, 2});
+    return t.last.touching > 0;
+  };
+  CHECK(touches(6e-4, 0.0));
+  CHECK(touches(0.0, 6e-4));
+  CHECK(touches(3e-4, 3e-4));
+  CHECK_FALSE(touches(2e-4, 2e-4));
 }
