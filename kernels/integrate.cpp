@@ -123,10 +123,16 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
     store3(e.vx, e.vy, e.vz, i, after);
     const VecLanes l = load3(e.lx, e.ly, e.lz, i);
     const Lanes turn = select(fixed, Lanes{}, dt);
-    store3(e.lx, e.ly, e.lz, i, l + turn * torque);
+    VecLanes turned_on = l + turn * torque;
+    Lanes lost = lanes(0.0);
+    if (f.damps_rotation) {
+      turned_on = (1.0 / (1.0 + a)) * (turned_on - a * l);
+      lost = lanes(0.5) * dot(l + turned_on, load3(e.wx, e.wy, e.wz, i));
+    }
+    store3(e.lx, e.ly, e.lz, i, turned_on);
     store_lanes(e.work_gravity + i, load_lanes(e.work_gravity + i) + dt * m * dot(mean_gravity, before));
     store_lanes(e.work_ground + i, load_lanes(e.work_ground + i) - dt * m * dot(mean_ground, before));
-    store_lanes(e.loss_damping + i, load_lanes(e.loss_damping + i) + dt * alpha * m * dot(mean, mean));
+    store_lanes(e.loss_damping + i, load_lanes(e.loss_damping + i) + dt * alpha * (m * dot(mean, mean) + lost));
     store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - dt * dot(dash, mean));
   }
 }

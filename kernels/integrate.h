@@ -28,10 +28,12 @@ struct BodyForces {
   double dt = 0.0;                 // s
   Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
   Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
+  bool damps_rotation = false;     // α on the angular momentum too: while settling, where only the state of rest matters
 };
 
-/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T. Books the work of the step
-/// but that of the dashpots' torques. Elements [first, last), both multiples of kLanes.
+/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
+/// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ + L₊)·ω₋
+/// (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), both multiples of kLanes.
 /// \param wrench  rows: force, torque, and those of the dashpots alone
 void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 

@@ -69,12 +69,13 @@ double Ledger::kinetic(const World& w) const {
 }
 
 // The accumulators hold whole steps; a row stands at a whole step, in the middle of one, so half of the last is taken back.
-void Ledger::sum_losses(const World& w, EnergyRow& row) const {
+void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) const {
   const Elements& e = w.elements;
   double damping_ahead = 0.0, dashpot_ahead = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
     damping_ahead += 0.25 * w.dt * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
+    if (damps_rotation) damping_ahead += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick booked half a step behind
     dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e.loss_damping) - damping_ahead;
@@ -83,14 +84,14 @@ void Ledger::sum_losses(const World& w, EnergyRow& row) const {
   row.fracture = total(w.sides.fracture);
 }
 
-EnergyRow Ledger::after_drift(const World& w, double time) {
+EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) {
   EnergyRow row;
   row.time = time;
   row.kinetic = kinetic(w);
   row.strain = stored_.bonds;
   row.contact = stored_.contact + patches_;
   row.gravity = -total(w.elements.work_gravity);
-  sum_losses(w, row);
+  sum_losses(w, damps_rotation, row);
   const double losses = row.dashpot + row.friction + row.fracture + row.damping;
   const double balance = row.kinetic + row.strain + row.contact + row.gravity + losses;
   const double work = total(w.elements.work_ground) + loads_ + supports_;

@@ -96,7 +96,7 @@ Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? c
 
 kernels::BodyForces Simulation::body_forces() const {
   const double dt = world_->dt, t = static_cast<double>(step_) * dt;
-  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}};
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, phase_ == Phase::settling};
   if (step_ == 0) return f;  // no interval behind the first step
   f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
   f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
@@ -275,7 +275,7 @@ void Simulation::step(Due due) {
   } else {
     kick_and_drift(f);
   }
-  if (due.ledger) ledger_.after_drift(w, t);
+  if (due.ledger) ledger_.after_drift(w, f.damps_rotation, t);
   ++step_;
   if (step_ % kGuardInterval == 0) guard();
 }
