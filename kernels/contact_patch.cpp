@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <bit>
+
 #include "kernels/lanes.h"
 #include "kernels/patch_work.h"
 
@@ -110,23 +112,45 @@ void touch_face(Work& w, const Facing& f, std::int32_t element, std::int32_t fac
   }
 }
 
-/// Forces of all points that touch candidate k. Returns whether any carries force.
-bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  std::int32_t faces[kMostFaces];
-  int count = 0;
-  for (int i = 0; i < w.points.n; ++i) {
-    if (w.q.partner[i] != c.element) continue;
-    ++w.r.touching;
-    const std::int32_t face = w.q.face[i];
-    if (face == kNoFace || std::find(faces, faces + count, face) != faces + count) continue;
-    faces[count++] = face;
+/// The partners of a patch and their faces, each once, in the order of the points: mostly one, seldom more than two.
+struct Partners {
+  std::int32_t *element, *face;  // room for one entry a point
+  int count = 0, points = 0;
+
+  [[nodiscard]] bool hold(std::int32_t e) const noexcept { return std::find(element, element + count, e) != element + count; }
+  void add(std::int32_t e, std::int32_t f) noexcept {
+    ++points;
+    for (int n = 0; n < count; ++n) {
+      if (element[n] == e && face[n] == f) return;
+    }
+    element[count] = e, face[count] = f;
+    ++count;
   }
-  if (count == 0) return false;
+};
+Partners partners_of(PointsView p, ContactPoints q, PatchScratch scratch) noexcept {
+  Partners all{scratch.pair_element, scratch.pair_face};
+  for (int i = 0; i < p.n; i += kWidth) {
+    for (unsigned held = bits(~equal(q.partner + i, kNobody)); held != 0; held &= held - 1) {
+      const int k = i + std::countr_zero(held);
+      all.add(q.partner[k], q.face[k]);
+    }
+  }
+  return all;
+}
+
+/// Forces of all points that touch candidate k. Returns whether any carries force.
+bool evaluate(Work& w, std::int32_t k, const Partners& partners, PairWrench& wrench) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const auto pushes = [&](int n) { return partners.element[n] == c.element && partners.face[n] != kNoFace; };
+  int n = 0;
+  while (n < partners.count && !pushes(n)) ++n;
+  if (n == partners.count) return false;
   const InSlave y = slave_frame(w, c);
   Touching sum;
-  for (int n = 0; n < count; ++n) {
-    touch_face(w, facing(w.patch, w.m, y, c, faces[n], w.bodies, w.faces, w.o), c.element, faces[n], sum);
+  for (; n < partners.count; ++n) {
+    if (!pushes(n)) continue;
+    const std::int32_t face = partners.face[n];
+    touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c.element, face, sum);
   }
   const Quad energy = sums_of(sum.stored, sum.friction, sum.impact, Lanes{});
   w.r.stored += energy[0], w.r.friction += energy[1], w.r.impact += energy[2];
@@ -157,31 +181,39 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
   return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
 }
 
-// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. A patch that
-// touched nothing, and whose candidates are all out of reach or still separated, is left at once: most are.
+// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. Candidates
+// that nothing touched, and that are out of reach or still separated, are passed over at once: most are.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
                           const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
                           PairWrench* wrench, std::uint8_t* active) noexcept {
   const auto count = static_cast<std::int32_t>(candidates.size());
   std::fill_n(active, count, std::uint8_t{0});
-  const auto skip = [&](const Candidate& c) { return !had_partners && out_of_reach(patch, bodies, c, gap[&c - candidates.data()]); };
-  if (std::all_of(candidates.begin(), candidates.end(), skip)) return {};
+  Partners partners{scratch.pair_element, scratch.pair_face};
+  if (had_partners) partners = partners_of(points, q, scratch);
+  const auto passed_over = [&](const Candidate& c) {
+    return out_of_reach(patch, bodies, c, gap[&c - candidates.data()]) && !partners.hold(c.element);
+  };
+  if (std::all_of(candidates.begin(), candidates.end(), passed_over)) return {};
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   bool near = had_partners;
   if (near) std::fill_n(scratch.candidate, points.n, -1);
   for (std::int32_t k = 0; k < count; ++k) {
     Candidate& c = candidates[static_cast<std::size_t>(k)];
-    if (skip(c) || (!had_partners && still_separated(patch, w.m, bodies, faces, c))) continue;
+    if (passed_over(c)) continue;
+    const bool held = partners.hold(c.element);
+    if (!held && still_separated(patch, w.m, bodies, faces, c)) continue;
     const InSlave y = slave_frame(w, c);
     const bool apart = separated(patch, y, faces, c);
-    if (apart && !had_partners) continue;
+    if (apart && !held) continue;
     if (!near) std::fill_n(scratch.candidate, points.n, -1);
     near = true;
     look_at(w, k, y, apart);
   }
   if (!near) return w.r;
   take_partners(w);
-  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;
+  partners = partners_of(points, q, scratch);
+  w.r.touching = partners.points;
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, partners, wrench[k]) ? 1 : 0;
   return w.r;
 }
 

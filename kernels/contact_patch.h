@@ -75,9 +75,11 @@ struct Bodies {
 };
 
 struct PatchScratch {
-  double *depth = nullptr, *distance = nullptr;  // room for one value a point
+  // Room for one value a point.
+  double *depth = nullptr, *distance = nullptr;
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
+  std::int32_t *pair_element = nullptr, *pair_face = nullptr;
 };
 
 struct PatchResult {

@@ -4,9 +4,11 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 namespace voussoir::solver {
@@ -38,6 +40,57 @@ struct CacheAligned {
 
 template <class T>
 using Array = std::vector<T, CacheAligned<T>>;
+
+/// Numbers that begin as zero and mostly stay it: the system gives memory to a page when something is first written there, so the history
+/// of segments costs nothing where nothing has happened. Sized once.
+template <class T>
+class ZeroArray {
+ public:
+  using value_type = T;
+  static_assert(std::is_trivially_copyable_v<T>);
+
+  ZeroArray() = default;
+  ZeroArray(const ZeroArray&) = delete;
+  ZeroArray& operator=(const ZeroArray&) = delete;
+  ~ZeroArray() { release(); }
+
+  void assign_zeros(std::size_t n) {
+    release();
+    if (n == 0) return;
+    void* p = mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (p == MAP_FAILED) throw std::bad_alloc();
+#ifdef MADV_NOHUGEPAGE
+    madvise(p, n * sizeof(T), MADV_NOHUGEPAGE);  // or one crack would claim two megabytes
+#endif
+    data_ = static_cast<T*>(p), size_ = n;
+  }
+
+  [[nodiscard]] T* data() noexcept { return data_; }
+  [[nodiscard]] const T* data() const noexcept { return data_; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] const T* begin() const noexcept { return data_; }
+  [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
+  /// Bytes of the pages in which something other than zero stands.
+  [[nodiscard]] std::size_t in_use() const {
+    constexpr std::size_t kPage = 4096 / sizeof(T);
+    std::size_t pages = 0;
+    for (std::size_t at = 0; at < size_; at += kPage) {
+      const T *from = data_ + at, *to = data_ + std::min(size_, at + kPage);
+      pages += std::any_of(from, to, [](const T& x) { return x != T{}; });
+    }
+    return pages * kPage * sizeof(T);
+  }
+  T& operator[](std::size_t i) noexcept { return data_[i]; }
+  const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+
+ private:
+  void release() noexcept {
+    if (data_ != nullptr) munmap(data_, size_ * sizeof(T));
+    data_ = nullptr, size_ = 0;
+  }
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
 
 constexpr std::int64_t round_up(std::int64_t n, std::int64_t multiple) { return (n + multiple - 1) / multiple * multiple; }
 

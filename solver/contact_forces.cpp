@@ -4,9 +4,41 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 namespace voussoir::solver {
 
 namespace {
+
+constexpr std::int64_t kRun = 16;  // patches that a thread takes at a time
+
+/// True if the patch touches nothing and every candidate was farther apart at the last search than both can have moved since. So are most,
+/// and this reads lists alone: the patches themselves lie all over memory.
+bool out_of_reach(const World& w, std::size_t a) {
+  const Contacts& c = w.contacts;
+  if (w.patches.touching[static_cast<std::size_t>(c.active[a])] > 0) return false;
+  const double moved = c.moved[static_cast<std::size_t>(c.master[a])];
+  for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
+    if (c.gap[slot] <= moved + c.moved[static_cast<std::size_t>(c.candidate[slot].element)]) return false;
+  }
+  return true;
+}
+
+/// Asks for a patch and its points before they are needed.
+void fetch(const World& w, std::size_t a) {
+  const auto i = static_cast<std::size_t>(w.contacts.active[a]);
+  const char* patch = reinterpret_cast<const char*>(&w.patches.patch[i]);
+  for (std::size_t line = 0; line < sizeof(kernels::Patch); line += 64) __builtin_prefetch(patch + line);
+  const auto at = static_cast<std::size_t>(w.patches.first_point[i]);
+  __builtin_prefetch(&w.patches.partner[at]);
+  __builtin_prefetch(&w.patches.face[at]);
+  for (const Array<double>* column : {&w.patches.slip_x, &w.patches.slip_y, &w.patches.slip_z, &w.patches.closure}) {
+    __builtin_prefetch(column->data() + at, 1);
+    __builtin_prefetch(column->data() + at + 8, 1);
+  }
+}
+
+void leave_alone(Contacts& c, std::size_t a) { std::fill(c.on.begin() + c.first_slot[a], c.on.begin() + c.first_slot[a + 1], std::uint8_t{0}); }
 
 void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
@@ -16,7 +48,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
   const kernels::PatchResult r = advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0,
                                          {c.candidate.data() + first, count}, c.gap.data() + first, bodies, faces, w.contact,
-                                         {scratch.depth.data(), scratch.distance.data(), scratch.candidate.data(), scratch.face.data()},
+                                         scratch.view(),
                                          c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
@@ -28,7 +60,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
 
 void ContactRoom::fit(std::int32_t points) {
   const auto n = static_cast<std::size_t>(points);
-  depth.resize(n), distance.resize(n), candidate.resize(n), face.resize(n);
+  depth.resize(n), distance.resize(n), candidate.resize(n), face.resize(n), pair_element.resize(n), pair_face.resize(n);
 }
 
 void advance_contacts(World& w, ContactRoom& room) {
@@ -36,8 +68,20 @@ void advance_contacts(World& w, ContactRoom& room) {
   const kernels::FaceTable faces = w.faces.table();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   room.fit(w.points.largest);
-#pragma omp for schedule(dynamic, 16) nowait
-  for (std::int64_t a = 0; a < patches; ++a) advance_one(w, static_cast<std::size_t>(a), bodies, faces, room);
+#pragma omp for schedule(dynamic) nowait
+  for (std::int64_t from = 0; from < patches; from += kRun) {
+    std::size_t near[kRun];
+    std::size_t count = 0;
+    for (std::int64_t a = from; a < std::min(from + kRun, patches); ++a) {
+      const auto i = static_cast<std::size_t>(a);
+      if (out_of_reach(w, i)) {
+        leave_alone(w.contacts, i);
+      } else {
+        fetch(w, near[count++] = i);
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) advance_one(w, near[k], bodies, faces, room);
+  }
 }
 
 void gather_contacts(World& w, std::int64_t first, std::int64_t last) {

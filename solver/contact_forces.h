@@ -24,7 +24,10 @@ void build_gather(World& w);
 /// One thread's room for the points of a patch.
 struct ContactRoom {
   std::vector<double> depth, distance;
-  std::vector<std::int32_t> candidate, face;
+  std::vector<std::int32_t> candidate, face, pair_element, pair_face;
+  [[nodiscard]] kernels::PatchScratch view() {
+    return {depth.data(), distance.data(), candidate.data(), face.data(), pair_element.data(), pair_face.data()};
+  }
   void fit(std::int32_t points);
 };
 

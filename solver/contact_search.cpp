@@ -175,14 +175,15 @@ void build_gather(World& w) {
   const auto n = static_cast<std::size_t>(w.elements.count);
   const auto each = [&](auto&& use) {
     for (std::size_t a = 0; a < c.active.size(); ++a) {
-      const std::int32_t master = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
       for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-        use(static_cast<std::size_t>(master), 2 * slot);
+        use(static_cast<std::size_t>(c.master[a]), 2 * slot);
         const std::int32_t slave = c.candidate[static_cast<std::size_t>(slot)].element;
         if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
       }
     }
   };
+  c.master.resize(c.active.size());
+  for (std::size_t a = 0; a < c.active.size(); ++a) c.master[a] = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
   c.first_gather.assign(n + 1, 0);
   each([&](std::size_t e, std::int64_t) { ++c.first_gather[e + 1]; });
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];

@@ -89,6 +89,15 @@ void check_values(const Field& f, const SavedField& saved) {
   }
 }
 
+/// Writes only where something differs: memory that was never written to stays with the system (ZeroArray).
+void copy_differences(std::byte* to, std::span<const std::byte> from) {
+  constexpr std::size_t kPage = 4096;
+  for (std::size_t at = 0; at < from.size(); at += kPage) {
+    const std::size_t n = std::min(kPage, from.size() - at);
+    if (std::memcmp(to + at, from.data() + at, n) != 0) std::memcpy(to + at, from.data() + at, n);
+  }
+}
+
 void copy_in(const Field& f, const SavedState& from) {
   const SavedField& saved = find(from, f.name);
   if (saved.type != f.type || saved.count != f.count || saved.columns != f.columns || saved.bytes.size() != f.bytes()) {
@@ -96,7 +105,7 @@ void copy_in(const Field& f, const SavedState& from) {
                      std::to_string(saved.columns) + "; this model has " + std::to_string(f.count) + " of " + std::to_string(f.columns));
   }
   check_values(f, saved);
-  if (!saved.bytes.empty()) std::memcpy(f.data, saved.bytes.data(), saved.bytes.size());
+  copy_differences(static_cast<std::byte*>(f.data), saved.bytes);
 }
 
 bool is_face_of(const World& w, std::int32_t face, std::int32_t element) {
@@ -156,7 +165,10 @@ std::uint64_t model_hash(const World& w) {
                              &e.radius, &e.half_x, &e.half_y, &e.half_z, &w.points.s, &w.points.t, &w.points.area}) {
     add(*column);
   }
-  for (const kernels::SideBlock& b : w.sides.blocks) hash.add(&b, offsetof(kernels::SideBlock, on_base));  // behind it is padding
+  for (const kernels::SideBlock& b : w.sides.blocks) {
+    hash.add(b.constants, sizeof *b.constants);
+    hash.add(b.master, sizeof b.master), hash.add(b.slave, sizeof b.slave);
+  }
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }
