@@ -54,6 +54,9 @@ struct Hdf5Layout {
   int deflate = 0;        // 1-9 with byte shuffle; 0: none
 };
 
+/// Of results: with checksums, so that no reader takes damaged numbers for good ones.
+Hdf5Layout checked_layout(std::size_t row_bytes);
+
 /// What each dataset of ours says of itself, in the attributes `unit` and `description`. None without a unit.
 struct Hdf5Note {
   std::string unit, description;

@@ -14,13 +14,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint64_t kChunkBytes = 256 * 1024;  // a few fit in HDF5's chunk cache of 1 MiB
 constexpr std::uint64_t kCopyBytes = 1024 * 1024;  // of a column that a merge holds in memory at a time
-
-// Checksums cost 0.4 ms a MB. Compression is left out: deflate takes 15 times as long as the write itself and saves a sixth.
-Hdf5Layout layout_of(const ColumnSpec& c) {
-  return {.chunk_rows = std::max<std::uint64_t>(1, kChunkBytes / std::max<std::size_t>(1, c.row_bytes())), .checksum = true, .deflate = 0};
-}
 
 Shape shape_of(const ColumnSpec& c, std::uint64_t rows) {
   Shape shape{rows};
@@ -121,7 +115,7 @@ Part write_part(const std::string& folder, const std::string& file, const RowSch
     for (std::size_t t = 0; t < kRowTables; ++t)
       for (std::size_t i = 0; part.rows[t] > 0 && i < schema[t].size(); ++i) {
         const ColumnSpec& c = schema[t][i];
-        out.write_dataset(c.name, c.type, shape_of(c, part.rows[t]), buffers[t].column(i), layout_of(c));
+        out.write_dataset(c.name, c.type, shape_of(c, part.rows[t]), buffers[t].column(i), checked_layout(c.row_bytes()));
       }
   });
   return part;
@@ -146,7 +140,7 @@ void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schem
   std::array<std::vector<ColumnCopy>, kRowTables> copies;
   for (std::size_t t = 0; t < kRowTables; ++t)
     for (const ColumnSpec& c : schema[t]) {
-      file.create_dataset(c.name, c.type, shape_of(c, sum.rows[t]), layout_of(c), c.note);
+      file.create_dataset(c.name, c.type, shape_of(c, sum.rows[t]), checked_layout(c.row_bytes()), c.note);
       name_values(file, c);
       copies[t].emplace_back(file, c);
     }

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
+#include "io/errors.h"
 #include "results_fixture.h"
 
 namespace voussoir::io {
@@ -80,6 +83,29 @@ TEST_CASE("the static datasets of two cubes") {
   CHECK(values<std::int32_t>(all, "/model/joint/law") == std::vector<std::int32_t>{1});
   CHECK(find(all, "/model/law/name").texts == std::vector<std::string>{"dry", "normal"});
   CHECK(values<double>(all, "/model/law/tension") == std::vector<double>{0, 1.27e5});
+}
+
+TEST_CASE("a bit that flips in the model's numbers is an error, not another number") {
+  TempFolder folder;
+  const std::string path = folder.file("run.h5");
+  std::vector<double> mass(5000);
+  for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = 10.0 + 1e-3 * static_cast<double>(i);
+  StaticDataset d{.name = "/model/element/mass", .shape = {mass.size()}, .bytes = {}, .texts = {}, .note = {"kg", "mass"}};
+  d.bytes.assign(reinterpret_cast<const std::byte*>(mass.data()), reinterpret_cast<const std::byte*>(mass.data() + mass.size()));
+  {
+    Hdf5File file = Hdf5File::create(path);
+    write_datasets(file, {d});
+  }
+  const auto read = [&] { return Hdf5File::open(path).read<double>(d.name); };
+  CHECK(read() == mass);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  std::stringstream all;
+  all << file.rdbuf();
+  const std::size_t at = all.str().find(std::string(reinterpret_cast<const char*>(&mass[1234]), sizeof(double)));
+  REQUIRE(at != std::string::npos);
+  file.seekp(static_cast<std::streamoff>(at + 6)).put(static_cast<char>(all.str()[at + 6] ^ 1));
+  file.close();
+  CHECK_THROWS_AS(read(), FileError);
 }
 
 TEST_CASE("cells have the orientation that VTK asks for, whichever way the corners went") {
