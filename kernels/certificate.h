@@ -15,7 +15,7 @@ inline constexpr double kRound = 1e-13;
 inline constexpr double kSeries = 1e-4;  // see normalise
 
 /// Lanes in which every contact point has u_n > 0: no segment that is not bonded touches.
-VOUSSOIR_INLINE LaneMask all_open(const SideBlock& s, int at, const Kinematics& k) noexcept {
+VOUSSOIR_INLINE LaneMask all_open(const SideConstants& s, int at, const Kinematics& k) noexcept {
   return least_opening(s, at, dot(k.d, k.n), dot(k.a, k.n), dot(k.b, k.n)) > 0.0;
 }
 
@@ -31,7 +31,7 @@ VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
 ///
 /// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 |u|²;
 /// where the cap holds |u| is under f_m/k_s, so a share of f_m² covers it (kRound).
-VOUSSOIR_INLINE LaneMask certified(const SideBlock& s, int at, const Kinematics& k, FailureOptions o) noexcept {
+VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at), ks2 = ks * ks;
   const Lanes ft = kMargin * load_lanes(s.tension + at), c = kMargin * load_lanes(s.cohesion + at), tan_phi = load_lanes(s.tan_phi + at);
   const Lanes fm = kMargin * load_lanes(s.compression + at), fm2 = fm * fm, cap = load_lanes(s.cap + at), round = kRound * fm2;
@@ -63,7 +63,7 @@ VOUSSOIR_INLINE LaneMask certified(const SideBlock& s, int at, const Kinematics&
 
 VOUSSOIR_INLINE VecLanes spring(Lanes ks, Lanes extra, VecLanes n, VecLanes u) noexcept { return ks * u + (extra * dot(n, u)) * n; }
 
-VOUSSOIR_INLINE SumLanes elastic_sums(const SideBlock& s, int at, const Kinematics& k) noexcept {
+VOUSSOIR_INLINE SumLanes elastic_sums(const SideConstants& s, int at, const Kinematics& k) noexcept {
   const Lanes ks = load_lanes(s.ks + at), extra = load_lanes(s.kn + at) - ks;
   const Lanes sss = load_lanes(s.sss + at), sst = load_lanes(s.sst + at), stt = load_lanes(s.stt + at);
   const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b);

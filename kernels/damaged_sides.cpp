@@ -64,7 +64,7 @@ VOUSSOIR_INLINE LocalLanes spread_field(const FieldTable& f, int field, int lane
   return {lanes(f.value[field][0][lane]), lanes(f.value[field][1][lane]), lanes(f.value[field][2][lane])};
 }
 
-VOUSSOIR_INLINE Law law_of(const SideBlock& b, int l, const FieldTable& f, int lane, const SideParts& p, double step,
+VOUSSOIR_INLINE Law law_of(const SideConstants& b, int l, const FieldTable& f, int lane, const SideParts& p, double step,
                            FailureOptions o) noexcept {
   return {spread_field(f, 0, lane),
           spread_field(f, 1, lane),
@@ -129,7 +129,7 @@ struct SumRows {
 /// All segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTable& f, int lane, const SideParts& parts, StepClock clock,
                                   FailureOptions o, Literal& found, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
-  const Law law = law_of(block, l, f, lane, parts, clock.dt, o);
+  const Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
   Totals sum;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
@@ -168,7 +168,7 @@ VOUSSOIR_INLINE SumLanes global_sums(const Frames& f, const SumRows* rows, doubl
 
 /// How the faces of each lane's side lie to each other.
 void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned chosen, DamagedSide* result) noexcept {
-  const Lanes gap = least_opening(block, at, load_lanes(f.value[0][0]), load_lanes(f.value[1][0]), load_lanes(f.value[2][0]));
+  const Lanes gap = least_opening(*block.constants, at, load_lanes(f.value[0][0]), load_lanes(f.value[1][0]), load_lanes(f.value[2][0]));
   const auto norm2 = [&](int k) {
     const Lanes n = load_lanes(f.value[k][0]);
     return n * n + square(load_lanes(f.value[k][1]), load_lanes(f.value[k][2]));

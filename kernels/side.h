@@ -14,9 +14,10 @@
 /// the closed form of whole joints runs over lanes without gathers of parameters.
 namespace voussoir::kernels {
 
-/// Constants of kLanes sides. Reference configuration: body frames and global axes coincide at the start.
-/// An unused lane has area = sss = sst = stt = 0 and both elements at the resting base row.
-struct alignas(64) SideBlock {
+/// Constants of kLanes sides. Reference configuration: body frames and global axes coincide at the start. A house has thousands of joints
+/// and few kinds of them, so congruent blocks share these numbers, which then stay in the near caches.
+/// An unused lane has area = sss = sst = stt = 0.
+struct alignas(64) SideConstants {
   double ca[3][kLanes], cb[3][kLanes];  // m, from the centroid of master / slave to the centre of the side
   double es[3][kLanes], et[3][kLanes];  // unit tangents; es × et is the outward normal of the master
   double mean[kLanes];                  // 1/2: force acts at the midpoint along the mean normal; 0: literally at the master point (Eq. 11)
@@ -25,8 +26,15 @@ struct alignas(64) SideBlock {
   double sss[kLanes], sst[kLanes], stt[kLanes];  // m4, Σ s² dA, Σ s t dA, Σ t² dA, same factor; Σ s dA = Σ t dA = 0
   double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, rectangle round all contact points
   double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
+};
+/// Numbers a side.
+inline constexpr std::size_t kSideNumbers = sizeof(SideConstants) / (sizeof(double) * kLanes);
+
+/// kLanes sides: what they are, and between whom. Unused lanes are between the resting base and itself.
+struct SideBlock {
+  const SideConstants* constants = nullptr;
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
-  std::uint32_t on_base;                       // bit mask: the slave is the base, which takes no force
+  std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which takes no force
 };
 
 /// One side, taken out of its block, for the segment-by-segment kernels.

@@ -46,10 +46,11 @@ void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torq
   torque_b = -(cross(f.arm_b, force) + moment);
 }
 
-Side side_of(const SideBlock& b, int l, const SideParts& parts) noexcept {
+Side side_of(const SideBlock& block, int l, const SideParts& parts) noexcept {
+  const SideConstants& b = *block.constants;
   const auto vec = [l](const double v[3][kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
-  return {.master = b.master[l],
-          .slave = b.slave[l],
+  return {.master = block.master[l],
+          .slave = block.slave[l],
           .ca = vec(b.ca),
           .cb = vec(b.cb),
           .es = vec(b.es),

@@ -44,7 +44,7 @@ VOUSSOIR_INLINE PoseRow pose_row(const RowPointers& rows, int i) noexcept {
 }
 
 /// One axis of the kinematics after the other: the rows of two matrices fit the registers, two matrices do not.
-VOUSSOIR_INLINE void kinematics_of_axis(const SideBlock& s, int at, int i, const RowPointers& a, const RowPointers& b, VecLanes n0,
+VOUSSOIR_INLINE void kinematics_of_axis(const SideConstants& s, int at, int i, const RowPointers& a, const RowPointers& b, VecLanes n0,
                                         Lanes VecLanes::*x, Kinematics& k) noexcept {
   const PoseRow p = pose_row(a, i), q = pose_row(b, i);
   const Lanes w = load_lanes(s.mean + at);
@@ -61,8 +61,9 @@ VOUSSOIR_INLINE void kinematics_of_axis(const SideBlock& s, int at, int i, const
   k.et.*x = et.*x + dot(carried, et);
 }
 
-VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& s, int at, const double* pose) noexcept {
-  const RowPointers a = row_pointers(pose, kPoseStride, s.master + at), b = row_pointers(pose, kPoseStride, s.slave + at);
+VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& block, int at, const double* pose) noexcept {
+  const RowPointers a = row_pointers(pose, kPoseStride, block.master + at), b = row_pointers(pose, kPoseStride, block.slave + at);
+  const SideConstants& s = *block.constants;
   const VecLanes n0 = cross(load3(s.es, at), load3(s.et, at));
   Kinematics k;
   kinematics_of_axis(s, at, 0, a, b, n0, &VecLanes::x, k);
@@ -72,7 +73,7 @@ VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& s, int at, const double* 
 }
 
 /// Least u_n = dn + s an + t bn over the rectangles round the points.
-VOUSSOIR_INLINE Lanes least_opening(const SideBlock& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
+VOUSSOIR_INLINE Lanes least_opening(const SideConstants& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;
   const Lanes t0 = load_lanes(s.t_low + at) * bn, t1 = load_lanes(s.t_high + at) * bn;
   return dn + (min(s0, s1) + min(t0, t1));

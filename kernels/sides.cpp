@@ -25,6 +25,7 @@ VOUSSOIR_INLINE void mark(std::uint8_t* on, unsigned wrench, unsigned dashpot) n
 
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
+  const SideConstants& constants = *block.constants;
   unsigned looked_at = 0;
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned live = state.live >> at & kGroup;
@@ -33,7 +34,7 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     const unsigned whole = live & lanes_in(state.quick + at, Quick::whole);
     const unsigned open = state.look_closely ? 0U : live & lanes_in(state.quick + at, Quick::open);
     Kinematics k = kinematics(block, at, rows.pose);
-    const unsigned still_open = open == 0 ? 0U : open & bits(all_open(block, at, k));
+    const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
     if (still_open == live) {
       mark(on, 0, 0);
       continue;
@@ -42,8 +43,8 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     unsigned certain = 0;
     if (whole != 0) {
       const LaneMask turned = normalise(k.n);
-      certain = whole & bits(certified(block, at, k, o) & ~turned);
-      sums = elastic_sums(block, at, k);
+      certain = whole & bits(certified(constants, at, k, o) & ~turned);
+      sums = elastic_sums(constants, at, k);
     }
     const unsigned left = live & ~(certain | still_open);
     unsigned touching = 0;
@@ -72,13 +73,14 @@ void gather_sides(std::span<const std::int64_t> codes, const PairBuffer& pairs, 
 }
 
 void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept {
+  const SideConstants& s = *block.constants;
   for (int at = 0; at < kLanes; at += kWidth) {
     Kinematics k = kinematics(block, at, pose);
     k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
-    const Lanes ks = load_lanes(block.ks + at), extra = load_lanes(block.kn + at) - ks;
+    const Lanes ks = load_lanes(s.ks + at), extra = load_lanes(s.kn + at) - ks;
     const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b), gd = spring(ks, extra, k.n, k.d);
-    const Lanes twice = load_lanes(block.area + at) * dot(k.d, gd) + load_lanes(block.sss + at) * dot(k.a, ga) +
-                        2.0 * load_lanes(block.sst + at) * dot(k.a, gb) + load_lanes(block.stt + at) * dot(k.b, gb);
+    const Lanes twice = load_lanes(s.area + at) * dot(k.d, gd) + load_lanes(s.sss + at) * dot(k.a, ga) +
+                        2.0 * load_lanes(s.sst + at) * dot(k.a, gb) + load_lanes(s.stt + at) * dot(k.b, gb);
     store_lanes(energy + at, 0.5 * twice);
   }
 }

@@ -57,6 +57,19 @@ std::vector<std::int32_t> in_rounds(std::span<const Writes> sides, const std::ve
   return result;
 }
 
+/// Kind by kind, each in rounds.
+std::vector<std::int32_t> kind_by_kind(std::span<const Writes> sides, std::span<const std::int32_t> kinds,
+                                       const std::vector<std::int32_t>& items) {
+  std::map<std::int32_t, std::vector<std::int32_t>> of_kind;
+  for (const std::int32_t i : items) of_kind[kinds[static_cast<std::size_t>(i)]].push_back(i);
+  std::vector<std::int32_t> result;
+  for (const auto& [kind, of_this] : of_kind) {
+    const std::vector<std::int32_t> ordered = in_rounds(sides, of_this);
+    result.insert(result.end(), ordered.begin(), ordered.end());
+  }
+  return result;
+}
+
 }  // namespace
 
 double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids) {
@@ -76,7 +89,7 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
   return cell > 0.0 ? cell : 1.0;
 }
 
-Decomposition decompose(std::span<const Writes> sides, std::span<const Vec3> centroids, double cell) {
+Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell) {
   const Plan plan = plan_of(centroids);
   using Cell = std::array<std::int64_t, 2>;
   const auto cell_of = [&](std::int32_t e) {
@@ -98,7 +111,7 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const Vec3> cen
   for (const auto& of_colour : tasks) {
     if (of_colour.empty()) continue;
     d.colours.emplace_back();
-    for (const auto& [home, items] : of_colour) d.colours.back().push_back(in_rounds(sides, items));
+    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items));
   }
   return d;
 }

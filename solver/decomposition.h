@@ -27,7 +27,9 @@ struct Decomposition {
 /// Edge of the cells [m]: long enough for nearly all sides, and for tasks of a useful size.
 double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids);
 
+/// Within a task, sides of one kind come together (solver/side_kinds.h).
+/// \param kinds  by side
 /// \pre cell > 0
-Decomposition decompose(std::span<const Writes> sides, std::span<const Vec3> centroids, double cell);
+Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell);
 
 }  // namespace voussoir::solver

@@ -33,6 +33,19 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, JointFindings
   if (comes_apart(w, id, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
 }
 
+/// Asks for the rows of a block's elements before they are needed: they lie all over memory, where no hardware foresees them.
+constexpr std::int32_t kAhead = 2;  // blocks
+void fetch_rows(const kernels::SideBlock& b, const kernels::Rows& rows) {
+  for (const std::int32_t* elements : {b.master, b.slave}) {
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      const double* pose = rows.pose + static_cast<std::int64_t>(elements[l]) * kernels::kPoseStride;
+      __builtin_prefetch(pose);
+      __builtin_prefetch(pose + 8);
+      __builtin_prefetch(rows.wrench + static_cast<std::int64_t>(elements[l]) * kernels::kWrenchStride, 1);
+    }
+  }
+}
+
 void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, kernels::StepClock clock, bool look_closely,
                    JointFindings& found) {
   const Sides& s = w.sides;
@@ -64,7 +77,10 @@ void advance_joints(World& w, double time, std::int64_t step, JointFindings& fou
   const kernels::StepClock clock{w.dt, time};
   const bool look_closely = step % kOpenInterval == 0;
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
-    for (std::int32_t i = first; i < last; ++i) advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, look_closely, found);
+    for (std::int32_t i = first; i < last; ++i) {
+      if (i + kAhead < last) fetch_rows(s.blocks[static_cast<std::size_t>(s.live[static_cast<std::size_t>(i + kAhead)])], rows);
+      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, look_closely, found);
+    }
   };
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));
   if (w.options.gather) {

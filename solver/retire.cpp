@@ -10,7 +10,7 @@ namespace {
 /// The free patch that one element keeps of a retired side. `mirrored`: the slave's, whose face sees the side from behind.
 kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
-  const kernels::SideBlock& b = w.sides.blocks[i / kernels::kLanes];
+  const kernels::SideConstants& b = *w.sides.blocks[i / kernels::kLanes].constants;
   const int l = static_cast<int>(id % kernels::kLanes);
   kernels::Patch p;
   p.element = mirrored ? s.slave : s.master;

@@ -9,6 +9,7 @@
 #include "solver/decomposition.h"
 #include "solver/point_sets.h"
 #include "solver/setup.h"
+#include "solver/side_kinds.h"
 
 namespace voussoir::solver {
 
@@ -22,6 +23,9 @@ struct NewSide {
   std::vector<geometry::Segment> segments;
   double factor = 1.0;
   int faces = 1;  // 2: stands for both
+  // Found from the above.
+  kernels::Stiffness k = {};
+  std::int32_t kind = -1;
 };
 
 /// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
@@ -128,43 +132,59 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
 }
 
 /// Second moments and the rectangle round the points.
-void set_moments(kernels::SideBlock& b, int l, const NewSide& side) {
-  b.s_low[l] = b.t_low[l] = 1e300, b.s_high[l] = b.t_high[l] = -1e300;
+void set_moments(kernels::SideConstants& c, const NewSide& side) {
+  *c.s_low = *c.t_low = 1e300, *c.s_high = *c.t_high = -1e300;
   for (const geometry::Segment& p : side.segments) {
     const double da = side.factor * p.area;
-    b.area[l] += da;
-    b.sss[l] += da * p.s * p.s, b.sst[l] += da * p.s * p.t, b.stt[l] += da * p.t * p.t;
-    b.s_low[l] = std::min(b.s_low[l], p.s), b.s_high[l] = std::max(b.s_high[l], p.s);
-    b.t_low[l] = std::min(b.t_low[l], p.t), b.t_high[l] = std::max(b.t_high[l], p.t);
+    *c.area += da;
+    *c.sss += da * p.s * p.s, *c.sst += da * p.s * p.t, *c.stt += da * p.t * p.t;
+    *c.s_low = std::min(*c.s_low, p.s), *c.s_high = std::max(*c.s_high, p.s);
+    *c.t_low = std::min(*c.t_low, p.t), *c.t_high = std::max(*c.t_high, p.t);
   }
 }
 
-void set_constants(World& w, const NewSide& side, std::size_t id, const cases::Case& c) {
-  kernels::SideBlock& b = w.sides.blocks[id / kernels::kLanes];
-  const int l = static_cast<int>(id % kernels::kLanes);
-  const auto put = [l](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][l] = v.x, to[1][l] = v.y, to[2][l] = v.z; };
+/// Constants of a side, in lane 0.
+kernels::SideConstants constants_of(const World& w, const NewSide& side, const kernels::Strength& strength) {
+  kernels::SideConstants c{};
+  const auto put = [](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][0] = v.x, to[1][0] = v.y, to[2][0] = v.z; };
   const auto centroid = [&](std::int32_t e) {
     const auto i = static_cast<std::size_t>(e);
     return Vec3{w.elements.ref_x[i], w.elements.ref_y[i], w.elements.ref_z[i]};
   };
-  put(b.ca, side.frame.centre - centroid(side.master));
-  put(b.cb, side.frame.centre - centroid(side.slave));
-  put(b.es, side.frame.axis_s);
-  put(b.et, side.frame.axis_t);
-  b.master[l] = side.master, b.slave[l] = side.slave;
-  if (side.slave == w.elements.base) b.on_base |= 1U << l;
+  put(c.ca, side.frame.centre - centroid(side.master));
+  put(c.cb, side.frame.centre - centroid(side.slave));
+  put(c.es, side.frame.axis_s);
+  put(c.et, side.frame.axis_t);
   // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
   // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
   // comparison.
-  b.mean[l] = w.options.merge_sides ? 0.5 : 0.0;
-  set_moments(b, l, side);
-  const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
-  const cases::JointLaw& law = w.model.laws[law_index].value;
-  const kernels::Stiffness k = joint_stiffness(w, side, law, c.contact.damping);
-  const kernels::Strength s = strength_of(law, law_index == 0, c.contact.friction);
-  b.kn[l] = k.kn, b.ks[l] = k.ks;
-  b.tension[l] = s.tension, b.cohesion[l] = s.cohesion, b.tan_phi[l] = s.tan_phi, b.compression[l] = s.compression, b.cap[l] = s.cap;
-  w.sides.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = k.cn, .cs = k.cs, .points = {}, .segments = {}};
+  *c.mean = w.options.merge_sides ? 0.5 : 0.0;
+  set_moments(c, side);
+  *c.kn = side.k.kn, *c.ks = side.k.ks;
+  *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;
+  *c.compression = strength.compression, *c.cap = strength.cap;
+  return c;
+}
+
+/// A lane without a side: no area.
+kernels::SideConstants nothing() {
+  kernels::SideConstants c{};
+  c.es[0][0] = c.et[1][0] = 1.0;
+  *c.kn = *c.ks = 1.0;
+  return c;
+}
+
+/// Stiffness and kind of every side.
+SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
+  SideKinds kinds;
+  kinds.add(nothing());
+  for (NewSide& side : sides) {
+    const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
+    const cases::JointLaw& law = w.model.laws[law_index].value;
+    side.k = joint_stiffness(w, side, law, c.contact.damping);
+    side.kind = kinds.add(constants_of(w, side, strength_of(law, law_index == 0, c.contact.friction)));
+  }
+  return kinds;
 }
 
 /// Bookkeeping and the initial state of one side.
@@ -178,6 +198,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
   s.retired[id] = 0;
   s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
+  s.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
   s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);
@@ -190,22 +211,17 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   }
 }
 
-/// A lane without a side: two resting base rows, no area.
-void clear_lane(World& w, std::size_t id) {
-  kernels::SideBlock& b = w.sides.blocks[id / kernels::kLanes];
-  const int l = static_cast<int>(id % kernels::kLanes);
-  b.master[l] = b.slave[l] = w.elements.base;
-  b.es[0][l] = b.et[1][l] = 1.0;
-  b.kn[l] = b.ks[l] = 1.0;
-}
-
 /// Colours, tasks and blocks; returns the sides in the order of their numbers, −1: unused lane.
 std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sides) {
   std::vector<Writes> writes;
-  for (const NewSide& s : sides) writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
+  std::vector<std::int32_t> kinds;
+  for (const NewSide& s : sides) {
+    writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
+    kinds.push_back(s.kind);
+  }
   std::vector<Vec3> centroids;
   for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);
-  Decomposition d = decompose(writes, centroids, w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids));
+  Decomposition d = decompose(writes, kinds, centroids, w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids));
   Sides& s = w.sides;
   if (!d.overflow.empty()) {
     s.overflow_colour = static_cast<std::int32_t>(d.colours.size());
@@ -225,23 +241,46 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   return numbered;
 }
 
+/// Who is in which lane, and the constants of the block.
+void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<std::int32_t>& numbered, const SideKinds& kinds) {
+  BlockKinds blocks(kinds);
+  std::vector<std::size_t> constants;
+  for (std::size_t block = 0; block < w.sides.blocks.size(); ++block) {
+    kernels::SideBlock& b = w.sides.blocks[block];
+    BlockKinds::Lanes in_lane{};
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      const std::size_t id = block * kernels::kLanes + static_cast<std::size_t>(l);
+      b.master[l] = b.slave[l] = w.elements.base;
+      if (numbered[id] < 0) continue;
+      const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+      b.master[l] = side.master, b.slave[l] = side.slave;
+      if (side.slave == w.elements.base) b.on_base |= 1U << l;
+      in_lane[static_cast<std::size_t>(l)] = side.kind;
+    }
+    constants.push_back(blocks.add(in_lane));
+  }
+  w.sides.constants = blocks.take();
+  for (std::size_t block = 0; block < constants.size(); ++block) w.sides.blocks[block].constants = &w.sides.constants[constants[block]];
+}
+
 }  // namespace
 
 void set_up_sides(World& w, const cases::Case& c) {
-  const std::vector<NewSide> sides = sides_of(w);
+  std::vector<NewSide> sides = sides_of(w);
+  const SideKinds kinds = sort_by_kind(w, c, sides);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
   size_side_arrays(w.sides, numbered.size() / kernels::kLanes);
+  fill_blocks(w, sides, numbered, kinds);
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {
-    clear_lane(w, id);
     if (numbered[id] < 0) continue;
     const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
-    set_constants(w, side, id, c);
     set_state(w, side, id, sets.add(side.segments));
   }
   const std::size_t n = w.sides.bond.size();
-  w.sides.first_mode.assign(n, kernels::Mode::none);
-  for (auto* column : {&w.sides.first_time, &w.sides.slip1, &w.sides.slip2, &w.sides.closure}) column->assign(n, 0.0);
+  static_assert(static_cast<int>(kernels::Mode::none) == 0);
+  w.sides.first_mode.assign_zeros(n);
+  for (auto* column : {&w.sides.first_time, &w.sides.slip1, &w.sides.slip2, &w.sides.closure}) column->assign_zeros(n);
 }
 
 void set_up_side_gather(World& w) {

@@ -71,6 +71,7 @@ struct PointSets {
 
 /// Sides of joints, in blocks of kLanes, blocks in tasks, tasks in colours (decomposition.h). A side's number is block × kLanes + lane.
 struct Sides {
+  Array<kernels::SideConstants> constants;  // of blocks that are alike
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
@@ -95,8 +96,8 @@ struct Sides {
   Array<double> friction, impact, fracture;  // J, lost so far
   // State by segment.
   Array<kernels::Bond> bond;
-  Array<kernels::Mode> first_mode;
-  Array<double> first_time, slip1, slip2, closure;
+  ZeroArray<kernels::Mode> first_mode;
+  ZeroArray<double> first_time, slip1, slip2, closure;
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
@@ -132,6 +133,7 @@ struct Contacts {
   Array<double> moved;                                            // m, bound on the move of any point of each element since (derived)
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
+  std::vector<std::int32_t> master;                               // by active patch: its element (derived)
   std::vector<kernels::Candidate> candidate;                      // by slot
   Array<double> gap;                                              // m, by slot, at the last search (state)
   std::vector<kernels::PairWrench> wrench;

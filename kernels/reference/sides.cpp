@@ -24,7 +24,7 @@ void record(const SegmentStep& step, SegmentsView q, int i, std::int32_t id, dou
 }
 
 /// Least u_n over the rectangle round the points.
-double least_opening(const SideBlock& b, int l, const SideFrame& f) noexcept {
+double least_opening(const SideConstants& b, int l, const SideFrame& f) noexcept {
   return f.d.n + std::min(b.s_low[l] * f.ds.n, b.s_high[l] * f.ds.n) + std::min(b.t_low[l] * f.dt.n, b.t_high[l] * f.dt.n);
 }
 
@@ -114,7 +114,7 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
                  .touching = r.touching,
                  .slide2 = f.d.s1 * f.d.s1 + f.d.s2 * f.d.s2,
                  .tilt2 = dot(f.ds, f.ds) + dot(f.dt, f.dt),
-                 .gap = least_opening(block, l, f)};
+                 .gap = least_opening(*block.constants, l, f)};
   }
   return state.live;
 }

@@ -46,6 +46,7 @@ struct TwoBodies {
 /// One side with points on a grid, and its history.
 struct SideUnderTest {
   kernels::Side side;
+  kernels::SideConstants constants{};  // of the last block()
   std::vector<double> s, t, area;
   std::vector<kernels::Bond> bond;
   std::vector<kernels::Mode> first_mode;
@@ -79,26 +80,27 @@ struct SideUnderTest {
     return {bond.data(), first_mode.data(), first_time.data(), slip1.data(), slip2.data(), closure.data()};
   }
 
-  /// The side in a lane of a block; the other lanes rest.
-  kernels::SideBlock block(int lane) const {
-    kernels::SideBlock b{};
+  /// The side in a lane of a block; the other lanes rest. The constants are this object's.
+  kernels::SideBlock block(int lane) {
+    kernels::SideConstants& c = constants = {};
+    kernels::SideBlock b{.constants = &constants, .master = {}, .slave = {}};
     for (int l = 0; l < kernels::kLanes; ++l) {
       b.master[l] = b.slave[l] = 2;
-      b.es[0][l] = b.et[1][l] = 1.0;
-      b.kn[l] = b.ks[l] = 1.0;
+      c.es[0][l] = c.et[1][l] = 1.0;
+      c.kn[l] = c.ks[l] = 1.0;
     }
     const auto put = [lane](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z; };
-    put(b.ca, side.ca), put(b.cb, side.cb), put(b.es, side.es), put(b.et, side.et);
+    put(c.ca, side.ca), put(c.cb, side.cb), put(c.es, side.es), put(c.et, side.et);
     if (side.slave == 2) b.on_base |= 1U << lane;
-    b.master[lane] = side.master, b.slave[lane] = side.slave, b.mean[lane] = side.mean;
-    b.kn[lane] = side.k.kn, b.ks[lane] = side.k.ks;
-    b.tension[lane] = side.strength.tension, b.cohesion[lane] = side.strength.cohesion, b.tan_phi[lane] = side.strength.tan_phi;
-    b.compression[lane] = side.strength.compression, b.cap[lane] = side.strength.cap;
+    b.master[lane] = side.master, b.slave[lane] = side.slave, c.mean[lane] = side.mean;
+    c.kn[lane] = side.k.kn, c.ks[lane] = side.k.ks;
+    c.tension[lane] = side.strength.tension, c.cohesion[lane] = side.strength.cohesion, c.tan_phi[lane] = side.strength.tan_phi;
+    c.compression[lane] = side.strength.compression, c.cap[lane] = side.strength.cap;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
       const double da = side.factor * area[i];
-      b.area[lane] += da, b.sss[lane] += da * s[i] * s[i], b.sst[lane] += da * s[i] * t[i], b.stt[lane] += da * t[i] * t[i];
-      b.s_low[lane] = std::min(b.s_low[lane], s[i]), b.s_high[lane] = std::max(b.s_high[lane], s[i]);
-      b.t_low[lane] = std::min(b.t_low[lane], t[i]), b.t_high[lane] = std::max(b.t_high[lane], t[i]);
+      c.area[lane] += da, c.sss[lane] += da * s[i] * s[i], c.sst[lane] += da * s[i] * t[i], c.stt[lane] += da * t[i] * t[i];
+      c.s_low[lane] = std::min(c.s_low[lane], s[i]), c.s_high[lane] = std::max(c.s_high[lane], s[i]);
+      c.t_low[lane] = std::min(c.t_low[lane], t[i]), c.t_high[lane] = std::max(c.t_high[lane], t[i]);
     }
     return b;
   }

@@ -8,6 +8,7 @@
 
 #include "solver/decomposition.h"
 #include "solver/errors.h"
+#include "solver/setup.h"
 #include "solver/simulation.h"
 #include "tests/solver/small_wall.h"
 
@@ -51,7 +52,9 @@ TEST_CASE("decomposition: no two tasks of a colour share an element, every side 
   const auto beam = static_cast<std::int32_t>(centroids.size());
   centroids.push_back({2.0, 0.0, 0.6});
   for (int x = 0; x < 20; ++x) sides.push_back({beam, 6 * x + 5});
-  const solver::Decomposition d = solver::decompose(sides, centroids, 0.25);
+  std::vector<std::int32_t> kinds(sides.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = static_cast<std::int32_t>(i % 3);
+  const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 0.25);
   CHECK(d.colours.size() == 4);
   std::vector<int> placed(sides.size(), 0);
   for (const std::int32_t i : d.overflow) ++placed[static_cast<std::size_t>(i)];
@@ -148,6 +151,31 @@ TEST_CASE("the base carries the weight of a wall at rest, at its middle") {
   CHECK(s.forces().base_moment.x == doctest::Approx(weight * 0.05).epsilon(1e-3));
   CHECK(s.forces().base_moment.y == doctest::Approx(-weight * 0.4).epsilon(1e-3));
   CHECK(std::abs(s.history()[0].displacement.z) < 1e-9);
+}
+
+TEST_CASE("congruent sides share their constants, which fit the place of each") {
+  const cases::Model m = cases::build_model(small_wall(30, 6));
+  const std::unique_ptr<solver::World> w = solver::build_world(small_wall(30, 6), m, {});
+  const solver::Sides& s = w->sides;
+  CHECK(2 * s.constants.size() < s.blocks.size());
+  const auto centroid = [&](std::int32_t e) {
+    const auto i = static_cast<std::size_t>(e);
+    return Vec3{w->elements.ref_x[i], w->elements.ref_y[i], w->elements.ref_z[i]};
+  };
+  for (std::int64_t id = 0; id < s.count(); ++id) {
+    const auto i = static_cast<std::size_t>(id);
+    if (s.joint[i] < 0) continue;
+    const kernels::Side side = s.side(id);
+    const Vec3 centre = m.assembly.joints[static_cast<std::size_t>(s.joint[i])].frame.centre;
+    CHECK(norm(centroid(side.master) + side.ca - centre) < 1e-11);
+    CHECK(norm(centroid(side.slave) + side.cb - centre) < 1e-11);
+    const kernels::PointsView points = w->points.view(s.set[i]);
+    double area = 0.0, sss = 0.0;
+    for (int k = 0; k < points.n; ++k) area += side.factor * points.area[k], sss += side.factor * points.area[k] * points.s[k] * points.s[k];
+    const kernels::SideBlock& b = s.blocks[i / kernels::kLanes];
+    CHECK(std::abs(b.constants->area[i % kernels::kLanes] - area) < 1e-11 * area);
+    CHECK(std::abs(b.constants->sss[i % kernels::kLanes] - sss) < 1e-11 * sss);
+  }
 }
 
 TEST_CASE("while a structure settles its rotations are damped too, and the ledger knows; afterwards they are not") {
