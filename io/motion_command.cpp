@@ -37,11 +37,13 @@ Source read_source(const std::string& argument, const std::optional<std::string>
   std::error_code error;
   if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
   if (fs::is_directory(argument, error)) return {read_record_folder(argument, unit), {}};
-  if (!fs::exists(argument, error)) {
-    throw FileError(argument, "no such file; allowed: a file, a folder that holds record.toml, or bam-like");
+  const bool exists = fs::exists(argument, error);
+  if (!exists && argument.find('#') == std::string::npos) {
+    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, or bam-like");
   }
   Source source;
-  for (Channel& c : read_motion_file(argument, unit)) {
+  std::vector<Channel> channels = exists ? read_motion_file(argument, unit) : std::vector<Channel>{read_channel(argument, unit)};
+  for (Channel& c : channels) {
     const std::string name = c.component.empty() ? "-" : c.component;
     source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak});
   }

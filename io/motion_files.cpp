@@ -71,19 +71,14 @@ void check(const cases::Motion& m) {
 
 Record read_record_file(const std::string& path, const std::optional<std::string>& unit) {
   Record record{fs::path(path).filename().string(), {}};
-  for (Channel& c : read_motion_file(path, unit)) {
-    const auto axis = std::find(kLtv.begin(), kLtv.end(), c.axis);
-    if (axis == kLtv.end()) continue;
-    cases::Accelerogram& place = record.ltv[static_cast<std::size_t>(axis - kLtv.begin())];
-    if (!place.acceleration.empty())
-      throw FileError(path, std::string("holds two components ") + c.axis + "; name the files in a record.toml");
-    place = std::move(c.motion);
-  }
+  std::vector<Channel> channels = read_motion_file(path, unit);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (record.ltv[i].acceleration.empty()) {
-      throw FileError(path, std::string("does not say which of its components is ") + kLtv[i] +
-                                "; a record is a file that says which are L, T and V, or a folder whose record.toml names files for them");
+    const auto marked = [&](const Channel& c) { return c.axis == kLtv[i]; };
+    if (std::count_if(channels.begin(), channels.end(), marked) != 1) {
+      throw FileError(path, std::string("does not mark one of its components as ") + kLtv[i] + ", as a record must; it holds " +
+                                component_list(channels) + ", which the keys L, T and V can name, as in \"" + record.name + "#1\"");
     }
+    record.ltv[i] = std::find_if(channels.begin(), channels.end(), marked)->motion;
   }
   return record;
 }

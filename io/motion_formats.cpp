@@ -79,15 +79,6 @@ Choice choice_of(const std::string& path) {
   return {path.substr(0, mark), path.substr(mark + 1)};
 }
 
-/// "#1 (90 DEG), #2 (UP)": numbers and names of all components.
-std::string choices(const std::vector<Channel>& channels) {
-  std::string all;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    all += (i > 0 ? ", " : "") + ("#" + std::to_string(i + 1)) + " (" + channels[i].component + ")";
-  }
-  return all;
-}
-
 /// The only channel for which `fits` holds.
 template <class Fits>
 const Channel* only_one(const std::vector<Channel>& channels, Fits fits) {
@@ -114,7 +105,15 @@ std::vector<Channel> read_motion_file(const std::string& path, const std::option
   throw FileError(path, std::string("is in no format that is read; allowed: ") + kFormats);
 }
 
-cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis) {
+std::string component_list(const std::vector<Channel>& channels) {
+  std::string all;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    all += (i > 0 ? ", " : "") + ("#" + std::to_string(i + 1)) + " (" + channels[i].component + ")";
+  }
+  return all;
+}
+
+Channel read_channel(const std::string& path, const std::optional<std::string>& unit, char axis) {
   const Choice choice = choice_of(path);
   const std::vector<Channel> channels = read_motion_file(choice.file, unit);
   const Channel* found = nullptr;
@@ -122,16 +121,20 @@ cases::Accelerogram read_accelerogram(const std::string& path, const std::option
     found = only_one(channels, [&](const Channel& c) { return upper(c.component) == upper(choice.component); });
     if (found == nullptr) found = numbered(channels, choice.component);
     if (found == nullptr) {
-      throw FileError(choice.file, "no one component is " + shown("#" + choice.component) + "; allowed: " + choices(channels));
+      throw FileError(choice.file, "no one component is " + shown("#" + choice.component) + "; allowed: " + component_list(channels));
     }
   } else {
     found = channels.size() == 1 ? &channels[0] : only_one(channels, [axis](const Channel& c) { return axis != 0 && c.axis == axis; });
     if (found == nullptr) {
       throw FileError(choice.file, "holds " + std::to_string(channels.size()) +
-                                       " components; say which is wanted behind the file's name: " + choices(channels));
+                                       " components; say which is wanted behind the file's name: " + component_list(channels));
     }
   }
-  return found->motion;
+  return *found;
+}
+
+cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis) {
+  return read_channel(path, unit, axis).motion;
 }
 
 }  // namespace voussoir::io

@@ -56,8 +56,14 @@ std::vector<Channel> read_knet(const std::string& path);    // NIED K-NET, KiK-n
 /// \throw FileError, also for VT2 and DT2 files and unknown formats.
 std::vector<Channel> read_motion_file(const std::string& path, const std::optional<std::string>& unit);
 
+/// "#1 (90 DEG), #2 (UP)": numbers and names of all components, for messages.
+std::string component_list(const std::vector<Channel>& channels);
+
 /// One component: the only one of the file, or the one that "FILE#NAME" or "FILE#NUMBER" names, or the one that the file marks as `axis`
 /// ('L', 'T', 'V'; 0: none). \throw FileError, also where no one component is meant.
+Channel read_channel(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
+
+/// Its motion alone.
 cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
 
 }  // namespace voussoir::io

@@ -88,10 +88,11 @@ TEST_CASE("formats: a file that says which are L, T and V is a record") {
   m.direction = "TLV";
   check_near(at_start(io::load_motion(m, folder.path())), {2, 1, 3});
   m.record = folder.write("quake.V2", kCalifornian);
-  CHECK_THROWS_WITH_AS(io::load_motion(m, ""), doctest::Contains("quake.V2: does not say which of its components is L; a record is"),
+  CHECK_THROWS_WITH_AS(io::load_motion(m, ""),
+                       doctest::Contains("quake.V2: does not mark one of its components as L, as a record must; it holds #1 (90 DEG), #2"),
                        FileError);
   m.record = folder.write("twice.V1", iranian() + iranian());
-  CHECK_THROWS_WITH_AS(io::load_motion(m, ""), doctest::Contains("twice.V1: holds two components L"), FileError);
+  CHECK_THROWS_WITH_AS(io::load_motion(m, ""), doctest::Contains("twice.V1: does not mark one of its components as L"), FileError);
 }
 
 TEST_CASE("formats: keys L, T, V take their components of one file; folders and axes may name them") {
@@ -124,4 +125,10 @@ TEST_CASE("formats: the table of a file has a line for each component and the pe
   CHECK(lines[2].find("  90 DEG ") != std::string::npos);
   CHECK(lines[2].ends_with(" 0.0700"));
   CHECK(lines[6].ends_with(" -"));
+  std::stringstream one;
+  io::motion_command({folder.path("quake.V2") + "#2"}, {}, one);
+  lines.clear();
+  for (std::string line; std::getline(one, line);) lines.push_back(line);
+  REQUIRE(lines.size() == 2 + 1);
+  CHECK(lines[2].starts_with("quake.V2#2  UP "));
 }
