@@ -152,7 +152,7 @@ CaseText find_case(const std::string& name) {
 
   std::vector<std::string> names;
   for (const CatalogueEntry& e : entries) names.push_back(e.name);
-  const std::string near = nearest(name, names);
+  const std::string near = fs::exists(name + ".toml", error) ? name + ".toml" : nearest(name, names);
   const std::string problem = "case \"" + name + "\" is neither in the catalogue nor a file; " +
                               (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "The catalogue: " + joined(names);
   throw CaseFileError(problem, "", problem, 0);

@@ -66,4 +66,7 @@ std::string resolved_toml(const cases::Case& value);
 /// All keys of the case file by table: name, unit, default, allowed values, a sentence. For printing.
 std::string key_reference();
 
+/// The same as Markdown, a table each: cases/KEYS.md.
+std::string key_reference_markdown();
+
 }  // namespace voussoir::io

@@ -16,6 +16,25 @@ std::string comment_of(const KeyInfo& info, bool with_shape) {
   return joined(parts, "; ");
 }
 
+/// Text in a cell of a Markdown table.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += std::string(c == '|' || c == '<' ? "\\" : "") + c;
+  return out;
+}
+
+std::string markdown_row(const KeyInfo& info, const std::string& default_text) {
+  const std::string by_default = info.required ? "*required*" : default_text.empty() ? "none" : "`" + default_text + "`";
+  const std::string limits = info.limits.text();
+  const std::string allowed = info.shape + (limits.empty() ? "" : "; " + limits);
+  return "| `" + info.name + "` | " + by_default + " | " + info.unit + " | " + escaped(allowed) + " | " + escaped(info.sentence) + " |\n";
+}
+
+std::string markdown_header(const Header& at, const std::string& sentence) {
+  const std::string title = at.path.empty() ? "## At the top\n\n" : "\n## `" + at.text() + "`\n\n" + sentence + "\n\n";
+  return title + "| key | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
+}
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;
@@ -40,6 +59,10 @@ void RuleCheck::fault(const std::string& key, const std::string& problem) const 
 }
 
 void Lines::header(const Header& at, const std::string& sentence) {
+  if (markdown) {
+    out += markdown_header(at, sentence);
+    return;
+  }
   if (!at.path.empty()) out += "\n" + padded(at.text(), 32) + "  # " + sentence + "\n";
 }
 
@@ -53,6 +76,10 @@ void Lines::key(const KeyInfo& info, const std::string& text) {
 }
 
 void Lines::reference(const KeyInfo& info, const std::string& default_text) {
+  if (markdown) {
+    out += markdown_row(info, default_text);
+    return;
+  }
   const std::string value = info.required ? "required" : (default_text.empty() ? "none" : default_text);
   out += "  " + padded(info.name, 17) + " " + padded(value, 18) + " " + comment_of(info, true) + "\n";
 }

@@ -145,9 +145,10 @@ struct Header {
   [[nodiscard]] std::string text() const { return path.empty() ? "" : (array ? "[[" + path + "]]" : "[" + path + "]"); }
 };
 
-/// Collects the lines of a resolved case or of the key reference.
+/// Collects the lines of a resolved case or of the key reference (plain, or as Markdown tables).
 struct Lines {
   std::string out;
+  bool markdown = false;
   void header(const Header& at, const std::string& sentence);
   void absent_table(const Header& at, const std::string& sentence);
   /// name = text # comment; an empty text: a comment alone.

@@ -33,7 +33,7 @@ struct Words {
   std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour";
   std::vector<std::string> files;  // of `motion`
   std::string first, second;       // of `compare`
-  bool verify = false;
+  bool verify = false, markdown = false;
   io::RunOptions run;
   io::BenchOptions bench;
   io::ResumeOptions resume;
@@ -53,8 +53,8 @@ std::vector<std::string> overrides(const Words& w) {
   std::vector<std::string> all;
   if (!w.direction.empty()) all.push_back("motion.direction=" + quoted(w.direction));
   if (!w.record.empty()) {
-    const bool folder = std::filesystem::is_directory(w.record);
-    all.push_back("motion.record=" + quoted(folder ? from_here(w.record) : w.record));
+    const bool on_disk = std::filesystem::exists(w.record);
+    all.push_back("motion.record=" + quoted(on_disk ? from_here(w.record) : w.record));
   }
   if (!w.motion.empty()) all.push_back("motion.record=");
   for (const std::string& m : w.motion) {
@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Words& w) {
   add_case(run, w);
   run->add_option("-o,--output", w.run.folder, "folder of the results (default: results/CASE)");
   run->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
-  run->add_option("--record", w.record, "name of a built-in record, or a folder that holds record.toml");
+  run->add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
   run->add_option("--motion", w.motion, "AXIS=FILE: ground motion of one axis (x, y, z, or L, T, V; may be repeated)");
   run->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
   run->add_option("--duration", w.duration, "of shaking, s");
@@ -191,7 +191,7 @@ int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
 int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("cases")) return io::cases_command();
   if (app.got_subcommand("keys")) {
-    std::fputs(io::key_reference().c_str(), stdout);
+    std::fputs((w.markdown ? io::key_reference_markdown() : io::key_reference()).c_str(), stdout);
     return io::kDone;
   }
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
@@ -246,7 +246,7 @@ int main(int argc, char** argv) {
   add_motion(app, w);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
-  app.add_subcommand("keys", "all keys of the case file");
+  app.add_subcommand("keys", "all keys of the case file")->add_flag("--markdown", w.markdown, "as tables, for a page");
   try {
     app.parse(argc, argv);
     return dispatch(app, w);

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/errors.h"
+#include "io/progress.h"
 #include "io/run_command.h"
 #include "io/support_motion.h"
 #include "io/text_file.h"
@@ -53,12 +54,13 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
   solver::Options options;
   options.threads = o.threads;
   std::array<solver::ImpulseResponse, 2> response;
+  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   for (int axis = 0; axis < 2; ++axis) {
     const auto tick = [&](double done) {
-      if (!o.quiet) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", kAxes[static_cast<std::size_t>(axis)], 100.0 * done);
+      if (on_terminal) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", kAxes[static_cast<std::size_t>(axis)], 100.0 * done);
     };
     response[static_cast<std::size_t>(axis)] = solver::impulse_response(c, model, options, axis, tick);
-    if (!o.quiet) std::fputc('\n', stderr);
+    if (on_terminal) std::fputc('\n', stderr);
   }
   std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,
               solver::kImpulseInterval * solver::kImpulseSamples, 1.0 / (solver::kImpulseInterval * solver::kImpulseSamples), "point",
@@ -71,7 +73,9 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
   }
   std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", dominant(modes, 0).frequency, dominant(modes, 1).frequency);
   const std::int64_t broken = response[0].broken + response[1].broken;
-  if (broken > 0) std::printf("warning: %lld segment sides broke or slipped under the impulse\n", static_cast<long long>(broken));
+  if (broken > 0)
+    std::printf("warning: %lld segment sides broke or slipped under the impulse: its frequencies are not the sound house's\n",
+                static_cast<long long>(broken));
 }
 
 }  // namespace

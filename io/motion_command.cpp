@@ -24,30 +24,30 @@ namespace {
 struct Component {
   std::string record, name;
   cases::Accelerogram motion;
+  std::optional<double> stated_peak;  // m/s2, of the file's header
 };
 
-/// One argument: a record of three components, or a single file in `single`.
+/// One argument: a record of three components, or the components of a file.
 struct Source {
   Record record;
-  std::optional<Component> single;
+  std::vector<Component> of_file;
 };
-
-/// "228" of "Northridge-01, 1/17/1994, Rinaldi Receiving Sta, 228": the last field, as station names hold commas too.
-std::string component_of(const std::string& name) {
-  const std::size_t comma = name.rfind(',');
-  return comma == std::string::npos ? "-" : std::string(trimmed(std::string_view(name).substr(comma + 1)));
-}
 
 Source read_source(const std::string& argument, const std::optional<std::string>& unit) {
   std::error_code error;
   if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
   if (fs::is_directory(argument, error)) return {read_record_folder(argument, unit), {}};
-  if (!fs::exists(argument, error)) {
-    throw FileError(argument, "no such file; allowed: a file, a folder that holds record.toml, or bam-like");
+  const bool exists = fs::exists(argument, error);
+  if (!exists && argument.find('#') == std::string::npos) {
+    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, or bam-like");
   }
-  cases::Accelerogram motion = read_accelerogram(argument, unit);
-  const std::string component = component_of(motion.name);
-  return {{}, Component{fs::path(argument).filename().string(), component, std::move(motion)}};
+  Source source;
+  std::vector<Channel> channels = exists ? read_motion_file(argument, unit) : std::vector<Channel>{read_channel(argument, unit)};
+  for (Channel& c : channels) {
+    const std::string name = c.component.empty() ? "-" : c.component;
+    source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak});
+  }
+  return source;
 }
 
 void cut(cases::Accelerogram& a, double until) {
@@ -74,9 +74,9 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
 std::vector<Component> components_of(std::vector<Source>& sources) {
   std::vector<Component> all;
   for (Source& s : sources) {
-    if (s.single) all.push_back(*s.single);
+    all.insert(all.end(), s.of_file.begin(), s.of_file.end());
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!s.record.ltv[i].acceleration.empty()) all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i]});
+      if (!s.record.ltv[i].acceleration.empty()) all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i], std::nullopt});
     }
   }
   return all;
@@ -86,18 +86,20 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   std::size_t width = 6;
   for (const Component& c : components) width = std::max(width, c.record.size());
   const auto name_column = [width](const std::string& text) { return text + std::string(width - text.size(), ' '); };
-  char line[256];
-  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s\n", "component", "dt", "samples", "duration", "PGA",
-                "PGA", "at", "PGV", "PGD", "Arias", "D5-75", "D5-95");
+  char line[320];
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "component", "dt", "samples", "duration",
+                "PGA", "PGA", "at", "PGV", "PGD", "Arias", "D5-75", "D5-95", "stated");
   out << name_column("record") << line;
-  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s\n", "", "s", "", "s", "m/s2", "g", "s", "m/s", "m",
-                "m/s", "s", "s");
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "", "s", "", "s", "m/s2", "g", "s", "m/s",
+                "m", "m/s", "s", "s", "m/s2");
   out << name_column("") << line;
   for (const Component& c : components) {
     const cases::MotionFigures f = cases::figures(c.motion);
-    std::snprintf(line, sizeof line, "  %-9s %8.6g %8zu %8.3f %9.4f %8.5f %8.3f %8.4f %8.4f %8.4f %7.3f %7.3f\n", c.name.c_str(),
+    char stated[32] = "-";
+    if (c.stated_peak) std::snprintf(stated, sizeof stated, "%.4f", *c.stated_peak);
+    std::snprintf(line, sizeof line, "  %-9s %8.6g %8zu %8.3f %9.4f %8.5f %8.3f %8.4f %8.4f %8.4f %7.3f %7.3f %8s\n", c.name.c_str(),
                   c.motion.dt, c.motion.acceleration.size(), f.duration, f.peak_acceleration, f.peak_acceleration / cases::kStandardGravity,
-                  f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95);
+                  f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95, stated);
     out << name_column(c.record) << line;
   }
 }
@@ -138,12 +140,13 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
     Source s = read_source(argument, o.unit);
     if (o.until) {
       for (auto& a : s.record.ltv) cut(a, *o.until);
-      if (s.single) cut(s.single->motion, *o.until);
+      for (Component& c : s.of_file) cut(c.motion, *o.until);
     }
     sources.push_back(std::move(s));
   }
   if (o.write) {
-    if (sources[0].single) throw cases::InputError("--write", shown(arguments[0]) + " is a single file; allowed: bam-like, or a folder");
+    if (!sources[0].of_file.empty())
+      throw cases::InputError("--write", shown(arguments[0]) + " is a single file; allowed: bam-like, or a folder");
     write_record_folder(sources[0].record, *o.write, o.overwrite);
   }
   const std::vector<Component> components = components_of(sources);

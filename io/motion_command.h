@@ -19,9 +19,10 @@ struct MotionOptions {
   bool overwrite = false;              // of existing files
 };
 
-/// Prints a table with one line per component. Each argument is "bam-like", a folder that holds record.toml, or a file.
-/// Spectra: relative displacement, pseudo-velocity and pseudo-acceleration at 271 frequencies from 0.1 to 50 Hz, 100 a decade.
-/// \return 0. \throw cases::InputError, FileError; before anything is printed or written if it is a fault of the input.
+/// Prints a table with one line per component; its last column is the peak acceleration that the file's header states. Each argument is
+/// "bam-like", a folder that holds record.toml, a file, or FILE#COMPONENT. Spectra: relative displacement, pseudo-velocity and
+/// pseudo-acceleration at 271 frequencies from 0.1 to 50 Hz, 100 a decade. \return 0. \throw cases::InputError, FileError; before anything
+/// is printed or written if it is a fault of the input.
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out);
 
 /// The same, to standard output.

@@ -17,6 +17,8 @@ namespace {
 
 using Files = std::array<std::optional<std::string>, 3>;
 
+constexpr std::array<char, 3> kLtv{'L', 'T', 'V'};
+
 bool any_given(const Files& files) {
   return std::any_of(files.begin(), files.end(), [](const auto& f) { return f.has_value(); });
 }
@@ -25,10 +27,12 @@ std::size_t component_index(char letter) { return letter == 'L' ? 0 : letter == 
 
 std::string path_from(const std::string& folder, const std::string& path) { return (fs::path(folder) / path).string(); }
 
-std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::string& folder, const std::optional<std::string>& unit) {
+/// \param axes what files[i] is taken for in a file of several components, as read_accelerogram.
+std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::array<char, 3>& axes, const std::string& folder,
+                                              const std::optional<std::string>& unit) {
   std::array<cases::Accelerogram, 3> components;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (files[i]) components[i] = read_accelerogram(path_from(folder, *files[i]), unit);
+    if (files[i]) components[i] = read_accelerogram(path_from(folder, *files[i]), unit, axes[i]);
   }
   return components;
 }
@@ -38,8 +42,10 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
   const std::string folder = path_from(case_folder, *m.record);
   std::error_code error;
   if (!m.record->empty() && fs::is_directory(folder, error)) return read_record_folder(folder, m.unit);
-  throw cases::InputError("motion.record", "\"" + *m.record + "\" is neither a record of the program nor a folder (" + folder +
-                                               "); allowed: \"bam-like\", or a folder that holds record.toml");
+  if (!m.record->empty() && fs::exists(folder, error)) return read_record_file(folder, m.unit);
+  throw cases::InputError("motion.record",
+                          "\"" + *m.record + "\" is neither a record of the program nor a folder or file (" + folder +
+                              "); allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
 }
 
 void check(const cases::Motion& m) {
@@ -63,6 +69,20 @@ void check(const cases::Motion& m) {
 
 }  // namespace
 
+Record read_record_file(const std::string& path, const std::optional<std::string>& unit) {
+  Record record{fs::path(path).filename().string(), {}};
+  std::vector<Channel> channels = read_motion_file(path, unit);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto marked = [&](const Channel& c) { return c.axis == kLtv[i]; };
+    if (std::count_if(channels.begin(), channels.end(), marked) != 1) {
+      throw FileError(path, std::string("does not mark one of its components as ") + kLtv[i] + ", as a record must; it holds " +
+                                component_list(channels) + ", which the keys L, T and V can name, as in \"" + record.name + "#1\"");
+    }
+    record.ltv[i] = std::find_if(channels.begin(), channels.end(), marked)->motion;
+  }
+  return record;
+}
+
 std::optional<double> acceleration_unit(std::string_view name) {
   const std::string text = upper(trimmed(name));
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
@@ -71,28 +91,16 @@ std::optional<double> acceleration_unit(std::string_view name) {
   if (text == "G") return cases::kStandardGravity;
   if (is_one_of({"M/S2", "M/S^2", "M/S**2", "M/S/S", "M/SEC2", "M/SEC^2", "M/SEC/SEC"})) return 1.0;
   if (is_one_of({"CM/S2", "CM/S^2", "CM/S**2", "CM/S/S", "CM/SEC2", "CM/SEC^2", "CM/SEC/SEC", "GAL"})) return 0.01;
+  if (is_one_of({"MM/S2", "MM/S^2", "MM/S/S"})) return 0.001;
   return std::nullopt;
-}
-
-cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit) {
-  const std::string ending = upper(fs::path(path).extension().string());
-  // VT2 and DT2 go to the same reader: their third line says what they hold, and so does its refusal.
-  if (ending == ".AT2" || ending == ".VT2" || ending == ".DT2") return read_at2(path);
-  if (ending == ".CSV" || ending == ".TXT") return read_motion_csv(path, unit);
-  const std::string text = read_text_file(path, kLargestMotionFile);
-  LineReader lines(text);
-  for (int number = 1; number <= 3; ++number) {
-    const auto line = lines.next();
-    if (line && number == 3 && upper(*line).find("IN UNITS OF") != std::string::npos) return read_at2(path);
-  }
-  throw FileError(path, "is in no format that is read; allowed: PEER AT2 (.AT2), or two columns of time and acceleration (.csv, .txt)");
 }
 
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder) {
   check(motion);
   const bool turned = !any_given(motion.xyz);
-  std::array<cases::Accelerogram, 3> read =
-      motion.record ? named_record(motion, case_folder).ltv : read_files(turned ? motion.ltv : motion.xyz, case_folder, motion.unit);
+  std::array<cases::Accelerogram, 3> read = motion.record ? named_record(motion, case_folder).ltv
+                                            : turned      ? read_files(motion.ltv, kLtv, case_folder, motion.unit)
+                                                          : read_files(motion.xyz, {}, case_folder, motion.unit);
   cases::GroundMotion result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t from = turned ? component_index(motion.direction[i]) : i;

@@ -23,6 +23,9 @@ struct Record {
 /// holds). \throw FileError
 Record read_record_folder(const std::string& folder, const std::optional<std::string>& unit);
 
+/// A file that holds three components and says which is L, T and V (BHRC V1, GeoNet V2A). \throw FileError
+Record read_record_file(const std::string& path, const std::optional<std::string>& unit);
+
 /// Writes L.csv, T.csv, V.csv (t [s], a [m/s2]) and record.toml into the folder, which is made if it is missing.
 /// \throw FileError, before anything is written if one of the files exists and `overwrite` is false.
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite);

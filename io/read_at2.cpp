@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -108,7 +109,9 @@ cases::Accelerogram read_at2(const std::string& path) {
     std::string_view rest = *line;
     for (std::string_view token = next_token(rest, " \t"); !token.empty(); token = next_token(rest, " \t")) {
       const auto value = finite_number(token);
-      if (!value) throw FileError(path, lines.line(), shown(token) + " is not one finite number (damaged, or two numbers glued together)");
+      if (!value || !std::isfinite(*value * h.unit)) {
+        throw FileError(path, lines.line(), shown(token) + " is not one finite number (damaged, or two numbers glued together)");
+      }
       if (a.acceleration.size() == h.count) throw FileError(path, lines.line(), "more values than " + stated + " of the header");
       a.acceleration.push_back(*value * h.unit);
     }

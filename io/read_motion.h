@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cases/motion.h"
 
-/// Readers of one component of ground motion from one file, a format each.
+/// Readers of files of ground motion, a format each.
 namespace voussoir::io {
 
 /// Largest file of ground motion that is read, bytes: an hour at 1 kHz fits.
@@ -19,7 +20,7 @@ inline constexpr std::size_t kLargestMotionFile = 64u << 20;
 inline constexpr const char* kUnitNames = R"("g", "m/s2" or "cm/s2")";
 
 /// What one of the unit is in m/s2 (g = 9.80665); nothing for an unknown name. Spellings as found in headers: "G", "m/s^2", "CM/SEC/SEC",
-/// "gal".
+/// "gal", "mm/s/s".
 std::optional<double> acceleration_unit(std::string_view name);
 
 /// PEER AT2: NGA-West2, NGA-West1, NGA-East and the older forms. The header states unit, number of values and step.
@@ -32,7 +33,37 @@ cases::Accelerogram read_at2(const std::string& path);
 /// none. \throw FileError with the line.
 cases::Accelerogram read_motion_csv(const std::string& path, const std::optional<std::string>& unit);
 
-/// By the name's ending (.AT2, .csv, .txt), else by the content. \throw FileError, also for VT2 and DT2 files and unknown formats.
-cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit);
+/// One component of a file, as the file describes it.
+struct Channel {
+  std::string component;              // the file's own word: "L", "N28W", "90 DEG", "HNE"; may be empty
+  char axis = 0;                      // 'L', 'T', 'V' where a file of several says which it is
+  std::optional<double> stated_peak;  // m/s2, absolute, where the header states it
+  cases::Accelerogram motion;
+};
+
+/// Formats of networks. Units, steps and counts are those of the headers, and the baseline is left as it is, but for K-NET, whose counts
+/// have an arbitrary offset. Memory is bounded by the file's size, whatever its header promises.
+/// \throw FileError with the line for a header that cannot be understood, a file that ends early or holds more than its header says, a
+/// value that is missing or not finite, and for a file without acceleration.
+std::vector<Channel> read_bhrc(const std::string& path);    // BHRC (Iran) V1: L, V, T in one file
+std::vector<Channel> read_esm(const std::string& path);     // ESM and AFAD, DYNA 1.2 ASCII: one component
+std::vector<Channel> read_cosmos(const std::string& path);  // COSMOS V1, V2: channels
+std::vector<Channel> read_csmip(const std::string& path);   // CDMG/CSMIP V2: channels
+std::vector<Channel> read_geonet(const std::string& path);  // GeoNet (New Zealand) V2A: longitudinal, transverse, up
+std::vector<Channel> read_knet(const std::string& path);    // NIED K-NET, KiK-net: one component
+
+/// All components of a file of any format, known by its first lines; AT2 and CSV also by the name's ending (.AT2, .csv, .txt).
+/// \throw FileError, also for VT2 and DT2 files and unknown formats.
+std::vector<Channel> read_motion_file(const std::string& path, const std::optional<std::string>& unit);
+
+/// "#1 (90 DEG), #2 (UP)": numbers and names of all components, for messages.
+std::string component_list(const std::vector<Channel>& channels);
+
+/// One component: the only one of the file, or the one that "FILE#NAME" or "FILE#NUMBER" names, or the one that the file marks as `axis`
+/// ('L', 'T', 'V'; 0: none). \throw FileError, also where no one component is meant.
+Channel read_channel(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
+
+/// Its motion alone.
+cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
 
 }  // namespace voussoir::io

@@ -122,7 +122,10 @@ cases::Accelerogram read_motion_csv(const std::string& path, const std::optional
   }
   cases::Accelerogram a{std::filesystem::path(path).stem().string(), dt, {}};
   a.acceleration.reserve(rows.size());
-  for (const Row& row : rows) a.acceleration.push_back(row.value * *factor);
+  for (const Row& row : rows) {
+    a.acceleration.push_back(row.value * *factor);
+    if (!std::isfinite(a.acceleration.back())) throw FileError(path, row.line, "acceleration is too large for a number in m/s2");
+  }
   return a;
 }
 

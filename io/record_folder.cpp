@@ -81,7 +81,7 @@ Record read_record_folder(const std::string& folder, const std::optional<std::st
   }
   if (!files[0] && !files[1] && !files[2]) throw FileError(path, "names no component; allowed: L, T, V, one of them at least");
   for (std::size_t i = 0; i < 3; ++i) {
-    if (files[i]) record.ltv[i] = read_accelerogram((fs::path(folder) / *files[i]).string(), stated);
+    if (files[i]) record.ltv[i] = read_accelerogram((fs::path(folder) / *files[i]).string(), stated, kComponents[i][0]);
   }
   return record;
 }

@@ -22,4 +22,18 @@ std::string key_reference() {
   return std::move(lines.out);
 }
 
+std::string key_reference_markdown() {
+  Lines lines;
+  lines.markdown = true;
+  lines.out =
+      "# Keys of a case file\n\n"
+      "Made by `voussoir keys --markdown` from the option table that reads the files; do not edit. `[[...]]` may stand several times, "
+      "`<name>`\n"
+      "is the user's own. `none`: without a value. SI units, z up, degrees. Beside these keys, `include` at the top names a ready case or "
+      "a\n"
+      "`.toml` file, or an array of them: read first; the case lies over them, key by key.\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
 }  // namespace voussoir::io

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 #include "cases/model.h"
 #include "io/errors.h"
@@ -28,14 +30,28 @@ void check(const cases::SupportHistory& h, std::size_t bytes) {
   }
 }
 
-void read(char format, const std::string& path, std::size_t bytes) {
-  if (format % 4 == 0) return check(io::read_at2(path), bytes);
-  if (format % 4 == 1) return check(io::read_motion_csv(path, "g"), bytes);
-  if (format % 4 == 2) return check(io::read_motion_csv(path, std::nullopt), bytes);
+void read_support(const std::string& path, std::size_t bytes) {
   cases::Model model;
   model.support_motions.push_back({{}, {}, false, path, ""});
   io::load_support_motions(model, "");
   check(model.support_motions[0], bytes);
+}
+
+void read(unsigned format, const std::string& path, std::size_t bytes) {
+  using Reader = std::vector<io::Channel> (*)(const std::string&);
+  constexpr Reader kReaders[] = {io::read_bhrc, io::read_cosmos, io::read_csmip, io::read_esm, io::read_geonet, io::read_knet};
+  switch (format) {
+    case 0:
+      return check(io::read_at2(path), bytes);
+    case 1:
+      return check(io::read_motion_csv(path, "g"), bytes);
+    case 2:
+      return check(io::read_motion_csv(path, std::nullopt), bytes);
+    case 3:
+      return read_support(path, bytes);
+    default:
+      for (const io::Channel& c : kReaders[format - 4](path)) check(c.motion, bytes);
+  }
 }
 
 }  // namespace
@@ -45,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   file.fill(data + 1, size - 1);
   try {
-    read(static_cast<char>(data[0]), file.path(), size);
+    read(static_cast<unsigned>(data[0]) % 10, file.path(), size);
   } catch (const io::FileError&) {
   }
   return 0;

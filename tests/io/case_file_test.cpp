@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 using namespace voussoir;
@@ -268,6 +270,12 @@ TEST_CASE("resolved case: strings and names with odd characters come back") {
   CHECK(again.title == c.title);
   CHECK(again.materials.at("a \"b\".c").density == 1.0);
   CHECK(again.materials.at("").density == 2.0);
+}
+
+TEST_CASE("key reference: cases/KEYS.md is what the option table says (make it anew: voussoir keys --markdown >cases/KEYS.md)") {
+  std::ifstream file(std::string(VOUSSOIR_SOURCE_DIR) + "/cases/KEYS.md");
+  const std::string committed{std::istreambuf_iterator<char>(file), {}};
+  CHECK(committed == io::key_reference_markdown());
 }
 
 TEST_CASE("key reference: all tables and their keys") {

@@ -191,6 +191,22 @@ TEST_CASE("catalogue: an unknown name lists the known ones") {
   CHECK_THROWS_AS(io::load_case("flta99.toml"), io::FileError);
 }
 
+TEST_CASE("catalogue: a name whose ending was forgotten") {
+  const UserCatalogue user;
+  user.add("mine.toml", "title = \"x\"");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(user.folder);
+  unsetenv("VOUSSOIR_CATALOGUE");  // "mine" is then no name of the catalogue
+  std::string message;
+  try {
+    io::load_case("mine");
+  } catch (const io::CaseFileError& e) {
+    message = e.what();
+  }
+  std::filesystem::current_path(before);
+  CHECK(message.starts_with("case \"mine\" is neither in the catalogue nor a file; did you mean \"mine.toml\"? The catalogue: "));
+}
+
 TEST_CASE("catalogue: a folder that is not there is a file error") {
   setenv("VOUSSOIR_CATALOGUE", "/nowhere/at/all", 1);
   CHECK_THROWS_AS(io::catalogue(), io::FileError);

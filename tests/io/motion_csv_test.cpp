@@ -76,6 +76,7 @@ TEST_CASE("CSV: faults, with their line") {
   check_fault("t, a\n0,1\n0.1,\n", ":3: acceleration '' is no finite number");
   check_fault("0,1\nnan,1\n", ":2: time 'nan' is no finite number");
   check_fault("0,1\n0.1,inf\n", ":2: acceleration 'inf' is no finite number");
+  check_fault("0,1\n0.1,-1e308\n", ":2: acceleration is too large for a number in m/s2");
   check_fault("0,1\nt, a\n0.1,1\n", ":2: time 't' is no finite number");
   check_fault("0.01,1\n0.02,1\n", ":1: the first time is 0.01 s; allowed: 0");
   check_fault("0,1\n0,1\n", ":2: time does not grow");

@@ -140,6 +140,7 @@ TEST_CASE("AT2: faults of the values, with their line") {
   check_fault(head + " .1\n .2-.3145E-02\n", ":6: '.2-.3145E-02' is not one finite number");
   check_fault(head + " .1 nan .2\n", ":5: 'nan' is not one finite number");
   check_fault(head + " .1 -inf .2\n", ":5: '-inf' is not one finite number");
+  check_fault(head + " .1 1e308 .2\n", ":5: '1e308' is not one finite number");  // in m/s2 it is not
   check_fault(head + " .1 1e999 .2\n", ":5: '1e999' is not one finite number");
   check_fault(head + " .1 ******* .2\n", ":5: '*******' is not one finite number");
   check_fault(head + " .1 +-2 .2\n", ":5: '+-2' is not one finite number");

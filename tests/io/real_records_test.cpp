@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cases/motion.h"
 #include "io/errors.h"
@@ -77,16 +79,64 @@ TEST_CASE("real files of the older and the NGA-East form") {
   CHECK(east.dt == 0.05);
 }
 
-TEST_CASE("real files of velocity and of other formats are refused") {
+TEST_CASE("real files of velocity are refused") {
   if (!present()) return;
   for (const char* file : {"northridge1994_rinaldi/RSN1063_NORTHR_RRS228.VT2", "manjil1990_abbar/RSN1633_MANJIL_ABBAR--V.VT2"}) {
     CHECK_THROWS_WITH_AS(io::read_accelerogram(kRecords + file, {}), doctest::Contains(":3: the file holds velocity"), io::FileError);
   }
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRecords + "formats")) {
-    if (!entry.is_regular_file() || entry.path().extension() == ".AT2") continue;
-    CAPTURE(entry.path().string());
-    CHECK_THROWS_AS(io::read_accelerogram(entry.path().string(), {}), io::FileError);
+}
+
+namespace {
+
+/// A file of a network: its components, and by how much the peak may differ from the one its header states: half of that one's last digit.
+struct NetworkFile {
+  const char* file;
+  std::vector<std::string> components;
+  std::vector<std::size_t> samples;
+  double dt, last_digit;  // s, m/s2
+};
+const NetworkFile kNetworkFiles[] = {
+    {"cosmos/Cosmos12TimeSeriesTest_glued8F10.5.v1", {"340 deg"}, {7000}, 0.01, 1e-5},
+    {"cosmos/us1000hyfh_AKBMR_BNZ.acc.V2c", {"BNZ"}, {42000}, 0.005, 1e-8},
+    {"csmip/ce36456p_CE36456.V2", {"90 DEG", "UP", "0 DEG"}, {3251, 3250, 3250}, 0.02, 1e-5},
+    {"esm/AFAD_20101114230825_3104_ap_RawAcc_E.asc", {"HNE"}, {5600}, 0.01, 1e-5},
+    {"esm/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", {"HNE"}, {19128}, 0.005, 1e-8},
+    {"esm/HI.ARS1..HNN.D.20190728.160908.C.ACC.ASC", {"HNN"}, {19128}, 0.005, 1e-8},
+    {"esm/HI.ARS1..HNZ.D.20190728.160908.C.ACC.ASC", {"HNZ"}, {19128}, 0.005, 1e-8},
+    {"geonet/20180212_211557_WPWS_20_glued.V2A", {"S16W", "S74E", "Up"}, {5800, 5800, 5800}, 0.02, 1e-4},
+    {"knet/AOM0011801241951.EW", {"E-W"}, {10200}, 0.01, 1e-5},
+    {"knet/AOM0011801241951.NS", {"N-S"}, {10200}, 0.01, 1e-5},
+    {"knet/AOM0011801241951.UD", {"U-D"}, {10200}, 0.01, 1e-5},
+};
+
+}  // namespace
+
+TEST_CASE("real files of networks: components, counts, steps, and the peak that the header states") {
+  if (!present()) return;
+  for (const NetworkFile& e : kNetworkFiles) {
+    CAPTURE(e.file);
+    const auto channels = io::read_motion_file(kRecords + "formats/" + e.file, {});
+    REQUIRE(channels.size() == e.components.size());
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      CHECK(channels[i].component == e.components[i]);
+      CHECK(channels[i].motion.acceleration.size() == e.samples[i]);
+      CHECK(channels[i].motion.dt == doctest::Approx(e.dt).epsilon(1e-12));
+      REQUIRE(channels[i].stated_peak);
+      CHECK(std::abs(cases::figures(channels[i].motion).peak_acceleration - *channels[i].stated_peak) <= 0.5001 * e.last_digit);
+    }
   }
+}
+
+TEST_CASE("a real BHRC file: three components of a record") {
+  if (!present()) return;
+  const io::Record r = io::read_record_file(kRecords + "formats/bhrc/5528-1.V1", {});
+  for (const auto& a : r.ltv) {
+    CHECK(a.acceleration.size() == 15360);
+    CHECK(a.dt == doctest::Approx(0.005).epsilon(1e-12));
+  }
+  // The first value of each block, in tenths of g.
+  CHECK(r.ltv[0].acceleration[0] == doctest::Approx(0.1 * 0.648367e-3 * 9.80665).epsilon(1e-12));
+  CHECK(r.ltv[1].name == "Basmanj, 2012/08/11   12:23:16, T");
 }
 
 TEST_CASE("Rinaldi scaled has the peaks of the record that bam-like stands in for") {

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Draws histories of followed elements, several runs in one figure, a panel for each element (the paper's Figs. 20 and 21).
+
+usage: scripts/plot_histories.py [LABEL=]DIR ... [--show element1:x element2:y] [--limit 0.3] [-o histories.png]
+"""
+
+import numpy as np
+
+import run_file
+
+UNITS = {"displacement": "m", "velocity": "m/s", "rotation": "rad"}
+AXES = "xyz"
+
+
+def wanted_panels(show, runs, quantity):
+    """(name, axis) of each panel. Without a wish: every history of the first run, along the horizontal axis on which it moves more."""
+    if show:
+        panels = [tuple(text.rpartition(":")[::2]) for text in show]
+        for name, axis in panels:
+            if not name or axis not in tuple(AXES):
+                raise SystemExit(f"--show {name}:{axis}: wanted NAME:AXIS with the axis x, y or z")
+        return panels
+    chosen = []
+    for name in runs[0].names():
+        peaks = np.nanmax(abs(runs[0].history(name, quantity)[1]), axis=0)
+        chosen.append((name, AXES[int(np.argmax(peaks[:2]))]))
+    if not chosen:
+        raise SystemExit(f"{runs[0].label}: the case follows no element; see [[output.history]]")
+    return chosen
+
+
+def main():
+    p = run_file.parser(__doc__, "histories.png")
+    p.add_argument("run", nargs="+", help="folder of a run, or LABEL=folder")
+    p.add_argument("--show", nargs="+", metavar="NAME:AXIS", help="a panel each (default: all, along the axis that moves more)")
+    p.add_argument("--quantity", choices=UNITS, default="displacement")
+    p.add_argument("--limit", type=float, help="of the vertical axes, both ways; what is beyond is off the scale")
+    a = p.parse_args()
+    runs = [run_file.Run(argument) for argument in a.run]
+    panels = wanted_panels(a.show, runs, a.quantity)
+    ends = [0.0]
+    figure, all_axes = run_file.panels(len(panels), a.width, sharex=True)
+    for axes, (name, axis) in zip(all_axes, panels):
+        for number, run in enumerate(runs):
+            time, values = run.history(name, a.quantity)
+            ends.append(time[-1])
+            axes.plot(time, values[:, AXES.index(axis)], label=run.label, **run_file.style(number))
+        axes.set_ylabel(f"{a.quantity} {axis}, {UNITS[a.quantity]}")
+        axes.set_title(name, loc="left")
+        if a.limit:
+            axes.set_ylim(-a.limit, a.limit)
+    all_axes[0].legend(ncols=min(4, len(runs)), loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
+    run_file.time_axis(all_axes[-1], a.until, ends)
+    run_file.save(figure, a.output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/io/temp_folder.h"
+
+// The scripts that draw figures, on a run of the program. They need packages of Python that the program does not: where those are absent
+// this says so and passes. In an SVG every word of a figure is text.
+namespace {
+
+const std::string kScripts = std::string(VOUSSOIR_SOURCE_DIR) + "/scripts/";
+
+constexpr const char* kCase = R"(title = "two bonded blocks"
+[gravity]
+settle = false
+[time]
+duration = 0.1
+[materials.stone]
+density = 2000.0
+young = 1e8
+poisson = 0.2
+[joint_laws.mortar]
+tension = 1e5
+cohesion = 1e5
+friction = 30.0
+compression = 1e6
+[joints]
+default = "mortar"
+[motion]
+record = "bam-like"
+[[output.history]]
+name = "upper"
+point = [0.1, 0.1, 0.3]
+[[block]]
+name = "a"
+material = "stone"
+box = [[0, 0, 0], [0.2, 0.2, 0.2]]
+[[block]]
+name = "b"
+material = "stone"
+box = [[0, 0, 0.2], [0.2, 0.2, 0.4]]
+[base]
+z = 0.0
+)";
+
+int code_of(const std::string& command) {
+  const int status = std::system((command + " >/dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// A Python that has the packages; empty if none has.
+std::string python() {
+  for (const char* name : {"python3", "/usr/bin/python3"}) {
+    if (code_of(std::string(name) + " -c 'import h5py, matplotlib, numpy'") == 0) return name;
+  }
+  MESSAGE("skipped: no python3 with h5py, numpy and matplotlib");
+  return "";
+}
+
+/// The figure that the script draws with these words, as text.
+std::string figure(const std::string& python, const TempFolder& folder, const std::string& words) {
+  const std::string path = folder.path("figure.svg");
+  REQUIRE(code_of(python + " " + kScripts + words + " -o " + path) == 0);
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool has(const std::string& text, const std::string& word) { return text.find(">" + word + "<") != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the scripts draw what a run and a table of spectra hold") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string run = folder.path("run"), table = folder.path("spectra.csv");
+  const std::string voussoir = VOUSSOIR_PROGRAM;
+  REQUIRE(code_of(voussoir + " run " + folder.write("case.toml", kCase) + " -j 1 -o " + run) == 0);
+  REQUIRE(code_of(voussoir + " motion bam-like --spectra " + table) == 0);
+
+  std::string drawn = figure(py, folder, "plot_histories.py First=" + run + " Second=" + run);
+  for (const char* word : {"upper", "First", "Second", "time, s"}) CHECK(has(drawn, word));
+  drawn = figure(py, folder, "plot_histories.py " + run + " --show upper:z --quantity velocity");
+  CHECK(has(drawn, "velocity z, m/s"));
+  drawn = figure(py, folder, "plot_damage.py " + run);
+  for (const char* word : {"run", "tension", "shear", "compression"}) CHECK(has(drawn, word));
+  drawn = figure(py, folder, "plot_energy.py Pair=" + run);
+  for (const char* word : {"Pair", "ground and gravity", "fracture", "energy, kJ", "residual"}) CHECK(has(drawn, word));
+  drawn = figure(py, folder, "plot_spectra.py " + table + " --quantity Sd --over period");
+  for (const char* word : {"bam-like L, 2 %", "bam-like V, 2 %", "period, s", "displacement, m"}) CHECK(has(drawn, word));
+
+  CHECK(code_of(py + " " + kScripts + "plot_histories.py " + folder.path("nowhere")) == 1);
+  CHECK(code_of(py + " " + kScripts + "plot_histories.py " + run + " --show lower:x") == 1);
+  CHECK(code_of(py + " " + kScripts + "plot_spectra.py " + folder.path("case.toml")) == 1);
+}
