@@ -108,10 +108,11 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   return k;
 }
 
-kernels::Strength strength_of(const cases::JointLaw& law, bool dry, double contact_friction) {
+/// \param factor  of the joint, see cases/scatter.h
+kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double contact_friction) {
   const double phi = (dry ? contact_friction : law.friction) * std::numbers::pi / 180.0;
   if (dry) return {0.0, 0.0, std::tan(phi), 1.0, 0.0};
-  return {law.tension, law.cohesion, std::tan(phi), law.compression, law.cap};
+  return {factor * law.tension, factor * law.cohesion, std::tan(phi), factor * law.compression, law.cap};
 }
 
 void size_side_arrays(Sides& s, std::size_t blocks) {
@@ -161,7 +162,7 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
   const cases::JointLaw& law = w.model.laws[law_index].value;
   const kernels::Stiffness k = joint_stiffness(w, side, law, c.contact.damping);
-  const kernels::Strength s = strength_of(law, law_index == 0, c.contact.friction);
+  const kernels::Strength s = strength_of(law, w.model.joint_strength[static_cast<std::size_t>(side.joint)], law_index == 0, c.contact.friction);
   b.kn[l] = k.kn, b.ks[l] = k.ks;
   b.tension[l] = s.tension, b.cohesion[l] = s.cohesion, b.tan_phi[l] = s.tan_phi, b.compression[l] = s.compression, b.cap[l] = s.cap;
   w.sides.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = k.cn, .cs = k.cs, .points = {}, .segments = {}};
