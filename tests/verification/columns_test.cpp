@@ -167,6 +167,8 @@ TEST_CASE("V2: cantilever, frequencies") {
 TEST_CASE("V2: cantilever, rate of convergence to the Timoshenko beam") {
   std::array<double, 3> error{};
   std::size_t k = 0;
+  Curve curve{"v2_convergence", "V2: first bending frequency against the Timoshenko beam", "elements N", "relative difference", true, {}};
+  Series got{"computed", "o", {}, {}}, rate{"second order", "--", {}, {}};
   for (const int elements : {5, 10, 20}) {
     Column c;
     c.elements = elements;
@@ -177,7 +179,11 @@ TEST_CASE("V2: cantilever, rate of convergence to the Timoshenko beam") {
     const double beam = timoshenko_frequency(c) / (2 * kPi);
     error[k++] = zeros.frequency() / beam - 1.0;
     MESSAGE("V2 N = ", elements, ": beam ", beam, " Hz, got ", zeros.frequency(), ", difference ", error[k - 1]);
+    got.x.push_back(elements), got.y.push_back(std::abs(error[k - 1]));
+    rate.x.push_back(elements), rate.y.push_back(std::abs(error[0]) * std::pow(5.0 / elements, 2));
   }
+  curve.series = {got, rate};
+  write(curve);
   // Second order: a quarter for half the length. The next order of the series allows a tenth.
   for (std::size_t i = 0; i < 2; ++i) expect_near("V2 rate, error(N)/error(2N)", error[i] / error[i + 1], 4.0, 0.1);
 }
