@@ -169,9 +169,9 @@ Table<Case> case_table() {
        value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
        table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
        table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
-       table<S>("scatter", &S::scatter, scatter_table()),
-       table<S>("failure", &S::failure, failure_table()), table<S>("joints", &S::joints, joints_table()),
-       table<S>("contact", &S::contact, contact_table()), table<S>("motion", &S::motion, motion_table()),
+       table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
+       table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
+       table<S>("motion", &S::motion, motion_table()),
        table<S>(
            "segments", [](auto& c) -> auto& { return c; }, segments_table()),
        table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),

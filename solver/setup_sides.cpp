@@ -162,7 +162,8 @@ void set_constants(World& w, const NewSide& side, std::size_t id, const cases::C
   const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
   const cases::JointLaw& law = w.model.laws[law_index].value;
   const kernels::Stiffness k = joint_stiffness(w, side, law, c.contact.damping);
-  const kernels::Strength s = strength_of(law, w.model.joint_strength[static_cast<std::size_t>(side.joint)], law_index == 0, c.contact.friction);
+  const kernels::Strength s =
+      strength_of(law, w.model.joint_strength[static_cast<std::size_t>(side.joint)], law_index == 0, c.contact.friction);
   b.kn[l] = k.kn, b.ks[l] = k.ks;
   b.tension[l] = s.tension, b.cohesion[l] = s.cohesion, b.tan_phi[l] = s.tan_phi, b.compression[l] = s.compression, b.cap[l] = s.cap;
   w.sides.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = k.cn, .cs = k.cs, .points = {}, .segments = {}};

@@ -56,8 +56,9 @@ class LimitAnalysis {
   }
 
  private:
-  /// By how much the bounds on the springing's moment miss each other at a thrust and a vertical force there (per unit weight): moments about a
-  /// point q of each joint of all that acts on the voussoirs before it, which are the springing's force and moment, weights and inertia.
+  /// By how much the bounds on the springing's moment miss each other at a thrust and a vertical force there (per unit weight): moments
+  /// about a point q of each joint of all that acts on the voussoirs before it, which are the springing's force and moment, weights and
+  /// inertia.
   [[nodiscard]] double miss(double thrust, double vertical) const {
     double low = -1e300, high = 1e300;
     Lamina before;
@@ -139,7 +140,8 @@ TEST_CASE("V6: the cases stand and fall as they say") {
 TEST_CASE("V6: least thickness of a semicircular dry arch" * doctest::skip()) {
   const double continuum = 0.107 / (1.0 - 1.0 / kPoints);
   const double discrete = bisect(0.05, 0.4, 1e-9, [](double t) { return LimitAnalysis(t * kRadius, 0.0).stands(); });
-  const double found = bisect(0.95 * continuum, 1.05 * continuum, 0.005 * continuum, [](double t) { return movement(arch(t * kRadius)) < kFalls; });
+  const double found =
+      bisect(0.95 * continuum, 1.05 * continuum, 0.005 * continuum, [](double t) { return movement(arch(t * kRadius)) < kFalls; });
   expect_near("V6 least t/R", found, continuum, 3e-2);
   expect_near("V6 least t/R against limit analysis of the same voussoirs and contact points", found, discrete, 1e-2);
 }

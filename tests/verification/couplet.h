@@ -54,6 +54,6 @@ class Press {
 };
 
 inline constexpr double kStiffness = Adobe::plane / 0.1,
-                 kShearStiffness = Adobe::shear / 0.1;  // Pa/m: E'/(2ℓ), G/(2ℓ); the mortar has the bricks' moduli
+                        kShearStiffness = Adobe::shear / 0.1;  // Pa/m: E'/(2ℓ), G/(2ℓ); the mortar has the bricks' moduli
 
 }  // namespace voussoir::testing

@@ -47,7 +47,8 @@ TEST_CASE("V5: after the shear limit, plastic and brittle") {
   CHECK(plastic.damage().slipped > 0);
   CHECK(plastic.damage().shear == 0);
   plastic.move({-0.5 * limit / kShearStiffness, 0, 0}, 1e-4, [](Vec3) {});
-  expect_near("V5 post_shear = plastic, half unloaded with the initial stiffness [Pa]", std::abs(plastic.hold().x) / kArea, 0.5 * limit, 1e-3);
+  expect_near("V5 post_shear = plastic, half unloaded with the initial stiffness [Pa]", std::abs(plastic.hold().x) / kArea, 0.5 * limit,
+              1e-3);
   Press brittle({"failure.post_shear=brittle"});
   expect_near("V5 post_shear = brittle, friction alone is left [Pa]", sheared(brittle, sigma, 3.0 * limit), residual, 1e-3);
   CHECK(brittle.damage().shear > 0);

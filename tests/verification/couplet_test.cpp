@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/verification/couplet.h"
+
 #include <algorithm>
 #include <vector>
-
-#include "tests/verification/couplet.h"
 
 // V5: two bricks, the lower one fixed; what the joint carries is what it does to the upper one.
 namespace voussoir::testing {
@@ -107,9 +107,15 @@ TEST_CASE("V5: crushing plateau and unloading") {
 }
 
 TEST_CASE("V5: the envelope of Eqs. 5-7") {
-  Curve curve{"v5_envelope", "V5: envelope of Eqs. 5-7, law \"normal\"", "normal stress [kPa], tension positive", "shear stress at the limit [kPa]", false, {}};
+  Curve curve{"v5_envelope",
+              "V5: envelope of Eqs. 5-7, law \"normal\"",
+              "normal stress [kPa], tension positive",
+              "shear stress at the limit [kPa]",
+              false,
+              {}};
   Series got{"computed", "o", {}, {}}, exact{"closed form", "-", {}, {}};
-  for (double sigma = -kCompression; sigma <= kTension; sigma += 2e3) exact.x.push_back(1e-3 * sigma), exact.y.push_back(1e-3 * envelope(sigma));
+  for (double sigma = -kCompression; sigma <= kTension; sigma += 2e3)
+    exact.x.push_back(1e-3 * sigma), exact.y.push_back(1e-3 * envelope(sigma));
   for (const double sigma : {0.999 * kTension, 0.5 * kTension, 0.0, -2.0e4, -1.0e5, -1.4e5, -2.0e5, -3.0e5, -4.0e5, -4.8e5}) {
     const double tau = envelope(sigma);
     Press press;

@@ -21,7 +21,9 @@ struct Image {
 
 /// Elements of both runs by place: index in `b` of the image of each element of `a`.
 std::vector<std::size_t> partners(const Run& a, const Run& b, const Image& image) {
-  const auto key = [](Vec3 x) { return std::array<long long, 3>{std::llround(1e6 * x.x), std::llround(1e6 * x.y), std::llround(1e6 * x.z)}; };
+  const auto key = [](Vec3 x) {
+    return std::array<long long, 3>{std::llround(1e6 * x.x), std::llround(1e6 * x.y), std::llround(1e6 * x.z)};
+  };
   std::map<std::array<long long, 3>, std::size_t> places;
   for (std::size_t i = 0; i < b.count(); ++i) places[key(b.position(i) - image.shift)] = i;
   std::vector<std::size_t> found;
@@ -55,8 +57,8 @@ Difference compare(const cases::Case& first, const cases::Case& second, const Im
 void expect_same(const std::string& what, const cases::Case& first, const cases::Case& second, const Image& image) {
   const Difference d = compare(first, second, image);
   MESSAGE(what, ": largest displacement ", d.scale, " m, broken in tension ", d.a.tension, ", slipped ", d.a.slipped);
-  CHECK(d.scale > 1e-3);      // it moved,
-  CHECK(d.a.tension > 100);   // and cracked
+  CHECK(d.scale > 1e-3);     // it moved,
+  CHECK(d.a.tension > 100);  // and cracked
   CHECK(d.a.tension == d.b.tension);
   CHECK(d.a.shear == d.b.shear);
   CHECK(d.a.compression == d.b.compression);
@@ -66,7 +68,8 @@ void expect_same(const std::string& what, const cases::Case& first, const cases:
 
 /// The wall under a pulse across and along that cracks it at once, so that half a second has cracks, slip and rocking in it.
 cases::Case shaken_wall(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> keys{"gravity.settle=false", "motion.record=", "motion.x=pulse.csv", "motion.y=pulse.csv", "motion.scale=[0.1,0.3,1.0]"};
+  std::vector<std::string> keys{"gravity.settle=false", "motion.record=", "motion.x=pulse.csv", "motion.y=pulse.csv",
+                                "motion.scale=[0.1,0.3,1.0]"};
   keys.insert(keys.end(), more.begin(), more.end());
   return load("wall", keys).value;
 }
@@ -109,7 +112,8 @@ TEST_CASE("V12: turned by a right angle, with the motion") {
 }
 
 TEST_CASE("V12: moved by 1 km") {
-  expect_same("moved by 1 km", shaken_wall(), shaken_wall({"house.origin=[1000.0,-1000.0]"}), {[](Vec3 x) { return x; }, {1000.0, -1000.0, 0.0}});
+  expect_same("moved by 1 km", shaken_wall(), shaken_wall({"house.origin=[1000.0,-1000.0]"}),
+              {[](Vec3 x) { return x; }, {1000.0, -1000.0, 0.0}});
 }
 
 TEST_CASE("V12: renumbered") {

@@ -52,7 +52,8 @@ cases::Case tuned(double frequency) {
 TEST_CASE("V9: vertical oscillator under bam-like") { compare("bam-like, V", load("oscillator").value); }
 
 TEST_CASE("V9: response spectrum of bam-like, V") {
-  Curve curve{"v9_spectrum", "V9: response spectrum of bam-like, V, 5 % damping", "frequency [Hz]", "peak relative displacement [m]", true, {}};
+  Curve curve{
+      "v9_spectrum", "V9: response spectrum of bam-like, V, 5 % damping", "frequency [Hz]", "peak relative displacement [m]", true, {}};
   Series got{"computed", "o", {}, {}}, exact{"Nigam-Jennings", "-", {}, {}};
   for (const double frequency : {1.5, 2.5, 4.0, 6.5, 10.0}) {
     const Peak peak = peak_of(tuned(frequency));

@@ -21,7 +21,9 @@ struct Block {
   [[nodiscard]] double inertia() const { return (b * b + h * h) / 3.0 + radius() * radius(); }
   [[nodiscard]] double rate() const { return std::sqrt(kGravity * radius() / inertia()); }  // p, 1/s
   /// Potential energy at the angle theta over that of the upright, per mass [J/kg].
-  [[nodiscard]] double height(double theta) const { return kGravity * radius() * (std::cos(alpha() - std::abs(theta)) - std::cos(alpha())); }
+  [[nodiscard]] double height(double theta) const {
+    return kGravity * radius() * (std::cos(alpha() - std::abs(theta)) - std::cos(alpha()));
+  }
   [[nodiscard]] double quarter_period(double theta0) const { return std::acosh(1.0 / (1.0 - theta0 / alpha())) / rate(); }
 };
 
@@ -41,8 +43,7 @@ struct History {
 /// Angles of the block that passes the upright with the speed that takes it to theta0.
 History rock(const Block& block, double theta0, double end) {
   const double w = std::sqrt(2.0 * block.height(theta0) / block.inertia());
-  Run run("rocking",
-          {triple("block[0].velocity", block.h * w, 0.0, block.lever() * w), triple("block[0].angular_velocity", 0.0, w, 0.0)});
+  Run run("rocking", {triple("block[0].velocity", block.h * w, 0.0, block.lever() * w), triple("block[0].angular_velocity", 0.0, w, 0.0)});
   History history;
   run.until(end, {}, [&] {
     history.time.push_back(run.time());
@@ -107,7 +108,8 @@ TEST_CASE("V4: rocking block, quarter period and energy ratio at an impact") {
   expect_near("V4 height of the first swing, angle [rad]", first.theta, theta0, 2e-2);
   expect_near("V4 quarter period from half the angle of overturning [s]", impact - first.time, block.quarter_period(theta0), 2e-2);
   CHECK(second.theta < 0.0);
-  // 0.92 is what the specification expects of a flat base with n = 8 and critical dashpots; Housner's 0.831 needs contact at two edges alone.
+  // 0.92 is what the specification expects of a flat base with n = 8 and critical dashpots; Housner's 0.831 needs contact at two edges
+  // alone.
   expect_within("V4 energy ratio at the first impact", block.height(second.theta) / block.height(first.theta), 0.92, 0.03);
 }
 

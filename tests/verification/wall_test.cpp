@@ -63,16 +63,16 @@ double steady_deflection(const Wall& w, double a) {
 
 /// Acceleration at which the first segment opens when it grows by 0.3 m/s2 in a second.
 double acceleration_at_first_crack(const Wall& w) {
-  Run run("wall", with(w, {"motion.record=", "motion.y=ramp.csv", "time.step=2e-4", "damping.ratio=", "damping.frequency=",
-                           "damping.alpha=10.0", "gravity.settle_limit=1.0"}));
+  Run run("wall", with(w, {"motion.record=", "motion.y=ramp.csv", "time.step=2e-4",
+                           "damping.ratio=", "damping.frequency=", "damping.alpha=10.0", "gravity.settle_limit=1.0"}));
   CHECK(run.settle());
   CHECK(run.sim().damage().tension == 0);
   while (run.sim().damage().tension == 0 && run.time() < 4.0) run.sim().step({});
   return norm(cases::acceleration_at(run.motion(), run.time()));
 }
 
-/// Top of the wall, uncracked, 0.1 s into the ramp. (A pulse that is there at once would show how the scheme starts: velocities belong to half a
-/// step before time zero.)
+/// Top of the wall, uncracked, 0.1 s into the ramp. (A pulse that is there at once would show how the scheme starts: velocities belong to
+/// half a step before time zero.)
 double early_deflection(double step) {
   Run run("wall", {"motion.record=", "motion.y=ramp.csv", "joints.default=strong", "house.joint=strong", "gravity.acceleration=[0,0,0]",
                    "time.step=" + std::to_string(1e6 * step) + "e-6"});
@@ -113,7 +113,12 @@ TEST_CASE("wall: first crack under a slowly growing acceleration, and its conver
   const double continuum = fine.first_crack(f);
   std::array<double, 3> excess{};
   std::size_t k = 0;
-  Curve curve{"wall_first_crack", "Wall: acceleration at the first crack", "contact points over the thickness n", "over the continuum's, less 1", true, {}};
+  Curve curve{"wall_first_crack",
+              "Wall: acceleration at the first crack",
+              "contact points over the thickness n",
+              "over the continuum's, less 1",
+              true,
+              {}};
   Series computed{"computed", "o", {}, {}}, exact{"1/n", "--", {}, {}};
   for (const int points : {2, 4, 8}) {
     Wall w;
