@@ -80,7 +80,7 @@ std::vector<NewSide> sides_of(const World& w) {
   return sides;
 }
 
-/// k̄ of two faces with the joint's mortar between them (Eqs. 2, 3). Against the base the element's own ℓ alone counts.
+/// k̄ of two faces with the joint's mortar between them: Eqs. 2, 3, THEORY.md (4), (5). Against the base the element's own ℓ alone counts.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
   const Faces& f = w.faces;
   const auto a = static_cast<std::size_t>(s.master_face), b = static_cast<std::size_t>(s.slave_face);

@@ -6,8 +6,8 @@
 #include <vector>
 
 /// What the verification manual is made of. Where the environment variable VOUSSOIR_MANUAL names a file, tests append to it, one JSON
-/// object a line: a row for each comparison, a curve where one says more, and the run time of each test case. `scripts/verify` turns the
-/// lines into tests/verification/REPORT.md. Elsewhere nothing is written.
+/// object a line: a row for each comparison, a curve where one says more, and the processor time of each test case. `scripts/verify` turns
+/// the lines into tests/verification/REPORT.md. Elsewhere nothing is written.
 namespace voussoir::testing {
 
 /// A comparison with its limit. `error` is relative, absolute or the figure itself, as `kind` says.
