@@ -137,6 +137,17 @@ TEST_CASE("V1: axial column, free vibration") {
   }
 }
 
+TEST_CASE("V1: two blocks whose segments do not coincide") {
+  // Faces of 0.2 m in 4 and in 8 cells: two sides of half the area each, with their own second moments I (1 − 1/n²).
+  const double side = 0.2, area = side * side, inertia = side * side * side * side / 12.0;
+  const double length = 0.1 + 0.05;  // m, both blocks' distances from centroid to face
+  const double inertia_n = 0.5 * inertia * ((1.0 - 1.0 / 16.0) + (1.0 - 1.0 / 64.0));
+  Run run("two_sided");
+  run.until(run.description().time.duration);
+  expect_near("V1 two sides, shortening [m]", -run.displacement(1).z, 1000.0 * length / (Adobe::plane * area), 1e-4);
+  expect_near("V1 two sides, rotation [rad]", 2.0 * run.orientation(1).y, 1.0 * length / (Adobe::plane * inertia_n), 1e-4);
+}
+
 TEST_CASE("V2: cantilever, end load") {
   const Column c;
   Run run("column_bend");
