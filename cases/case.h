@@ -65,6 +65,15 @@ struct JointLaw {
   double poisson = 0.0;
 };
 
+/// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).
+enum class Distribution { lognormal, normal, uniform };
+struct Scatter {
+  int seed = 0;
+  double variation = 0.0;  // coefficient of variation; 0: none
+  Distribution distribution = Distribution::lognormal;
+  std::vector<std::string> laws;  // names of joint_laws; empty: all
+};
+
 enum class PostShear { plastic, brittle };
 enum class ShearInTension { cohesion, none, coulomb };
 struct Failure {
@@ -198,6 +207,7 @@ struct Case {
   Damping damping;
   std::map<std::string, Material> materials;
   std::map<std::string, JointLaw> joint_laws;
+  Scatter scatter;
   Failure failure;
   Joints joints;
   Contact contact;

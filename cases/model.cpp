@@ -9,6 +9,7 @@
 #include "cases/house.h"
 #include "cases/joint_rules.h"
 #include "cases/names.h"
+#include "cases/scatter.h"
 
 namespace voussoir::cases {
 namespace {
@@ -121,6 +122,7 @@ Model build_model(const Case& c) {
   }
   assemble(c, model);
   pick_laws(rules, model);
+  model.joint_strength = strength_factors(c.scatter, model);
   return model;
 }
 

@@ -60,6 +60,7 @@ struct Model {
   std::vector<SupportHistory> support_motions;
   geometry::Assembly assembly;          // of the blocks, in order
   std::vector<std::int32_t> joint_law;  // by assembly joint, into laws
+  std::vector<double> joint_strength;   // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
 /// Builds blocks (house first, then free blocks), assembles them and picks the law of every joint.

@@ -84,6 +84,19 @@ Table<JointLaw> joint_law_table() {
           }};
 }
 
+Table<Scatter> scatter_table() {
+  using S = Scatter;
+  return {"random strength of joints: one factor a joint on tension, cohesion and compression of its law",
+          {value<S>("seed", &S::seed, "", any(), "the same seed gives the same strengths"),
+           value<S>("variation", &S::variation, "", at_least(0.0), "coefficient of variation; 0: all joints of a law are equally strong"),
+           choice<S, Distribution S::*, Distribution>(
+               "distribution", &S::distribution, "",
+               {{"lognormal", Distribution::lognormal}, {"normal", Distribution::normal}, {"uniform", Distribution::uniform}},
+               "of the factor, with mean 1; cut at three standard deviations"),
+           value<S>("laws", &S::laws, "", any(), "names of joint_laws; none: all of them")},
+          nullptr};
+}
+
 Table<Failure> failure_table() {
   using S = Failure;
   return {"options of the failure law",
@@ -156,8 +169,9 @@ Table<Case> case_table() {
        value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
        table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
        table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
-       table<S>("failure", &S::failure, failure_table()), table<S>("joints", &S::joints, joints_table()),
-       table<S>("contact", &S::contact, contact_table()), table<S>("motion", &S::motion, motion_table()),
+       table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
+       table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
+       table<S>("motion", &S::motion, motion_table()),
        table<S>(
            "segments", [](auto& c) -> auto& { return c; }, segments_table()),
        table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),

@@ -4,9 +4,9 @@
 
 #include "kernels/side_lanes.h"
 
-/// Sides that need no look at their segments, kWidth at a time. The relative displacement of two rigid faces is affine, u = d + s·a + t·b,
-/// so the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the points. All limits are
-/// convex in (s, t) once split as below, so four corners bound every segment.
+/// Sides that need no look at their segments, kWidth at a time (THEORY.md (16)). The relative displacement of two rigid faces is affine,
+/// u = d + s·a + t·b, so the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the
+/// points. All limits are convex in (s, t) once split as below, so four corners bound every segment.
 namespace voussoir::kernels {
 
 // Certificates keep this distance from a limit, so that their round-off can only send a side to its segments, never past them.

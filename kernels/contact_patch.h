@@ -9,7 +9,7 @@
 #include "kernels/rows.h"
 #include "kernels/side.h"
 
-/// Contact between a free patch (segments of one face that are in no joint) and other elements (paper 2.5).
+/// Contact between a free patch (segments of one face that are in no joint) and other elements: paper 2.5, THEORY.md (17)-(21).
 ///
 /// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the
 /// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5). A point that came in through a side,

@@ -6,7 +6,7 @@
 
 #include "geometry/vec3.h"
 
-/// Central differences (Eqs. 15-18), element by element. Entry e depends on entry e alone.
+/// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
 namespace voussoir::kernels {
 
 /// State and constants of all elements, structure of arrays; SI units, global axes unless said.

@@ -19,7 +19,7 @@ struct Strength {
 /// Springs and dashpots per area.
 struct Stiffness {
   double kn = 0.0, ks = 0.0;  // Pa/m, Eqs. 1-3
-  double cn = 0.0, cs = 0.0;  // Pa s/m, Eq. 9, already divided by 1 + dt·beta (semi-implicit; see THEORY.md)
+  double cn = 0.0, cs = 0.0;  // Pa s/m, Eq. 9, already divided by 1 + dt·beta (semi-implicit, THEORY.md (20))
 };
 
 enum class ShearInTension : std::uint8_t { cohesion, none, coulomb };

@@ -115,7 +115,7 @@ inline void release(ContactPoints q, int i) noexcept {
   q.closure[i] = 0.0;
 }
 
-/// Springs and dashpots between the patch and one face (Eqs. 2, 9, 10).
+/// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
 inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t,
                            const ContactOptions& o) noexcept {
   Stiffness k;

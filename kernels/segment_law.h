@@ -8,7 +8,7 @@
 
 #include "kernels/law.h"
 
-/// The constitutive law of one segment, literally: Eqs. 4-9 with the choices of physics.md. The plain twin of the vector kernels, and the
+/// The constitutive law of one segment, literally: Eqs. 4-9, THEORY.md (11)-(19). The plain twin of the vector kernels, and the
 /// place where every rare event (breaking, crushing) is decided for both.
 ///
 /// Components (n, 1, 2): along the outward normal of the master, and two tangents. u = x_slave − x_master, so tension is positive.
@@ -42,7 +42,7 @@ struct SegmentStep {
   Mode broke = Mode::none;    // the bond broke in this step, by this mode
 };
 
-/// Shear limit of a bonded segment (Eq. 6 and `shear_in_tension`).
+/// Shear limit of a bonded segment: Eq. 6 and `shear_in_tension`, THEORY.md (15).
 inline double shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
   if (!o.shear) return std::numeric_limits<double>::infinity();
   if (sigma < 0.0) return s.cohesion - sigma * s.tan_phi;
@@ -155,7 +155,8 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
   }
   if (!holds(q.bond)) q.slip1 = x.s1, q.slip2 = x.s2;
   out.stored = detail::stored_energy(x, k);
-  // Loss of the springs in this step: U_before − U_now + ½ (f_before + f_now)·du, the trapezoid rule of the scheme; zero while elastic.
+  // Loss of the springs in this step, THEORY.md (28): U_before − U_now + ½ (f_before + f_now)·du, the trapezoid rule of the scheme; zero
+  // while elastic.
   const double normal = 0.5 * k.kn * (before.n * before.n - x.n * x.n + (before.n + x.n) * du.n);
   const double shear =
       0.5 * k.ks *

@@ -10,8 +10,8 @@ Local in_frame(Vec3 v, Vec3 n, Vec3 t1, Vec3 t2) noexcept { return {dot(v, n), d
 
 }  // namespace
 
-// All fields are exactly affine over a side, because both bodies are rigid. Differences of R − I are taken before anything is added, so an
-// opening of 1e-12 m on a body 5 m away keeps its digits.
+// THEORY.md (6)-(9). All fields are exactly affine over a side, because both bodies are rigid. Differences of R − I are taken before
+// anything is added, so an opening of 1e-12 m on a body 5 m away keeps its digits.
 SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept {
   SideFrame f;
   const Mat3 relative = b.d - a.d;

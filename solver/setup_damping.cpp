@@ -10,9 +10,10 @@
 #include "solver/setup.h"
 
 // Contact dashpots with h = 1 would need a step well under Eq. 19, because their velocities lag by half a step. They are taken
-// semi-implicitly, c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of M⁻¹C when the
-// dashpots of all its segments act at once. Then the damping matrix of the whole assembly has Δt λ_max(M⁻¹C') < 1 whatever touches
-// whatever. A sum over the dashpots of c dA (1/m + r²/I_min) is a bound too, but three times as large, and would cost effective damping.
+// semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of
+// M⁻¹C when the dashpots of all its segments act at once. Then the damping matrix of the whole assembly has Δt λ_max(M⁻¹C') < 1 whatever
+// touches whatever. A sum over the dashpots of c dA (1/m + r²/I_min) is a bound too, but three times as large, and would cost effective
+// damping.
 namespace voussoir::solver {
 
 namespace {

@@ -25,7 +25,7 @@ struct NewSide {
   int faces = 1;  // 2: stands for both
   // Found from the above.
   kernels::Stiffness k = {};
-  std::int32_t kind = -1;
+  std::int32_t kind = -1, order = -1;
 };
 
 /// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
@@ -84,7 +84,7 @@ std::vector<NewSide> sides_of(const World& w) {
   return sides;
 }
 
-/// k̄ of two faces with the joint's mortar between them (Eqs. 2, 3). Against the base the element's own ℓ alone counts.
+/// k̄ of two faces with the joint's mortar between them: Eqs. 2, 3, THEORY.md (4), (5). Against the base the element's own ℓ alone counts.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
   const Faces& f = w.faces;
   const auto a = static_cast<std::size_t>(s.master_face), b = static_cast<std::size_t>(s.slave_face);
@@ -112,10 +112,11 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   return k;
 }
 
-kernels::Strength strength_of(const cases::JointLaw& law, bool dry, double contact_friction) {
+/// \param factor  of the joint, see cases/scatter.h
+kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double contact_friction) {
   const double phi = (dry ? contact_friction : law.friction) * std::numbers::pi / 180.0;
   if (dry) return {0.0, 0.0, std::tan(phi), 1.0, 0.0};
-  return {law.tension, law.cohesion, std::tan(phi), law.compression, law.cap};
+  return {factor * law.tension, factor * law.cohesion, std::tan(phi), factor * law.compression, law.cap};
 }
 
 void size_side_arrays(Sides& s, std::size_t blocks) {
@@ -174,15 +175,18 @@ kernels::SideConstants nothing() {
   return c;
 }
 
-/// Stiffness and kind of every side.
+/// Stiffness and kind of every side. Sides run in the order of what they would be without scatter of their strength: that order has sides
+/// that share no element beside each other.
 SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
-  SideKinds kinds;
+  SideKinds kinds, without_scatter;
   kinds.add(nothing());
   for (NewSide& side : sides) {
-    const auto law_index = static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(side.joint)]);
+    const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
     const cases::JointLaw& law = w.model.laws[law_index].value;
+    const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, c.contact.friction); };
     side.k = joint_stiffness(w, side, law, c.contact.damping);
-    side.kind = kinds.add(constants_of(w, side, strength_of(law, law_index == 0, c.contact.friction)));
+    side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
+    side.order = without_scatter.add(constants_of(w, side, strength(1.0)));
   }
   return kinds;
 }
@@ -217,7 +221,7 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   std::vector<std::int32_t> kinds;
   for (const NewSide& s : sides) {
     writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
-    kinds.push_back(s.kind);
+    kinds.push_back(s.order);
   }
   std::vector<Vec3> centroids;
   for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);

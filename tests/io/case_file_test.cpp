@@ -95,6 +95,10 @@ TEST_CASE("case file: every key of materials, joints and motion is read") {
   CHECK(law.thickness == 0.01);
   CHECK(law.young == 9.9e7);
   CHECK(law.poisson == 0.24);
+  CHECK(c.scatter.seed == 7);
+  CHECK(c.scatter.variation == 0.25);
+  CHECK(c.scatter.distribution == cases::Distribution::normal);
+  CHECK(c.scatter.laws == std::vector<std::string>{"normal"});
   CHECK(c.joints.default_law == "normal");
   REQUIRE(c.joints.between.size() == 2);
   CHECK(c.joints.between[0].materials == std::array<std::string, 2>{"adobe", "base"});

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/verification/couplet.h"
+
 #include <algorithm>
 #include <vector>
-
-#include "tests/verification/fixture.h"
 
 // V5: two bricks, the lower one fixed; what the joint carries is what it does to the upper one.
 namespace voussoir::testing {
 namespace {
-
-constexpr double kTension = 1.27e5, kCohesion = 3.04e4, kCompression = 4.9e5, kCap = 9.0;  // Pa, law "normal"
-const double kTanPhi = std::tan(radians(32.0));
-constexpr double kWidth = 0.2, kDepth = 0.1, kArea = kWidth * kDepth;
 
 std::string triple(const std::string& key, Vec3 v) {
   return key + "=[" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + "]";
@@ -23,8 +19,6 @@ struct Failure {
   bool failed = false;  // a segment has reached a limit
   solver::Damage damage;
 };
-
-std::int64_t events(const solver::Damage& d) { return d.tension + d.shear + d.compression + d.slipped; }
 
 Vec3 larger(Vec3 a, Vec3 b) { return {std::max(a.x, std::abs(b.x)), std::max(a.y, std::abs(b.y)), std::max(a.z, std::abs(b.z))}; }
 
@@ -50,45 +44,6 @@ Failure break_couplet(Vec3 first, Vec3 second, Vec3 moment) {
   }
   return p;
 }
-
-/// The couplet by imposed displacement: uniform stress, however far it goes.
-class Press {
- public:
-  Press() : run_(unloaded()) {}
-  /// Moves the upper brick by `by` in even steps with `speed` [m/s]; `each` sees the force of the joint on the brick after each step.
-  template <class Each>
-  void move(Vec3 by, double speed, const Each& each) {
-    const double step = speed * run_.sim().dt();
-    const int steps = std::max(1, static_cast<int>(std::ceil(norm(by) / step)));
-    const Vec3 part = (1.0 / steps) * by;
-    for (int i = 0; i < steps; ++i) {
-      u_ += part;
-      place(run_, 1, u_, part / run_.sim().dt());
-      run_.sim().step({true, false});
-      each(run_.sim().forces().base_shear);
-    }
-  }
-  /// The force on the brick at rest where it is.
-  Vec3 hold() {
-    place(run_, 1, u_, {});
-    run_.sim().step({true, false});
-    return run_.sim().forces().base_shear;
-  }
-  [[nodiscard]] bool failed() const { return events(run_.sim().damage()) > 0; }
-  [[nodiscard]] double u() const { return u_.z; }
-
- private:
-  static cases::Case unloaded() {
-    cases::Case c = load("couplet").value;
-    c.loads.clear();
-    return c;
-  }
-  Run run_;
-  Vec3 u_;
-};
-
-constexpr double kStiffness = Adobe::plane / 0.1,
-                 kShearStiffness = Adobe::shear / 0.1;  // Pa/m: E'/(2ℓ), G/(2ℓ); the mortar has the bricks' moduli
 
 /// Shear strength at a normal stress (tension positive): Eqs. 5-7, Eq. 6 without its slope in tension.
 double envelope(double sigma) {
@@ -152,6 +107,15 @@ TEST_CASE("V5: crushing plateau and unloading") {
 }
 
 TEST_CASE("V5: the envelope of Eqs. 5-7") {
+  Curve curve{"v5_envelope",
+              "V5: envelope of Eqs. 5-7, law \"normal\"",
+              "normal stress [kPa], tension positive",
+              "shear stress at the limit [kPa]",
+              false,
+              {}};
+  Series got{"computed", "o", {}, {}}, exact{"closed form", "-", {}, {}};
+  for (double sigma = -kCompression; sigma <= kTension; sigma += 2e3)
+    exact.x.push_back(1e-3 * sigma), exact.y.push_back(1e-3 * envelope(sigma));
   for (const double sigma : {0.999 * kTension, 0.5 * kTension, 0.0, -2.0e4, -1.0e5, -1.4e5, -2.0e5, -3.0e5, -4.0e5, -4.8e5}) {
     const double tau = envelope(sigma);
     Press press;
@@ -165,7 +129,10 @@ TEST_CASE("V5: the envelope of Eqs. 5-7") {
     CHECK(press.failed());
     CHECK(std::abs(-last.z / kArea - sigma) <= 1e-3 * std::max(std::abs(sigma), kCohesion));
     expect_near("V5 envelope, shear at " + std::to_string(static_cast<int>(sigma)) + " Pa [Pa]", std::abs(last.x) / kArea, tau, 1e-3);
+    got.x.push_back(1e-3 * sigma), got.y.push_back(1e-3 * std::abs(last.x) / kArea);
   }
+  curve.series = {got, exact};
+  write(curve);
 }
 
 TEST_CASE("V5: bond wrench about the long edge") {

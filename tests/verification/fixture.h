@@ -5,8 +5,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "io/motion_files.h"
 #include "kernels/integrate.h"
 #include "solver/simulation.h"
+#include "tests/verification/manual.h"
 
 /// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.
 namespace voussoir::testing {
@@ -33,18 +36,33 @@ struct Adobe {
 inline double radians(double degrees) { return degrees * kPi / 180.0; }
 inline double relative_error(double got, double expected) { return std::abs(got - expected) / std::abs(expected); }
 
-/// A row of the report: what was expected, what came out, and the limit it must keep. The limits are those of verification.md.
+/// Rows of the manual: what was expected, what came out, and the limit it must keep. The limits are those of the specification.
 inline void expect_near(const std::string& what, double got, double expected, double limit) {
   const double error = relative_error(got, expected);
   MESSAGE(what, ": expected ", expected, ", got ", got, ", error ", error, ", limit ", limit);
+  write(ManualRow{what, "relative", expected, got, error, limit});
+  CHECK_MESSAGE(error <= limit, what);
+}
+inline void expect_within(const std::string& what, double got, double expected, double limit) {
+  const double error = std::abs(got - expected);
+  MESSAGE(what, ": expected ", expected, ", got ", got, ", off by ", error, ", limit ", limit);
+  write(ManualRow{what, "absolute", expected, got, error, limit});
   CHECK_MESSAGE(error <= limit, what);
 }
 inline void expect_below(const std::string& what, double got, double limit) {
   MESSAGE(what, ": got ", got, ", limit ", limit);
+  write(ManualRow{what, "at most", 0.0, got, got, limit});
   CHECK_MESSAGE(got <= limit, what);
 }
 
+/// The kernel set under test: `fast`, or as VOUSSOIR_KERNELS says.
+inline bool reference_kernels() {
+  const char* set = std::getenv("VOUSSOIR_KERNELS");
+  return set != nullptr && std::string_view(set) == "reference";
+}
+
 inline io::LoadedCase load(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  note_case(name);
   return io::load_case(std::string(VOUSSOIR_SOURCE_DIR) + "/cases/verification/" + name + ".toml", overrides);
 }
 
@@ -56,6 +74,7 @@ class Run {
     if (case_.motion) motion_ = io::load_motion(*case_.motion, case_.folder);
     solver::Options options;
     options.threads = 1;
+    options.reference_kernels = reference_kernels();
     sim_ = std::make_unique<solver::Simulation>(case_, model_, motion_, options);
     if (sim_->phase() == solver::Phase::shaking) sim_->start_shaking();
   }

@@ -36,6 +36,12 @@ TEST_CASE("V13: energy ledger of a wall knocked down by gravity and friction") {
   expect_below("V13 imbalance over input, 5e-5 s", middle, 1e-4);
   expect_below("V13 imbalance over input, 2.5e-5 s", fine, 1e-4);
   CHECK(fine < coarse);
+  write(Curve{"v13_ledger",
+              "V13: imbalance of the energy ledger of a falling wall",
+              "step [s]",
+              "imbalance / work of gravity",
+              true,
+              {{"computed", "o-", {1e-4, 5e-5, 2.5e-5}, {coarse, middle, fine}}, {"limit", "--", {5e-5, 2.5e-5}, {1e-4, 1e-4}}}});
 }
 
 }  // namespace voussoir::testing

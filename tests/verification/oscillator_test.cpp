@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "tests/verification/fixture.h"
@@ -17,7 +18,10 @@ cases::Accelerogram refined(const cases::Accelerogram& a, int parts) {
   return fine;
 }
 
-void compare(const std::string& what, const cases::Case& c) {
+struct Peak {
+  double got = 0.0, exact = 0.0;  // m
+};
+Peak peak_of(const cases::Case& c) {
   const double height = 0.2,
                frequency = std::sqrt(2.0 * c.materials.at("soft").young / c.materials.at("soft").density) / height / (2 * kPi);
   Run run(c);
@@ -25,12 +29,46 @@ void compare(const std::string& what, const cases::Case& c) {
   const double end = record.dt * static_cast<double>(record.acceleration.size() - 1);
   double peak = 0.0;
   run.until(end, {}, [&] { peak = std::max(peak, std::abs(run.displacement(0).z)); });
-  expect_near("V9 peak under " + what + " [m]", peak, cases::spectral_displacement(refined(record, 10), frequency, 0.05), 1e-3);
+  return {peak, cases::spectral_displacement(refined(record, 10), frequency, 0.05)};
+}
+
+void compare(const std::string& what, const cases::Case& c) {
+  const Peak peak = peak_of(c);
+  expect_near("V9 peak under " + what + " [m]", peak.got, peak.exact, 1e-3);
+}
+
+/// The oscillator tuned to another frequency [Hz].
+cases::Case tuned(double frequency) {
+  cases::Case c = load("oscillator").value;
+  const double height = 0.2;
+  cases::Material& soft = c.materials.at("soft");
+  soft.young = 0.5 * soft.density * std::pow(2 * kPi * frequency * height, 2);
+  c.damping.frequency = frequency;
+  return c;
 }
 
 }  // namespace
 
 TEST_CASE("V9: vertical oscillator under bam-like") { compare("bam-like, V", load("oscillator").value); }
+
+TEST_CASE("V9: response spectrum of bam-like, V") {
+  Curve curve{
+      "v9_spectrum", "V9: response spectrum of bam-like, V, 5 % damping", "frequency [Hz]", "peak relative displacement [m]", true, {}};
+  Series got{"computed", "o", {}, {}}, exact{"Nigam-Jennings", "-", {}, {}};
+  for (const double frequency : {1.5, 2.5, 4.0, 6.5, 10.0}) {
+    const Peak peak = peak_of(tuned(frequency));
+    char what[80];
+    std::snprintf(what, sizeof what, "V9 spectrum at %.1f Hz [m]", frequency);
+    expect_near(what, peak.got, peak.exact, 1e-3);
+    got.x.push_back(frequency), got.y.push_back(peak.got);
+  }
+  const cases::Accelerogram record = cases::bam_like()[2];
+  for (double f = 1.0; f < 15.0; f *= 1.04) {
+    exact.x.push_back(f), exact.y.push_back(cases::spectral_displacement(refined(record, 10), f, 0.05));
+  }
+  curve.series = {got, exact};
+  write(curve);
+}
 
 TEST_CASE("V9: vertical oscillator under a real record") {
   const std::string folder = std::string(VOUSSOIR_SOURCE_DIR) + "/../shared/records/northridge1994_rinaldi/";

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "io/catalogue.h"
 #include "solver/modes.h"
 #include "solver/setup.h"
+#include "tests/verification/fixture.h"
 
 using namespace voussoir;
 
@@ -20,6 +19,7 @@ namespace {
 
 /// First frequency along x and y, Hz: that of the mode with the largest share of mass.
 std::array<double, 2> first_frequencies(const std::string& name, const std::string& bond) {
+  testing::note_case(name);
   const cases::Case c = io::load_case(name, {"house.bond=" + bond}).value;
   const cases::Model model = cases::build_model(c);
   const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), 4);
@@ -35,6 +35,8 @@ struct Row {
   std::array<double, 2> paper;  // Table 4, Hz
 };
 
+std::string label(const Row& row, std::size_t axis) { return std::string(row.name) + ", first frequency in " + (axis == 0 ? "x" : "y"); }
+
 constexpr std::array<Row, 6> kTable4{{{"flat20n", {6.64, 6.05}},
                                       {"flat40n", {7.03, 6.08}},
                                       {"flat20r", {6.84, 6.45}},
@@ -44,29 +46,32 @@ constexpr std::array<Row, 6> kTable4{{{"flat20n", {6.64, 6.05}},
 
 }  // namespace
 
-TEST_CASE("Table 4 in English bond, within 8 %") {
+TEST_CASE("V14: Table 4 in English bond, within 8 %") {
   for (const Row& row : kTable4) {
     CAPTURE(row.name);
     const std::array<double, 2> found = first_frequencies(row.name, "english");
-    for (std::size_t axis = 0; axis < 2; ++axis) CHECK(found[axis] == doctest::Approx(row.paper[axis]).epsilon(0.08));
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      testing::expect_near("V14 " + label(row, axis) + ", English bond [Hz]", found[axis], row.paper[axis], 0.08);
   }
 }
 
-TEST_CASE("Table 4 in running bond, the unreinforced models of 0.2 m within half a Fourier bin and a little") {
+TEST_CASE("V14: Table 4 in running bond, the unreinforced models of 0.2 m within half a Fourier bin and a little") {
   for (const Row& row : {kTable4[0], kTable4[3]}) {
     CAPTURE(row.name);
     const std::array<double, 2> found = first_frequencies(row.name, "running");
-    for (std::size_t axis = 0; axis < 2; ++axis) CHECK(std::abs(found[axis] - row.paper[axis]) < 0.11);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      testing::expect_within("V14 " + label(row, axis) + ", running bond [Hz]", found[axis], row.paper[axis], 0.11);
   }
 }
 
-TEST_CASE("section 3.6: the step bound is 5.03e-5 s in all ten models") {
+TEST_CASE("V14: section 3.6: the step bound is 5.03e-5 s in all ten models") {
   for (const char* roof : {"flat", "vault"}) {
     for (const char* kind : {"20w", "20n", "20s", "40n", "20r"}) {
       const std::string name = std::string(roof) + kind;
       CAPTURE(name);
       const cases::Census n = cases::census(cases::build_model(io::load_case(name).value));
-      CHECK(n.step_bound == doctest::Approx(5.03e-5).epsilon(0.001));
+      testing::note_case(name);
+      testing::expect_near("V14 " + name + ", bound of the step [s]", n.step_bound, 5.03e-5, 1e-3);
     }
   }
 }

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "tests/verification/fixture.h"
+
+// V12: the response does not know where the house stands, how it is turned, nor in which order its bricks are numbered.
+namespace voussoir::testing {
+namespace {
+
+constexpr double kEnd = 0.5;  // s
+
+/// Where a point of the first case lies in the second. Linear but for `shift`.
+struct Image {
+  std::function<Vec3(Vec3)> turn = [](Vec3 x) { return x; };
+  Vec3 shift;
+};
+
+/// Elements of both runs by place: index in `b` of the image of each element of `a`.
+std::vector<std::size_t> partners(const Run& a, const Run& b, const Image& image) {
+  const auto key = [](Vec3 x) {
+    return std::array<long long, 3>{std::llround(1e6 * x.x), std::llround(1e6 * x.y), std::llround(1e6 * x.z)};
+  };
+  std::map<std::array<long long, 3>, std::size_t> places;
+  for (std::size_t i = 0; i < b.count(); ++i) places[key(b.position(i) - image.shift)] = i;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < a.count(); ++i) found.push_back(places.at(key(image.turn(a.position(i)))));
+  return found;
+}
+
+struct Difference {
+  double most = 0.0, scale = 0.0;  // m, between displacements; largest displacement
+  solver::Damage a, b;
+};
+
+/// Runs both for 0.5 s side by side.
+Difference compare(const cases::Case& first, const cases::Case& second, const Image& image) {
+  Run a(first), b(second);
+  const std::vector<std::size_t> partner = partners(a, b, image);
+  Difference d;
+  a.until(kEnd, {}, [&] {
+    if (a.sim().steps() % 100 == 0) {
+      for (std::size_t i = 0; i < a.count(); ++i) {
+        d.most = std::max(d.most, norm(image.turn(a.displacement(i)) - b.displacement(partner[i])));
+        d.scale = std::max(d.scale, norm(a.displacement(i)));
+      }
+    }
+    b.sim().step({});
+  });
+  d.a = a.sim().damage(), d.b = b.sim().damage();
+  return d;
+}
+
+void expect_same(const std::string& what, const cases::Case& first, const cases::Case& second, const Image& image) {
+  const Difference d = compare(first, second, image);
+  MESSAGE(what, ": largest displacement ", d.scale, " m, broken in tension ", d.a.tension, ", slipped ", d.a.slipped);
+  CHECK(d.scale > 1e-3);     // it moved,
+  CHECK(d.a.tension > 100);  // and cracked
+  CHECK(d.a.tension == d.b.tension);
+  CHECK(d.a.shear == d.b.shear);
+  CHECK(d.a.compression == d.b.compression);
+  CHECK(d.a.slipped == d.b.slipped);
+  expect_below("V12 " + what + ", difference over largest displacement", d.most / d.scale, 1e-6);
+}
+
+/// The wall under a pulse across and along that cracks it at once, so that half a second has cracks, slip and rocking in it.
+cases::Case shaken_wall(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> keys{"gravity.settle=false", "motion.record=", "motion.x=pulse.csv", "motion.y=pulse.csv",
+                                "motion.scale=[0.1,0.3,1.0]"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return load("wall", keys).value;
+}
+
+/// The wall as free blocks, in the order of its elements.
+cases::Case as_blocks() {
+  cases::Case c = shaken_wall();
+  const cases::Model m = cases::build_model(c);
+  c.house.reset();
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    for (const Vec3& v : m.blocks[i].shape.vertices) {
+      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    }
+    cases::BlockSpec b;
+    b.name = "b" + std::to_string(i), b.material = "adobe";
+    b.box = {{low, high}};
+    c.blocks.push_back(b);
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("V12: turned by a right angle, with the motion") {
+  // x' = −y, y' = x: what went along x goes along y, what went along y goes along −x.
+  const cases::Case turned = shaken_wall({"house.turn=90", "motion.scale=[-0.3,0.1,1.0]"});
+  const cases::Model a = cases::build_model(shaken_wall()), b = cases::build_model(turned);
+  const auto middle = [](const cases::Model& m) {
+    Vec3 low{1e300, 1e300, 0.0}, high{-1e300, -1e300, 0.0};
+    for (const geometry::Element& e : m.assembly.elements) {
+      const Vec3 x = e.mass.centroid;
+      low = {std::min(low.x, x.x), std::min(low.y, x.y), 0.0}, high = {std::max(high.x, x.x), std::max(high.y, x.y), 0.0};
+    }
+    return 0.5 * (low + high);
+  };
+  const auto turn = [](Vec3 x) { return Vec3{-x.y, x.x, x.z}; };
+  expect_same("turned by 90 degrees", shaken_wall(), turned, {turn, middle(b) - turn(middle(a))});
+}
+
+TEST_CASE("V12: moved by 1 km") {
+  expect_same("moved by 1 km", shaken_wall(), shaken_wall({"house.origin=[1000.0,-1000.0]"}),
+              {[](Vec3 x) { return x; }, {1000.0, -1000.0, 0.0}});
+}
+
+TEST_CASE("V12: renumbered") {
+  cases::Case other = as_blocks();
+  std::reverse(other.blocks.begin(), other.blocks.end());
+  std::rotate(other.blocks.begin(), other.blocks.begin() + 7, other.blocks.end());
+  expect_same("renumbered", shaken_wall(), other, {});
+}
+
+TEST_CASE("V12: mirrored") {
+  cases::Case other = as_blocks();
+  for (cases::BlockSpec& b : other.blocks) {
+    const auto [low, high] = *b.box;
+    b.box = {{Vec3{-high.x, low.y, low.z}, Vec3{-low.x, high.y, high.z}}};
+  }
+  other.motion->scale[0] *= -1.0;
+  expect_same("mirrored", as_blocks(), other, {[](Vec3 x) { return Vec3{-x.x, x.y, x.z}; }, {}});
+}
+
+}  // namespace voussoir::testing
