@@ -211,7 +211,7 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
   }
   if (!near) return w.r;
   take_partners(w);
-  partners = partners_of(points, q, scratch);
+  if (w.changed) partners = partners_of(points, q, scratch);
   w.r.touching = partners.points;
   for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, partners, wrench[k]) ? 1 : 0;
   return w.r;

@@ -190,6 +190,7 @@ struct Work {
   PatchScratch scratch;
   Master m;
   PatchResult r;
+  bool changed = false;  // some point has another partner than before
 };
 
 inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
@@ -215,6 +216,7 @@ inline void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexc
                      w.r);
       }
       release(w.q, i);
+      w.changed = true;
     } else if (in) {
       double depth = 0.0;
       const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
@@ -235,6 +237,7 @@ inline void take_partners(Work& w) noexcept {
     if (k < 0 || w.q.partner[i] != kNobody) continue;
     const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
     w.q.partner[i] = c.element;
+    w.changed = true;
     w.q.face[i] = w.scratch.face[i];
     if (w.q.face[i] == kNoFace) continue;
     const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
