@@ -20,6 +20,7 @@
 #include "io/motion_files.h"
 #include "io/packed_text.h"
 #include "io/report_frames.h"
+#include "io/report_page.h"
 
 namespace voussoir::io {
 namespace {
@@ -196,6 +197,11 @@ std::string report_data(const std::string& run) {
          packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
          packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
          script("text/plain", "frames", frames.text);
+}
+
+std::string report_html(const std::string& run) {
+  const ReportPage page = report_page();
+  return std::string(page.head) + report_data(run) + std::string(page.tail);
 }
 
 }  // namespace voussoir::io
