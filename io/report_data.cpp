@@ -15,6 +15,7 @@
 
 #include "io/case_file.h"
 #include "io/collapse_facts.h"
+#include "io/covered_faces.h"
 #include "io/frame_reader.h"
 #include "io/hdf5_file.h"
 #include "io/motion_files.h"
@@ -190,12 +191,14 @@ std::string report_data(const std::string& run) {
   facts["times"] = reader.times();
   const std::vector<std::int32_t> part = number_parts(file, facts);
   const PackedFrames frames = pack_frames(reader);
+  const CoveredFaces covered = covered_faces(file);
   facts["quantum"] = frames.quantum;
   return script("application/json", "facts", safe_json(facts)) + packed_script("vertices", file.read<float>("/model/vertex")) +
          packed_script("cells", file.read<std::int32_t>("/model/cells")) +
          packed_script("cell-types", file.read<std::uint8_t>("/model/cell_type")) +
          packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
          packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
+         packed_script("covered-elements", covered.element) + packed_script("covered-normals", covered.normal) +
          script("text/plain", "frames", frames.text);
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "io/covered_faces.h"
 #include "io/errors.h"
 #include "io/packed_text.h"
 #include "io/report_command.h"
@@ -115,6 +116,30 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   float corner = 0;
   std::memcpy(&corner, vertices.data() + 9 * 3 * sizeof(float), sizeof corner);
   CHECK(corner == 0.2F);  // x of the second corner of the second cube
+}
+
+TEST_CASE("a face is covered where bonded joints take all of its area") {
+  const auto covered = [](const cases::Model& m) {
+    const TempFolder folder;
+    ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
+    return covered_faces(Hdf5File::open(folder.file("run.h5")));
+  };
+  cases::Model m = two_cubes();  // faces of 0.01 m2, of which one of each cube is a joint
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  CHECK(covered(m).normal == std::vector<float>{1, 0, 0, -1, 0, 0});
+  m.assembly.joints[0].area = 0.005;
+  CHECK(covered(m).element.empty());
+  m.assembly.joints.push_back(m.assembly.joints[0]);  // the other half
+  m.joint_law.push_back(1);
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  m.joint_law[1] = 0;  // dry
+  CHECK(covered(m).element.empty());
+  m.assembly.joints[1] = m.assembly.joints[0];
+  m.joint_law[1] = 1;
+  m.assembly.joints[1].element_b = -1;  // the base: the face of the first cube alone
+  CHECK(covered(m).element == std::vector<std::int32_t>{0});
+  m.assembly.joints[1].face_a = 99;
+  CHECK_THROWS_WITH_AS(covered(m), doctest::Contains("/model/joint: row 1 refers to no face"), FileError);
 }
 
 TEST_CASE("an existing page stays unless it may be replaced") {

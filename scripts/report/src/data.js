@@ -68,6 +68,8 @@ export async function loadRun() {
     cellTypes: new Uint8Array(await inflate("cell-types")),
     cellElements: new Int32Array(await inflate("cell-elements")),
     parts: new Int32Array(await inflate("parts")),
+    coveredElements: new Int32Array(await inflate("covered-elements")),
+    coveredNormals: new Float32Array(await inflate("covered-normals")),
   };
   const centroids = new Float32Array(await inflate("centroids"));
   run.frames = new Frames(await inflate("frames"), facts.times.length, centroids, facts.quantum);

@@ -92,7 +92,7 @@ export class House {
   show(at, paint) {
     this.run.frames.place(at, this.state, kStride);
     paint(at, this.state);
-    this.shown = true;
+    this.broken = this.run.frames.broken(at);
     this.texture.needsUpdate = true;
     this.draw();
   }
@@ -128,12 +128,12 @@ export class House {
   }
 
   #render() {
-    this.order.update(this.state, this.camera.position);
+    this.order.update(this.state, this.broken, this.camera.position);
     this.renderer.render(this.scene, this.camera);
   }
 
   /** At once, not at the browser's next frame: a picture of the page taken by others then has the house in it, too. */
   draw() {
-    if (this.shown) this.#render();
+    if (this.broken) this.#render();
   }
 }
