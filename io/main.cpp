@@ -87,6 +87,11 @@ void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
       ->check(CLI::PositiveNumber);
 }
 
+void add_views(CLI::App* command, io::Views& views) {
+  command->add_flag("--report", views.page, "at the end write the page that `voussoir report` writes");
+  command->add_flag("--paraview", views.paraview, "at the end write run.xdmf and paraview.h5 (0.3 MB a frame of a house)");
+}
+
 void add_run(CLI::App& app, Words& w) {
   CLI::App* run = app.add_subcommand("run", "build, settle under gravity, shake, write results");
   add_case(run, w);
@@ -104,6 +109,7 @@ void add_run(CLI::App& app, Words& w) {
       ->check(CLI::IsMember({"colour", "gather"}));
   add_checkpoints(run, w.run.checkpoints);
   run->add_flag("--verify", w.verify, "no results: try in about a minute that threads and stops do not change a bit of this case");
+  add_views(run, w.run.views);
   run->add_flag("--overwrite", w.run.overwrite, "replace the results that the folder holds");
   run->add_flag("--quiet", w.run.quiet, "no progress");
   run->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
@@ -128,6 +134,7 @@ void add_resume(CLI::App& app, Words& w) {
   add_threads(resume, w.resume.threads);
   resume->add_option("--until", w.resume.until, "s of shaking: go on to a later end than the case's");
   add_checkpoints(resume, w.resume.checkpoints);
+  add_views(resume, w.resume.views);
   resume->add_flag("--quiet", w.resume.quiet, "no progress");
   resume->footer("example: voussoir resume results/flat20n --until 12");
 }
@@ -142,9 +149,18 @@ void add_compare(CLI::App& app, Words& w) {
 void add_report(CLI::App& app, Words& w) {
   CLI::App* report = app.add_subcommand("report", "one HTML page that shows a run: 3D replay, histories, damage, energy");
   report->add_option("DIR", w.report.folder, "folder of the run")->required();
-  report->add_option("-o,--output", w.report.page, "file of the page (default: DIR/report.html)");
-  report->add_flag("--overwrite", w.report.overwrite, "replace an existing page");
-  report->footer("example: voussoir report results/flat20n -o flat20n.html");
+  report->add_option("-o,--output", w.report.output, "file of the page, or folder of the pictures (default: DIR/report.html, DIR/stills)");
+  report->add_flag("--paraview", w.report.paraview, "write DIR/run.xdmf and DIR/paraview.h5 for ParaView instead of the page");
+  CLI::Option* stills =
+      report->add_option("--stills", w.report.stills.times, "pictures at these times, s, instead of the page: T,T,...; needs Chromium");
+  stills->delimiter(',')->allow_extra_args(false);
+  report->add_option("--view", w.report.stills.views, "of the pictures: corner, front, rear, side, top, or some of them (default: corner)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"corner", "front", "rear", "side", "top"}))
+      ->needs(stills);
+  report->add_flag("--overwrite", w.report.overwrite, "replace existing files");
+  report->footer("example: voussoir report results/flat20n --stills 1.2,2.0,2.8,4.8 --view front");
 }
 
 void add_check(CLI::App& app, Words& w) {

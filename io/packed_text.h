@@ -7,12 +7,16 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// Numbers made small enough to stand in a page: rounded, as differences, deflated, in base64.
 namespace voussoir::io {
 
 /// RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
+/// The bytes back; anything that is no digit of base64 ends them.
+[[nodiscard]] std::vector<std::byte> from_base64(std::string_view text);
 
 /// Deflates what is appended, piece by piece, in the zlib format (RFC 1950): a browser's DecompressionStream("deflate") reads it.
 class Deflater {

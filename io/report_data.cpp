@@ -9,14 +9,19 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "io/case_file.h"
+#include "io/collapse_facts.h"
+#include "io/covered_faces.h"
+#include "io/frame_reader.h"
 #include "io/hdf5_file.h"
 #include "io/motion_files.h"
 #include "io/packed_text.h"
 #include "io/report_frames.h"
+#include "io/report_page.h"
 
 namespace voussoir::io {
 namespace {
@@ -97,15 +102,32 @@ Json texts(const Hdf5File& file, const std::string& object, const std::vector<st
   return out;
 }
 
-/// Title and ground motion stand in the case. Its records may be gone: then the page has all but their curves.
-void add_case(const Hdf5File& file, double from, double until, Json& facts) {
-  facts["title"] = std::filesystem::path(file.path()).parent_path().filename().string();
+void warn(const char* what, const std::exception& e) { std::fprintf(stderr, "warning: the page has no %s: %s\n", what, e.what()); }
+
+/// The curves of the ground's motion. Its records may be gone: then the page has all but these.
+void add_ground(const LoadedCase& c, const std::vector<double>& times, Json& facts) {
+  if (!c.value.motion || times.empty()) return;
   try {
-    const LoadedCase c = read_case({file.path(), file.attribute_text("/case", "toml")});
-    facts["title"] = c.value.title;
-    if (c.value.motion) facts["plots"].push_back(ground_plot(load_motion(*c.value.motion, c.value.folder), from, until));
+    facts["plots"].push_back(ground_plot(load_motion(*c.value.motion, c.value.folder), times.front(), times.back()));
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "warning: the page has no ground motion: %s\n", e.what());
+    warn("ground motion", e);
+  }
+}
+
+void add_collapse(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& summary) {
+  const CollapseFacts facts = collapse_facts(file, frames, c.value.base ? c.value.base->z : 0.0);
+  if (facts.time) summary["collapse_time"] = *facts.time;
+  summary["debris_reach"] = facts.reach;
+  summary["debris_reach_95"] = facts.reach_95;
+}
+
+/// The case of the run, unless another version of the program wrote one that this does not know.
+std::optional<LoadedCase> case_of(const Hdf5File& file) {
+  try {
+    return read_case({file.path(), file.attribute_text("/case", "toml")});
+  } catch (const std::exception& e) {
+    warn("ground motion, collapse time and debris", e);
+    return {};
   }
 }
 
@@ -140,7 +162,8 @@ std::string packed_script(const std::string& id, const std::vector<T>& values) {
 /// JSON that may stand inside a script element: nothing in it can end the element.
 std::string safe_json(const Json& json) {
   std::string out;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
 
@@ -148,10 +171,12 @@ std::string safe_json(const Json& json) {
 
 std::string report_data(const std::string& run) {
   const Hdf5File file = Hdf5File::open(run);
-  const std::vector<double> times = file.read<double>("/frames/time");
+  const FrameReader reader(file);
+  const std::optional<LoadedCase> c = case_of(file);
   Json facts;
+  facts["title"] = c ? c->value.title : std::filesystem::path(run).parent_path().filename().string();
   facts["plots"] = Json::array();
-  if (!times.empty()) add_case(file, times.front(), times.back(), facts);
+  if (c) add_ground(*c, reader.times(), facts);
   add_histories(file, facts["plots"]);
   facts["plots"].push_back(
       table_plot(file, "Broken and slipped segment sides", "", "/damage", {"tension", "shear", "compression", "slipped"}));
@@ -160,18 +185,26 @@ std::string report_data(const std::string& run) {
   facts["summary"] = numbers(file, "/summary",
                              {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear",
                               "compression", "slipped", "peak_base_shear", "peak_speed", "worst_residual"});
+  if (c) add_collapse(*c, file, reader, facts["summary"]);
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
-  facts["times"] = times;
+  facts["times"] = reader.times();
   const std::vector<std::int32_t> part = number_parts(file, facts);
-  const PackedFrames frames = pack_frames(file);
+  const PackedFrames frames = pack_frames(reader);
+  const CoveredFaces covered = covered_faces(file);
   facts["quantum"] = frames.quantum;
   return script("application/json", "facts", safe_json(facts)) + packed_script("vertices", file.read<float>("/model/vertex")) +
          packed_script("cells", file.read<std::int32_t>("/model/cells")) +
          packed_script("cell-types", file.read<std::uint8_t>("/model/cell_type")) +
          packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
          packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
+         packed_script("covered-elements", covered.element) + packed_script("covered-normals", covered.normal) +
          script("text/plain", "frames", frames.text);
+}
+
+std::string report_html(const std::string& run) {
+  const ReportPage page = report_page();
+  return std::string(page.head) + report_data(run) + std::string(page.tail);
 }
 
 }  // namespace voussoir::io

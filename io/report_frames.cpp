@@ -8,49 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "io/errors.h"
-#include "io/hdf5_file.h"
+#include "io/frame_reader.h"
 #include "io/packed_text.h"
 
 namespace voussoir::io {
 namespace {
 
 constexpr double kSteps = 32767;  // of 16 bits to either side
-
-/// One frame after the other, checked.
-class FrameReader {
- public:
-  explicit FrameReader(const Hdf5File& run)
-      : run_(run), start_(run.read<double>("/model/element/position0")), frames_(run.shape("/frames/time").at(0)) {
-    const std::uint64_t n = elements();
-    if (start_.size() != 3 * n || run.shape("/frames/position") != Shape{frames_, n, 3} ||
-        run.shape("/frames/quaternion") != Shape{frames_, n, 4} || run.shape("/frames/broken") != Shape{frames_, n})
-      throw FileError(run.path(), "/frames does not fit /model/element");
-  }
-
-  [[nodiscard]] std::uint64_t elements() const noexcept { return start_.size() / 3; }
-  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
-
-  /// From the reference, three an element [m].
-  std::vector<double> displacement(std::uint64_t frame) const {
-    std::vector<double> u = row("position", frame, 3);
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] -= start_[i];
-    return u;
-  }
-  /// `width` values an element of /frames/NAME.
-  std::vector<double> row(const char* name, std::uint64_t frame, std::uint64_t width) const {
-    std::vector<double> values(elements() * width);
-    run_.read_rows(std::string("/frames/") + name, Hdf5Type::f64, frame, 1, values.data());
-    if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
-      throw FileError(run_.path(), "/frames/" + std::string(name) + ": row " + std::to_string(frame) + " holds a value that is no number");
-    return values;
-  }
-
- private:
-  const Hdf5File& run_;
-  std::vector<double> start_;
-  std::uint64_t frames_;
-};
 
 /// The smallest step in which the largest displacement fits 16 bits, but no finer than 1 um.
 double quantum_of(const FrameReader& reader) {
@@ -98,8 +62,7 @@ class FramePacker {
 
 }  // namespace
 
-PackedFrames pack_frames(const Hdf5File& run) {
-  const FrameReader reader(run);
+PackedFrames pack_frames(const FrameReader& reader) {
   const double quantum = quantum_of(reader);
   FramePacker out(reader.elements());
   for (std::uint64_t f = 0; f < reader.frames(); ++f) {

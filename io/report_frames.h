@@ -7,7 +7,7 @@
 /// Frames of a run as the report page reads them.
 namespace voussoir::io {
 
-class Hdf5File;
+class FrameReader;
 
 /// All frames, packed (see packed_text.h). A frame of n elements is 15 n bytes, all of them steps from the frame before (the first: from
 /// zero): for each of dx, dy, dz, w, x, y, z the n low bytes, then the n high bytes of zigzag_step; then n bytes of the broken fraction,
@@ -18,6 +18,6 @@ struct PackedFrames {
 };
 
 /// \throw FileError, also for a frame with a value that is no number
-PackedFrames pack_frames(const Hdf5File& run);
+PackedFrames pack_frames(const FrameReader& reader);
 
 }  // namespace voussoir::io

@@ -54,6 +54,15 @@ std::vector<double> each_vector(const List& list, Get get) {
 
 using Datasets = std::vector<StaticDataset>;
 
+/// "0 block, 1 brick, ..."
+std::string numbered_kinds() {
+  using enum cases::PartKind;
+  std::string text;
+  for (const cases::PartKind kind : {block, brick, lintel, beam, voussoir, column, ring_beam})
+    text += (text.empty() ? "" : ", ") + std::to_string(static_cast<int>(kind)) + " " + cases::name(kind);
+  return text;
+}
+
 void add_elements(const cases::Model& model, Datasets& out) {
   using cases::Block;
   std::vector<double> mass, inertia, position;
@@ -74,6 +83,8 @@ void add_elements(const cases::Model& model, Datasets& out) {
   }
   out.push_back(dataset("/model/element/material", each<std::int32_t>(model.blocks, &Block::material), 1, "1", "row of /model/material"));
   out.push_back(texts("/model/element/tag", std::move(tags), "which part of the building the element is, or its name"));
+  out.push_back(dataset("/model/element/kind", each<std::uint8_t>(model.blocks, &Block::kind), 1, "1",
+                        ("what the element is in a house: " + numbered_kinds()).c_str()));
   out.push_back(dataset("/model/element/mass", mass, 1, "kg", "mass"));
   out.push_back(dataset("/model/element/inertia", inertia, 3, "kg m2", "principal moments of inertia about the centroid, ascending"));
   out.push_back(dataset("/model/element/position0", position, 3, "m", "centroid in the reference configuration; global axes"));

@@ -101,6 +101,7 @@ int resume_command(const ResumeOptions& o) {
   check_same_case(folder.path(), found, c);
   if (!o.until && is_finished(run)) {
     std::printf("%s is finished, to %s s; --until T goes on\n", folder.path().c_str(), cases::text(c.time.duration).c_str());
+    write_views(folder.path(), o.views);
     return kDone;
   }
   set_end(c, o.until, found.checkpoint.facts.time);
@@ -117,7 +118,9 @@ int resume_command(const ResumeOptions& o) {
   check_rows(run, results.rows(), r->facts.rows);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
-  return run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
+  const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
+  if (code == kDone) write_views(folder.path(), o.views);
+  return code;
 }
 
 }  // namespace voussoir::io

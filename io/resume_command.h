@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/checkpoints.h"
+#include "io/report_command.h"
 
 /// `voussoir resume`: goes on with a run that was stopped, killed, or is to last longer.
 namespace voussoir::io {
@@ -16,6 +17,7 @@ struct ResumeOptions {
   std::optional<double> until;  // s of shaking; absent: as the run was meant
   bool quiet = false;
   CheckpointSchedule checkpoints;
+  Views views;  // to write at the end
 };
 
 /// Goes on from the newest checkpoint that is whole; rows of the results behind it are dropped and computed again, to the same bits.

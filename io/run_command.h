@@ -6,6 +6,7 @@
 
 #include "io/case_file.h"
 #include "io/checkpoints.h"
+#include "io/report_command.h"
 
 /// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard
 /// error.
@@ -21,6 +22,7 @@ struct RunOptions {
   bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
   CheckpointSchedule checkpoints;
+  Views views;  // to write at the end
 };
 
 /// Builds, settles, shakes, writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.

@@ -66,8 +66,8 @@ bool is_part(const std::string& name) {
 }
 
 bool is_result(const std::string& name) {
-  for (const char* own : {"run.h5", "run.h5.tmp", "case.toml", "case.toml.tmp", "log"})
-    if (name == own) return true;
+  for (const char* own : {"run.h5", "case.toml", "log", "report.html", "run.xdmf", "paraview.h5"})
+    if (name == own || name == std::string(own) + ".tmp") return true;
   return name.starts_with("checkpoint-") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solver/collapse.h"
 #include "solver/errors.h"
 
 namespace voussoir::solver {
@@ -158,20 +159,13 @@ std::int64_t last_step(const Simulation& sim, double end) { return std::llround(
 Summary summarise(const Simulation& sim, const RunState& state) {
   const World& w = sim.world();
   const Elements& e = w.elements;
-  double all = 0.0, fallen = 0.0, roof = 0.0, fallen_roof = 0.0;
+  FallenMass fallen;
   const double base = e.ref_z[static_cast<std::size_t>(e.base)];
-  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
-    const cases::PartKind kind = w.model.blocks[i].kind;
-    const bool is_roof = kind == cases::PartKind::beam || kind == cases::PartKind::voussoir;
-    const bool has_fallen = -e.uz[i] > std::min(0.5 * (e.ref_z[i] - base), 1.0);
-    all += e.mass[i];
-    roof += is_roof ? e.mass[i] : 0.0;
-    fallen += has_fallen ? e.mass[i] : 0.0;
-    fallen_roof += has_fallen && is_roof ? e.mass[i] : 0.0;
-  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
+    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.ref_z[i] - base);
   Summary s;
-  s.fallen_mass_fraction = all > 0.0 ? fallen / all : 0.0;
-  s.collapsed = roof > 0.0 ? fallen_roof > 0.5 * roof : fallen > 0.5 * all;
+  s.fallen_mass_fraction = fallen.fraction();
+  s.collapsed = fallen.is_collapse();
   s.first_crack_time = state.first_crack;
   const Damage& d = sim.damage();
   s.tension = d.tension, s.shear = d.shear, s.compression = d.compression, s.slipped = d.slipped;

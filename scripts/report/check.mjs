@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // Opens a report page in headless Chromium with the network off and compares it with its run: positions within half a quantum, no message in
-// the console, frames a second of replay; pictures at four times.
+// the console, no request, a panel that fits, a still, frames a second of replay; pictures at four times.
 // usage: node check.mjs PAGE.html RUN.h5 [FOLDER for pictures] (needs chromium and hdf5-tools)
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync } from "node:fs";
@@ -48,6 +48,10 @@ for (const part of [0.2, 0.45, 0.6, 1]) {
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(pictures, `frame-${String(frame).padStart(4, "0")}.png`) });
 }
+const panel = await page.evaluate(`(({ scrollWidth, clientWidth }) => [scrollWidth, clientWidth])(document.querySelector("aside"))`);
+if (panel[0] > panel[1]) faults.push(`the side panel is ${panel[0]} pixels wide, with room for ${panel[1]}`);
+const still = Buffer.from(await page.evaluate(`report.still(report.times[report.last], "front", 640, 400)`), "base64");
+if (still.toString("latin1", 1, 4) !== "PNG" || still.readUInt32BE(16) !== 640 || still.readUInt32BE(20) !== 400) faults.push("a still is no PNG of 640 by 400 pixels");
 const rate = await page.evaluate(`new Promise((done) => {
   report.show(0);
   const before = report.house.renderer.info.render.frame, start = performance.now();

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -158,6 +159,34 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
   // Bad input is found before the folder is touched.
   CHECK(voussoir(words + " --overwrite --set time.duration=-1").code == 2);
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
+}
+
+TEST_CASE("what people look at: written at the end of a run if asked for, or later; pictures say what they lack") {
+  const TempFolder folder;
+  std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
+  const std::string out = folder.path("out"), words = "run " + folder.path("case.toml") + " --quiet -j 1 -o " + out + " --frames 0.005";
+  Outcome o = voussoir(words + " --report --paraview");
+  CHECK(o.code == 0);
+  CHECK(says(o, {"/out/report.html", "/out/run.xdmf"}));
+  for (const char* name : {"report.html", "run.xdmf", "paraview.h5"}) CHECK(std::filesystem::exists(out + "/" + name));
+  CHECK(voussoir(words + " --overwrite").code == 0);  // none of them is of this run
+  for (const char* name : {"report.html", "run.xdmf", "paraview.h5"}) CHECK_FALSE(std::filesystem::exists(out + "/" + name));
+  CHECK(says(voussoir("resume " + out + " --quiet -j 1 --report"), {"is finished", "report.html"}));
+
+  CHECK(voussoir("report " + out).code == 3);  // it is there
+  CHECK(voussoir("report --paraview " + out).code == 0);
+  CHECK(voussoir("report --paraview " + out).code == 3);
+  CHECK(voussoir("report " + out + " --view front").code == 2);
+  CHECK(voussoir("report " + out + " --stills 0.005 --view under").code == 2);
+  o = voussoir("report --stills 0.005,9 --view front,top " + out);
+  CHECK(o.code == 2);
+  CHECK(says(o, {"--stills", "9 s", "0 to 0.01 s"}));
+  ::setenv("CHROMIUM", "/nowhere/chromium", 1);
+  o = voussoir("report --stills 0.005 --view front,top " + out);
+  ::unsetenv("CHROMIUM");
+  CHECK(o.code == 3);
+  CHECK(says(o, {"/nowhere/chromium", "cannot start", "Debian: chromium"}));
+  CHECK_FALSE(std::filesystem::exists(out + "/stills"));
 }
 
 TEST_CASE("a step far too large ends with exit code 1, says what to try, and keeps the results") {

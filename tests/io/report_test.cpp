@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/report_command.h"
-
 #include <zlib.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
 
+#include "io/covered_faces.h"
 #include "io/errors.h"
 #include "io/packed_text.h"
+#include "io/report_command.h"
 #include "io/report_page.h"
 #include "io/text_file.h"
 #include "results_fixture.h"
@@ -19,21 +19,7 @@ namespace {
 
 using namespace test;
 
-std::string base64_of(const std::string& text) {
-  return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
-
-std::vector<unsigned char> decoded(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<unsigned char> bytes;
-  unsigned group = 0, bits = 0;
-  for (const char c : text.substr(0, text.find('='))) {
-    group = group << 6U | static_cast<unsigned>(digits.find(c));
-    bits += 6;
-    if (bits >= 8) bytes.push_back(static_cast<unsigned char>(group >> (bits -= 8)));
-  }
-  return bytes;
-}
+std::string base64_of(const std::string& text) { return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()}); }
 
 /// What stands in the element of the page with this id.
 std::string element(const std::string& page, const std::string& id) {
@@ -45,10 +31,10 @@ std::string element(const std::string& page, const std::string& id) {
 
 /// The bytes of a packed element of the page, of which there must be `size`.
 std::vector<unsigned char> unpacked(const std::string& page, const std::string& id, std::size_t size) {
-  const std::vector<unsigned char> packed_bytes = decoded(element(page, id));
+  const std::vector<std::byte> packed_bytes = from_base64(element(page, id));
   std::vector<unsigned char> bytes(size + 1);
   uLongf length = bytes.size();
-  REQUIRE(uncompress(bytes.data(), &length, packed_bytes.data(), packed_bytes.size()) == Z_OK);
+  REQUIRE(uncompress(bytes.data(), &length, reinterpret_cast<const Bytef*>(packed_bytes.data()), packed_bytes.size()) == Z_OK);
   REQUIRE(length == size);
   bytes.pop_back();
   return bytes;
@@ -59,6 +45,13 @@ void write_run(const TempFolder& folder, std::uint64_t rows) {
   ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
   for (std::uint64_t i = 0; i < rows; ++i) record(results, i);
   results.finish();
+}
+
+ReportOptions page_of(const TempFolder& folder, const std::string& file = {}) {
+  ReportOptions o;
+  o.folder = folder.path();
+  o.output = file;
+  return o;
 }
 
 /// Adds up the steps of component `channel` of both cubes over `frames` frames of 15 bytes an element.
@@ -81,6 +74,8 @@ TEST_CASE("base64 is that of RFC 4648, section 10") {
   CHECK(base64_of("fo") == "Zm8=");
   CHECK(base64_of("foo") == "Zm9v");
   CHECK(base64_of("foobar") == "Zm9vYmFy");
+  const std::vector<std::byte> back = from_base64("Zm9vYg==");
+  CHECK(std::string(reinterpret_cast<const char*>(back.data()), back.size()) == "foob");
 }
 
 TEST_CASE("steps of 16 bits: small ones of either sign are small numbers, and the ends meet") {
@@ -97,7 +92,7 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   constexpr std::size_t rows = 5;
   write_run(folder, rows);
   const std::string file = folder.file("page.html");
-  CHECK(report_command({folder.path(), file, false}) == 0);
+  CHECK(report_command(page_of(folder, file)) == 0);
 
   const std::string page = read_text_file(file, 1U << 24U);
   CHECK(page.starts_with("<!DOCTYPE html>"));
@@ -106,8 +101,8 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   CHECK(element(page, "facts").find("two cubes") != std::string::npos);
 
   const std::vector<unsigned char> frames = unpacked(page, "frames", 15 * 2 * rows);
-  // In frame f the fixture has the first cube at x = f and the second at z = -f; the largest displacement is that of the second along x or y,
-  // from (0.15, 0.05, 0.05) to (3, 4, -f), or of the last frames' f.
+  // In frame f the fixture has the first cube at x = f and the second at z = -f; the largest displacement is that of the second along x or
+  // y, from (0.15, 0.05, 0.05) to (3, 4, -f), or of the last frames' f.
   const double largest = std::max(4 - 0.05, (rows - 1) + 0.05);
   const double quantum = largest / 32767;
   const auto x = component(frames, 0, rows), z = component(frames, 2, rows), w = component(frames, 3, rows);
@@ -123,19 +118,45 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   CHECK(corner == 0.2F);  // x of the second corner of the second cube
 }
 
+TEST_CASE("a face is covered where bonded joints take all of its area") {
+  const auto covered = [](const cases::Model& m) {
+    const TempFolder folder;
+    ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
+    return covered_faces(Hdf5File::open(folder.file("run.h5")));
+  };
+  cases::Model m = two_cubes();  // faces of 0.01 m2, of which one of each cube is a joint
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  CHECK(covered(m).normal == std::vector<float>{1, 0, 0, -1, 0, 0});
+  m.assembly.joints[0].area = 0.005;
+  CHECK(covered(m).element.empty());
+  m.assembly.joints.push_back(m.assembly.joints[0]);  // the other half
+  m.joint_law.push_back(1);
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  m.joint_law[1] = 0;  // dry
+  CHECK(covered(m).element.empty());
+  m.assembly.joints[1] = m.assembly.joints[0];
+  m.joint_law[1] = 1;
+  m.assembly.joints[1].element_b = -1;  // the base: the face of the first cube alone
+  CHECK(covered(m).element == std::vector<std::int32_t>{0});
+  m.assembly.joints[1].face_a = 99;
+  CHECK_THROWS_WITH_AS(covered(m), doctest::Contains("/model/joint: row 1 refers to no face"), FileError);
+}
+
 TEST_CASE("an existing page stays unless it may be replaced") {
   const TempFolder folder;
   write_run(folder, 2);
   write_text_file(folder.file("report.html"), "mine", false);
-  CHECK_THROWS_WITH_AS(report_command({folder.path(), "", false}), doctest::Contains("--overwrite"), FileError);
+  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("--overwrite"), FileError);
   CHECK(read_text_file(folder.file("report.html"), 100) == "mine");
-  CHECK(report_command({folder.path(), "", true}) == 0);
+  ReportOptions again = page_of(folder);
+  again.overwrite = true;
+  CHECK(report_command(again) == 0);
   CHECK(read_text_file(folder.file("report.html"), 1U << 24U).size() > report_page().head.size());
 }
 
 TEST_CASE("a folder without a run and a frame without numbers are refused, and no page is left") {
   const TempFolder folder;
-  CHECK_THROWS_AS(report_command({folder.path(), "", false}), FileError);
+  CHECK_THROWS_AS(report_command(page_of(folder)), FileError);
   {
     ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
     const std::array<float, 6> position{std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0};
@@ -144,7 +165,7 @@ TEST_CASE("a folder without a run and a frame without numbers are refused, and n
     results.frame({0.0, position, quaternion, broken});
     results.finish();
   }
-  CHECK_THROWS_WITH_AS(report_command({folder.path(), "", false}), doctest::Contains("/frames/position: row 0"), FileError);
+  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("/frames/position: row 0"), FileError);
   CHECK_FALSE(std::filesystem::exists(folder.file("report.html")));
 }
 

@@ -27,6 +27,7 @@ struct Promise {
 std::vector<Promise> promises() {
   std::vector<Promise> p{{"/model/element/material", "1", {2}},
                          {"/model/element/tag", "1", {2}},
+                         {"/model/element/kind", "1", {2}},
                          {"/model/element/mass", "kg", {2}},
                          {"/model/element/inertia", "kg m2", {2, 3}},
                          {"/model/element/position0", "m", {2, 3}},

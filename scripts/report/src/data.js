@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data in the page; io/report_data.h and io/report_frames.h say how they are packed.
 
-const kFull = 32767; // a quaternion's 1
-
 async function inflate(id) {
   const element = document.getElementById(id);
   const text = atob(element.textContent);
@@ -46,11 +44,19 @@ export class Frames {
   /** Displacement of element `e` along axis `k`, m. */
   displacement(at, e, k) { return this.quantum * this.#between(at, k, e); }
   distance(at, e) { return Math.hypot(this.displacement(at, e, 0), this.displacement(at, e, 1), this.displacement(at, e, 2)); }
-  position(at, e, k) { return this.centroids[3 * e + k] + this.displacement(at, e, k); }
-  /** Component `k` of w, x, y, z; between frames not of unit length. */
-  quaternion(at, e, k) { return this.#between(at, 3 + k, e) / kFull; }
-  /** Broken fraction of the element's bonds at the frame before. */
-  broken(at, e) { return this.brokenBytes[Math.floor(at) * this.n + e] / 255; }
+  /** Writes position and quaternion (x, y, z, w) of every element into `state`, every `stride` numbers one. */
+  place(at, state, stride) {
+    const { n, values, centroids, quantum } = this;
+    const f = Math.min(Math.floor(at), this.count - 1), g = Math.min(f + 1, this.count - 1), w = at - f, v = 1 - w;
+    for (let e = 0, to = 0, a = 7 * n * f, b = 7 * n * g; e < n; ++e, ++a, ++b, to += stride) {
+      for (let k = 0; k < 3; ++k) state[to + k] = centroids[3 * e + k] + quantum * (v * values[a + k * n] + w * values[b + k * n]);
+      const q = (c) => v * values[a + c * n] + w * values[b + c * n];
+      const qw = q(3), qx = q(4), qy = q(5), qz = q(6), length = Math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz) || 1;
+      state[to + 4] = qx / length, state[to + 5] = qy / length, state[to + 6] = qz / length, state[to + 7] = qw / length;
+    }
+  }
+  /** Broken fraction of every element's bonds at the frame before, in 1/255. */
+  broken(at) { return this.brokenBytes.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
 }
 
 export async function loadRun() {
@@ -62,6 +68,8 @@ export async function loadRun() {
     cellTypes: new Uint8Array(await inflate("cell-types")),
     cellElements: new Int32Array(await inflate("cell-elements")),
     parts: new Int32Array(await inflate("parts")),
+    coveredElements: new Int32Array(await inflate("covered-elements")),
+    coveredNormals: new Float32Array(await inflate("covered-normals")),
   };
   const centroids = new Float32Array(await inflate("centroids"));
   run.frames = new Frames(await inflate("frames"), facts.times.length, centroids, facts.quantum);

@@ -4,6 +4,7 @@
 import { Box3, GridHelper, Mesh, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { brickMaterial, kStride, stateTexture } from "./brick.js";
+import { FaceOrder } from "./order.js";
 import { allShapes } from "./shapes.js";
 
 const kViews = { corner: [1, -1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1] };
@@ -18,10 +19,12 @@ function drawsInSoftware() {
 }
 
 export class House {
-  constructor(canvas, run) {
+  /** @param still  it is for pictures, not for replay: smooth wherever it is drawn, and drawn on white */
+  constructor(canvas, run, still) {
     this.run = run;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: !drawsInSoftware(), alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: still || !drawsInSoftware(), alpha: !still });
+    if (still) this.renderer.setClearColor(0xffffff);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 0.05, 500);
     this.camera.up.set(0, 0, 1);
@@ -30,7 +33,6 @@ export class House {
     this.#layGround();
     this.#build();
     this.#measure();
-    this.look("corner");
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     this.#resize();
   }
@@ -44,7 +46,8 @@ export class House {
   }
 
   #build() {
-    const { geometry, extent } = allShapes(this.run);
+    const { geometry, faces, extent } = allShapes(this.run);
+    this.order = new FaceOrder(geometry, faces);
     this.extent = extent;
     this.texture = stateTexture(this.run.frames.n);
     this.state = this.texture.image.data;
@@ -63,9 +66,10 @@ export class House {
     this.size = Math.max(0.1, high.distanceTo(low));
   }
 
-  look(name) {
+  /** From one of the views; `distance` in diagonals of the house. */
+  look(name, distance = 2.3) {
     this.controls.target.copy(this.centre);
-    this.camera.position.copy(new Vector3(...kViews[name]).normalize().multiplyScalar(2.3 * this.size).add(this.centre));
+    this.camera.position.copy(new Vector3(...kViews[name]).normalize().multiplyScalar(distance * this.size).add(this.centre));
     this.controls.update();
     this.draw();
   }
@@ -73,23 +77,22 @@ export class House {
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.#fit(width, height, Math.min(window.devicePixelRatio, 2));
     this.draw();
   }
 
-  /** Puts every element where it is at frame `at` (need not be whole); `colour(e)` gives [r, g, b]. */
-  show(at, colour) {
-    const { state, run: { frames } } = this;
-    for (let e = 0, to = 0; e < frames.n; ++e, to += kStride) {
-      for (let k = 0; k < 3; ++k) state[to + k] = frames.position(at, e, k);
-      const w = frames.quaternion(at, e, 0), x = frames.quaternion(at, e, 1), y = frames.quaternion(at, e, 2), z = frames.quaternion(at, e, 3);
-      const length = Math.sqrt(w * w + x * x + y * y + z * z) || 1;
-      state[to + 4] = x / length, state[to + 5] = y / length, state[to + 6] = z / length, state[to + 7] = w / length;
-      state.set(colour(e), to + 8);
-    }
+  #fit(width, height, ratio) {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Puts every element where it is at frame `at` (need not be whole); `paint` writes their colours (see colours.js). */
+  show(at, paint) {
+    this.run.frames.place(at, this.state, kStride);
+    paint(at, this.state);
+    this.broken = this.run.frames.broken(at);
     this.texture.needsUpdate = true;
     this.draw();
   }
@@ -114,12 +117,23 @@ export class House {
     return picked;
   }
 
+  /** A picture from one of the views as a PNG in base64, of so many pixels: nearer than for replay, except from above, where debris counts. */
+  picture(view, width, height) {
+    this.#fit(width, height, 1);
+    this.look(view, view === "top" ? 2.3 : 1.75);
+    this.#render(); // toDataURL must follow at once: the browser does not keep what it has shown
+    const url = this.canvas.toDataURL("image/png");
+    this.#resize();
+    return url.slice(url.indexOf(",") + 1);
+  }
+
+  #render() {
+    this.order.update(this.state, this.broken, this.camera.position);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** At once, not at the browser's next frame: a picture of the page taken by others then has the house in it, too. */
   draw() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => {
-      this.waiting = false;
-      this.renderer.render(this.scene, this.camera);
-    });
+    if (this.broken) this.#render();
   }
 }

@@ -9,13 +9,14 @@ import { showSummary } from "./summary.js";
 const by = (id) => document.getElementById(id);
 
 class Report {
-  constructor(run) {
+  /** @param asked  what the page's address asks for after '#': t, view, colour; still: see House */
+  constructor(run, asked) {
     this.run = run;
     this.times = run.facts.times;
     this.last = this.times.length - 1;
     this.at = 0; // frame; between two while it plays
     this.playing = false;
-    this.house = new House(by("view"), run);
+    this.house = new House(by("view"), run, asked.has("still"));
     this.colours = colourings(run);
     const from = this.times[0], until = this.times[this.last];
     this.plots = run.facts.plots.map((p) => new Plot(by("plots"), p, from, until, (t) => this.seek(t)));
@@ -23,7 +24,7 @@ class Report {
     showSummary(by("summary"), run);
     by("time").max = this.last;
     this.#listen();
-    this.show(0);
+    this.#open(asked);
   }
 
   #listen() {
@@ -39,6 +40,15 @@ class Report {
     document.addEventListener("keydown", (e) => this.#key(e));
   }
 
+  #open(asked) {
+    for (const [id, name] of [["camera", "view"], ["colour", "colour"]]) {
+      const known = [...by(id).options].some((o) => o.value === asked.get(name));
+      if (known) by(id).value = asked.get(name);
+    }
+    this.house.look(by("camera").value);
+    this.seek(Number(asked.get("t") ?? this.times[0]));
+  }
+
   #key(event) {
     const step = event.shiftKey ? 10 : 1, here = Math.round(this.at);
     const to = { ArrowLeft: here - step, ArrowRight: here + step, Home: 0, End: this.last }[event.key];
@@ -52,8 +62,8 @@ class Report {
   /** Shows frame `at`, which need not be whole. */
   show(at) {
     this.at = Math.min(Math.max(at, 0), this.last);
-    const { of, legend } = this.colours[by("colour").value];
-    this.house.show(this.at, (e) => of(this.at, e));
+    const { paint, legend } = this.colours[by("colour").value];
+    this.house.show(this.at, paint);
     if (this.legend !== legend) by("legend").innerHTML = this.legend = legend;
     const t = this.time();
     by("clock").textContent = `${t.toFixed(2)} s`;
@@ -71,6 +81,13 @@ class Report {
   seek(t) {
     const after = this.times.findIndex((x) => x >= t);
     this.show(after < 0 ? this.last : after);
+  }
+
+  /** A picture from one of the views at the frame nearest to time `t`: a PNG in base64, of so many pixels. */
+  still(t, view, width, height) {
+    const off = (f) => Math.abs(this.times[f] - t);
+    this.show(this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    return this.house.picture(view, width, height);
   }
 
   play(on) {
@@ -119,17 +136,19 @@ class Report {
 
   #describe() {
     const e = this.picked ?? -1, { frames, parts, facts } = this.run;
-    by("picked").textContent = e < 0 ? "" : `Element ${e}, ${facts.parts[parts[e]]}: displaced ${frames.distance(this.at, e).toFixed(3)} m, ${Math.round(100 * frames.broken(this.at, e))} % of its bonds broken`;
+    by("picked").textContent = e < 0 ? "" : `Element ${e}, ${facts.parts[parts[e]]}: displaced ${frames.distance(this.at, e).toFixed(3)} m, ${Math.round(frames.broken(this.at)[e] / 2.55)} % of its bonds broken`;
   }
 }
 
 async function open() {
   const run = await loadRun();
   by("status").textContent = run.facts.times.length > 0 ? "" : "The run has no frames.";
-  if (run.facts.times.length > 0) window.report = new Report(run);
+  if (run.facts.times.length > 0) window.report = new Report(run, new URLSearchParams(location.hash.slice(1)));
+  return window.report;
 }
 
-open().catch((error) => {
+window.opened = open();
+window.opened.catch((error) => {
   by("status").textContent = `The page cannot be shown: ${error.message}`;
   throw error;
 });

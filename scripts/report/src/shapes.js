@@ -23,6 +23,16 @@ function outline(run, cells, e) {
   return [...faces.values()].map((face) => face.map(corner));
 }
 
+/** 1 for each face that joints cover (io/covered_faces.h). */
+function markCovered({ coveredElements, coveredNormals: n }, first, plane) {
+  const covered = new Uint8Array(plane.length / 4);
+  coveredElements.forEach((e, i) => {
+    for (let f = first[e]; f < first[e + 1]; ++f)
+      if (plane[4 * f] * n[3 * i] + plane[4 * f + 1] * n[3 * i + 1] + plane[4 * f + 2] * n[3 * i + 2] > 0.9999) covered[f] = 1;
+  });
+  return covered;
+}
+
 const kSquare = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
 
 /** Appends a face, which is convex. `across` tells where edges are: there one of its two numbers is 1 or -1 (see brick.js). */
@@ -43,14 +53,29 @@ function addFace(face, to) {
   to.across.push(0, 0);
 }
 
-/** {geometry, extent}: all elements as one geometry, each about its centroid, and six numbers an element: its lowest and highest corner. */
+/** Unit normal of a convex face, and its distance from the centroid along it. */
+function planeOf(face) {
+  const [a, b, c] = face, u = a.map((_, k) => b[k] - a[k]), v = a.map((_, k) => c[k] - a[k]);
+  const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+  const length = Math.hypot(...normal), unit = normal.map((x) => x / length);
+  return [...unit, unit[0] * a[0] + unit[1] * a[1] + unit[2] * a[2]];
+}
+
+/** {geometry, faces, extent}: all elements as one geometry, each about its centroid; its faces as FaceOrder wants them; and six numbers an
+ *  element: its lowest and highest corner. */
 export function allShapes(run) {
   const n = run.frames.n, to = { points: [], across: [], index: [] }, element = [], extent = new Float32Array(6 * n);
+  const start = [0], plane = [], first = [0];
   const cellsOf = Array.from({ length: n }, () => []);
   run.cellElements.forEach((e, c) => cellsOf[e].push(c));
   cellsOf.forEach((cells, e) => {
     const faces = outline(run, cells, e), corners = faces.flat();
-    for (const face of faces) addFace(face, to);
+    for (const face of faces) {
+      addFace(face, to);
+      start.push(to.index.length);
+      plane.push(...planeOf(face));
+    }
+    first.push(start.length - 1);
     while (element.length < to.points.length / 3) element.push(e);
     for (let k = 0; k < 3; ++k) {
       extent[6 * e + k] = Math.min(...corners.map((p) => p[k]));
@@ -63,5 +88,6 @@ export function allShapes(run) {
   geometry.setAttribute("element", new Float32BufferAttribute(element, 1));
   geometry.setIndex(to.index);
   geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
-  return { geometry, extent };
+  const faces = { index: Uint32Array.from(to.index), start: Uint32Array.from(start), plane: Float32Array.from(plane), first: Uint32Array.from(first), covered: markCovered(run, first, plane) };
+  return { geometry, faces, extent };
 }

@@ -3,6 +3,7 @@
 // The figures of the run in words.
 
 const count = (n) => n.toLocaleString("en");
+const metres = (x) => `${x.toFixed(1)} m`;
 const seconds = (t) => `${t.toFixed(2)} s`;
 
 function rows({ facts, frames }) {
@@ -11,8 +12,11 @@ function rows({ facts, frames }) {
     ["Elements", count(frames.n)],
     has("finished") && ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : "not finished"],
     has("first_crack_time") && ["First crack", s.first_crack_time < 0 ? "none" : seconds(s.first_crack_time)],
-    has("collapsed") && ["Collapsed", s.collapsed ? "yes" : "no"],
+    has("collapse_time") && ["Collapsed", `at ${seconds(s.collapse_time)}`],
+    has("collapsed") && !has("collapse_time") && ["Collapsed", s.collapsed ? "yes" : "no"],
     has("fallen_mass_fraction") && ["Fallen mass", `${(100 * s.fallen_mass_fraction).toFixed(1)} %`],
+    has("debris_reach") && ["Debris beyond the walls", s.debris_reach > 0 ? `to ${metres(s.debris_reach)}` : "none"],
+    s.debris_reach > 0 && ["… 95 % of it", s.debris_reach_95 > 0 ? `to ${metres(s.debris_reach_95)}` : "inside"],
     has("tension") && ["Sides broken in tension", count(s.tension)],
     has("shear") && ["… in shear", count(s.shear)],
     has("compression") && ["… in compression", count(s.compression)],

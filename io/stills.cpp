@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/stills.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+
+#include "cases/case.h"
+#include "cases/names.h"
+#include "io/browser.h"
+#include "io/errors.h"
+#include "io/hdf5_file.h"
+#include "io/packed_text.h"
+#include "io/report_data.h"
+#include "io/run_folder.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1000;  // pixels
+
+/// A folder of its own that goes with its owner.
+class ScratchFolder {
+ public:
+  ScratchFolder() : path_((fs::temp_directory_path() / "voussoir-XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr) throw FileError(path_, "cannot make the folder");
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
+    std::error_code left;  // in the system's folder for such things: no harm
+    fs::remove_all(path_, left);
+  }
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
+struct Still {
+  std::string view, file;
+  double time;  // s
+};
+
+void check_times(const std::string& run, const std::vector<double>& times) {
+  const std::vector<double> frames = Hdf5File::open(run).read<double>("/frames/time");
+  if (frames.empty()) throw FileError(run, "holds no frames");
+  for (const double t : times)
+    if (!(t >= frames.front() && t <= frames.back()))
+      throw cases::InputError("--stills", cases::text(t) + " s is not in the run; allowed: " + cases::text(frames.front()) + " to " +
+                                              cases::text(frames.back()) + " s");
+}
+
+std::vector<Still> planned(const StillsOptions& o) {
+  std::vector<Still> all;
+  for (const std::string& view : o.views)
+    for (const double t : o.times) {
+      const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
+      std::error_code none;
+      if (!o.overwrite && fs::exists(file, none)) throw FileError(file, "exists; --overwrite replaces it");
+      all.push_back({view, file, t});
+    }
+  return all;
+}
+
+}  // namespace
+
+void write_stills(const std::string& run, const StillsOptions& o) {
+  check_times(run, o.times);
+  const std::vector<Still> stills = planned(o);
+  const ScratchFolder scratch;
+  Browser browser(scratch.path());
+  const std::string page = scratch.path() + "/page.html";
+  write_text_file(page, report_html(run));
+  browser.open(page, "still");
+  std::error_code fault;
+  fs::create_directories(o.folder, fault);
+  if (fault) throw FileError(o.folder, "cannot make the folder: " + fault.message());
+  for (const Still& s : stills) {
+    const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
+    const std::string png =
+        browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
+    const std::vector<std::byte> bytes = from_base64(png);
+    const std::span<const std::byte> piece = bytes;
+    write_whole_file(s.file, {&piece, 1});
+    std::printf("%s\n", s.file.c_str());
+  }
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Moments of several runs side by side in one picture: a row for each run, a column for each time.
+
+usage: scripts/contact_sheet.py DIR... --times T ... [--view front] [-o sheet.png] [--voussoir PROGRAM]
+Each picture is a still of `voussoir report DIR --stills` (needs Chromium); those that are there and not older than the run are used as they are.
+Needs what `scripts/setup plots` installs.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from PIL import Image
+
+WIDTH = 3.2  # of a picture, inches
+DPI = 150
+
+
+def stills(folder, view, times, program):
+    """Paths of a run's pictures, one a time."""
+    paths = [os.path.join(folder, "stills", f"{view}-{t:g}s.png") for t in times]
+    ran = os.path.getmtime(os.path.join(folder, "run.h5"))
+    old = [t for t, path in zip(times, paths) if not os.path.exists(path) or os.path.getmtime(path) < ran]
+    if old:
+        words = [program, "report", folder, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
+        done = subprocess.run(words)
+        if done.returncode != 0:
+            sys.exit(done.returncode)  # the program has said why
+    return paths
+
+
+def sheet(rows, names, times, output):
+    """Draws the pictures of `rows`, each a list of paths in the order of `times`."""
+    with Image.open(rows[0][0]) as first:
+        height = WIDTH * first.height / first.width
+    size = (WIDTH * len(times), (height + 0.25) * len(rows))
+    figure, grid = plt.subplots(len(rows), len(times), figsize=size, squeeze=False, layout="constrained")
+    for axes_of_row, paths, name in zip(grid, rows, names):
+        for axes, path, t in zip(axes_of_row, paths, times):
+            axes.imshow(Image.open(path), interpolation="antialiased")
+            axes.set_axis_off()
+            axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=8, loc="left")
+    figure.savefig(output, dpi=DPI)
+
+
+def main():
+    p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p.add_argument("folders", nargs="+", metavar="DIR")
+    p.add_argument("--times", type=float, nargs="+", required=True, help="s")
+    p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
+    p.add_argument("-o", "--output", default="sheet.png")
+    p.add_argument("--voussoir", default="build/release/io/voussoir", metavar="PROGRAM")
+    a = p.parse_args()
+    names = [os.path.basename(os.path.normpath(f)) for f in a.folders]
+    sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output)
+
+
+if __name__ == "__main__":
+    main()

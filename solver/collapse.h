@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "cases/model.h"
+
+/// When a building counts as collapsed: one definition for the summary of a run and for what is derived from its frames.
+namespace voussoir::solver {
+
+/// Adds up elements and how much of them has fallen.
+class FallenMass {
+ public:
+  /// An element has fallen once it has sunk by more than half its first height above the base, or by more than 1 m.
+  static constexpr bool has_fallen(double sunk, double height) noexcept { return sunk > std::min(0.5 * height, 1.0); }
+
+  /// \param mass  [kg] \param sunk  from the reference configuration [m] \param height  of the centroid above the base in it [m]
+  void add(cases::PartKind kind, double mass, double sunk, double height) noexcept {
+    const double fallen = has_fallen(sunk, height) ? mass : 0.0;
+    const bool is_roof = kind == cases::PartKind::beam || kind == cases::PartKind::voussoir;
+    all_ += mass;
+    fallen_ += fallen;
+    roof_ += is_roof ? mass : 0.0;
+    fallen_roof_ += is_roof ? fallen : 0.0;
+  }
+
+  /// Of all mass.
+  [[nodiscard]] double fraction() const noexcept { return all_ > 0.0 ? fallen_ / all_ : 0.0; }
+  /// More than half of the roof's mass has fallen; without a roof, of all.
+  [[nodiscard]] bool is_collapse() const noexcept { return roof_ > 0.0 ? fallen_roof_ > 0.5 * roof_ : fallen_ > 0.5 * all_; }
+
+ private:
+  double all_ = 0.0, fallen_ = 0.0, roof_ = 0.0, fallen_roof_ = 0.0;  // kg
+};
+
+}  // namespace voussoir::solver
