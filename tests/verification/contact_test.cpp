@@ -101,6 +101,35 @@ TEST_CASE("V11: a pair broken in tension presses and rubs like one never bonded"
   expect_below("V11 moment, broken against blocks that meet", difference(met.moment, broken.moment), 1e-9);
 }
 
+TEST_CASE("contact goes on without a jump where a joint comes apart: a tilted brick slides over the base by half a segment") {
+  const double tilt = 1e-3, half_segment = 0.0125;  // rad, m: joint and patch measure depths that differ by half of tilt × slide
+  cases::Case c = load("couplet").value;
+  c.joints.default_law = "dry";
+  c.loads.clear();
+  c.blocks.pop_back();
+  c.blocks[0].fixed = false;
+  c.base.emplace();
+  c.output.history.clear();
+  Run run(c);
+  solver::Elements& e = run.sim().world().elements;
+  double last = 0.0, jump = 0.0;
+  const int steps = 400;
+  for (int i = 0; i <= steps; ++i) {
+    const double part = 5e-6;
+    place(run, 0, {half_segment - 0.5 * steps * part + i * part, 0.0, 0.0}, {part / run.sim().dt(), 0.0, 0.0});
+    e.qw[0] = std::cos(0.5 * tilt), e.qy[0] = std::sin(0.5 * tilt);
+    kernels::drift(e.view(), e.wrench.data(), e.pose.data(), e.twist.data(), 0.0, 0, e.rows);
+    run.sim().step({true, false});
+    const double force = run.sim().forces().base_shear.z;
+    if (i > 0) jump = std::max(jump, std::abs(force - last) / force);
+    last = force;
+  }
+  CHECK(last > 0.0);
+  const solver::Sides& sides = run.sim().world().sides;
+  for (std::size_t id = 0; id < sides.joint.size(); ++id) CHECK((sides.joint[id] < 0 || sides.retired[id] == 1));
+  expect_below("contact: largest jump of the normal force in a step, over the force", jump, 1e-3);
+}
+
 TEST_CASE("contact gives out no more energy than it took: bricks dropped") {
   struct Fall {
     const char *name, *axis;
