@@ -19,6 +19,7 @@
 #include "io/frame_reader.h"
 #include "io/hdf5_file.h"
 #include "io/motion_files.h"
+#include "io/opened_faces.h"
 #include "io/packed_text.h"
 #include "io/report_frames.h"
 #include "io/report_page.h"
@@ -192,6 +193,7 @@ std::string report_data(const std::string& run) {
   const std::vector<std::int32_t> part = number_parts(file, facts);
   const PackedFrames frames = pack_frames(reader);
   const CoveredFaces covered = covered_faces(file);
+  const OpenedFaces opened = opened_faces(file);
   facts["quantum"] = frames.quantum;
   return script("application/json", "facts", safe_json(facts)) + packed_script("vertices", file.read<float>("/model/vertex")) +
          packed_script("cells", file.read<std::int32_t>("/model/cells")) +
@@ -199,6 +201,7 @@ std::string report_data(const std::string& run) {
          packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
          packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
          packed_script("covered-elements", covered.element) + packed_script("covered-normals", covered.normal) +
+         packed_script("opened-elements", opened.element) + packed_script("opened-normals", opened.normal) + packed_script("opened-times", opened.time) +
          script("text/plain", "frames", frames.text);
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/covered_faces.h"
 #include "io/errors.h"
+#include "io/opened_faces.h"
 #include "io/packed_text.h"
 #include "io/report_command.h"
 #include "io/report_page.h"
@@ -140,6 +141,28 @@ TEST_CASE("a face is covered where bonded joints take all of its area") {
   CHECK(covered(m).element == std::vector<std::int32_t>{0});
   m.assembly.joints[1].face_a = 99;
   CHECK_THROWS_WITH_AS(covered(m), doctest::Contains("/model/joint: row 1 refers to no face"), FileError);
+}
+
+TEST_CASE("a face is open once broken segments of one side cover half of a joint on it") {
+  const auto opened = [](const std::vector<solver::CrackRow>& cracks) {
+    const TempFolder folder;
+    const cases::Model m = two_cubes();
+    ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+    writer.cracks(cracks);
+    writer.finish();
+    return opened_faces(Hdf5File::open(folder.file("run.h5")));
+  };
+  const auto crack = [](double time, std::int32_t from, double area) {
+    return solver::CrackRow{time, 0, from, 1 - from, {}, {}, area, solver::FailureMode::tension, solver::FailureMode::tension, time};
+  };
+  // The joint of 0.01 m2 is open at 3 s: at 2 s each side has lost 0.004 m2.
+  const OpenedFaces faces = opened({crack(1.0, 0, 0.004), crack(2.0, 1, 0.004), crack(3.0, 0, 0.001), crack(4.0, 1, 0.006)});
+  CHECK(faces.element == std::vector<std::int32_t>{0, 1});
+  CHECK(faces.normal == std::vector<float>{1, 0, 0, -1, 0, 0});
+  CHECK(faces.time == std::vector<float>{3.0F, 3.0F});
+  CHECK(opened({crack(1.0, 0, 0.004)}).element.empty());
+  CHECK_THROWS_WITH_AS(opened({{1.0, 7, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}}),
+                       doctest::Contains("/cracks/joint: row 0 refers to no joint"), FileError);
 }
 
 TEST_CASE("an existing page stays unless it may be replaced") {

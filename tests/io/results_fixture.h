@@ -97,7 +97,7 @@ inline void record(solver::Recorder& r, std::uint64_t i) {
   const auto n = static_cast<std::int64_t>(i);
   r.damage({t, 1000 - n, n, 2 * n, 3 * n, 4 * n});
   const auto k = static_cast<std::int32_t>(i);
-  const solver::CrackRow crack{t, k, 0, -1, {x, 0, 1}, {0, 0, 1}, 0.5 * x, solver::FailureMode::tension, solver::FailureMode::shear, t - 1};
+  const solver::CrackRow crack{t, 0, k, -1, {x, 0, 1}, {0, 0, 1}, 0.5 * x, solver::FailureMode::tension, solver::FailureMode::shear, t - 1};
   r.cracks(std::array{crack, crack});
   const auto f = static_cast<float>(i);
   const std::array<float, 6> position{f, 1, 2, 3, 4, -f};
@@ -115,7 +115,7 @@ inline std::uint64_t check_rows(const std::string& run) {
   const auto kinetic = file.read<double>("/energy/kinetic"), residual = file.read<double>("/energy/residual");
   const auto shear = file.read<double>("/forces/base_shear");
   const auto bonded = file.read<std::int64_t>("/damage/bonded"), compression = file.read<std::int64_t>("/damage/compression");
-  const auto joint = file.read<std::int32_t>("/cracks/joint"), other = file.read<std::int32_t>("/cracks/element_b");
+  const auto from = file.read<std::int32_t>("/cracks/element_a"), other = file.read<std::int32_t>("/cracks/element_b");
   const auto mode = file.read<std::uint8_t>("/cracks/mode"), first_mode = file.read<std::uint8_t>("/cracks/first_mode");
   const auto crack_time = file.read<double>("/cracks/time"), first_time = file.read<double>("/cracks/first_time");
   const auto position = file.read<float>("/frames/position"), quaternion = file.read<float>("/frames/quaternion");
@@ -124,8 +124,8 @@ inline std::uint64_t check_rows(const std::string& run) {
   const std::uint64_t frames = position.size() / 6;
   REQUIRE(frames <= n);
   REQUIRE(n <= frames + 1);
-  REQUIRE(joint.size() <= 2 * n);
-  REQUIRE(joint.size() >= 2 * frames);
+  REQUIRE(from.size() <= 2 * n);
+  REQUIRE(from.size() >= 2 * frames);
   bool same = true;
   for (std::uint64_t i = 0; i < n; ++i) same = same && time[i] == time_of(i) && top[3 * i] == double(i) && corner[3 * i + 2] == -double(i);
   for (std::uint64_t i = 0; i < frames; ++i) {
@@ -134,8 +134,8 @@ inline std::uint64_t check_rows(const std::string& run) {
     same = same && bonded[i] == 1000 - std::int64_t(i) && compression[i] == 4 * std::int64_t(i);
     same = same && position[6 * i] == float(i) && position[6 * i + 5] == -float(i) && quaternion[8 * i + 3] == float(i);
   }
-  for (std::uint64_t i = 0; i < joint.size(); ++i)
-    same = same && joint[i] == std::int32_t(i / 2) && other[i] == -1 && mode[i] == 1 && first_mode[i] == 2 &&
+  for (std::uint64_t i = 0; i < from.size(); ++i)
+    same = same && from[i] == std::int32_t(i / 2) && other[i] == -1 && mode[i] == 1 && first_mode[i] == 2 &&
            crack_time[i] == time_of(i / 2) && first_time[i] == time_of(i / 2) - 1;
   CHECK(same);
   return n;

@@ -13,9 +13,15 @@ export const kStride = 4 * kTexels;
 /** Where in them its colour begins. */
 export const kColour = 8;
 
+/** Before all times. */
+export const kBefore = -3e38;
+
 const kVertex = `
 uniform highp sampler2D state;
+uniform float now;          // s; before all times: no face is red
+uniform vec3 red;
 attribute float element;
+attribute float opened;     // s, since when a joint on the face has been open
 attribute vec2 across;  // of a face: 0 in its middle, one of the two 1 or -1 on its edges
 varying vec2 vAcross;
 flat varying vec3 vColour;
@@ -27,7 +33,7 @@ void main() {
   vec4 q = texelFetch(state, at + ivec2(1, 0), 0);
   vec3 n = turned(q, normal);
   float light = 0.42 + 0.55 * max(0.0, dot(n, vec3(-0.218, -0.436, 0.873))) + 0.22 * max(0.0, dot(n, vec3(0.812, 0.487, 0.325)));
-  vColour = pow(light, 1.0 / 2.2) * texelFetch(state, at + ivec2(2, 0), 0).rgb;
+  vColour = pow(light, 1.0 / 2.2) * (opened <= now ? red : texelFetch(state, at + ivec2(2, 0), 0).rgb);
   vAcross = across;
   gl_Position = projectionMatrix * viewMatrix * vec4(texelFetch(state, at, 0).xyz + turned(q, kSwell * position), 1.0);
 }`;
@@ -49,4 +55,5 @@ export function stateTexture(n) {
   return new DataTexture(new Float32Array(kStride * kRow * rows), kTexels * kRow, rows, RGBAFormat, FloatType);
 }
 
-export const brickMaterial = (state) => new ShaderMaterial({ uniforms: { state: { value: state } }, vertexShader: kVertex, fragmentShader: kFragment });
+/** @param red  of faces on which a joint has come open, while `uniforms.now` says so */
+export const brickMaterial = (state, red) => new ShaderMaterial({ uniforms: { state: { value: state }, now: { value: kBefore }, red: { value: red } }, vertexShader: kVertex, fragmentShader: kFragment });

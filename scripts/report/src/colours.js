@@ -13,7 +13,10 @@ const kIntact = 0xe4e2dc, kBroken = 0xc8201a, kStill = 0xf2f0e6, kFar = 0x08407c
 const kParts = [0xd9c7a3, 0x8fb3c9, 0xb5cf9a, 0xe0a58c, 0x8c6239, 0xc6a4cf, 0xe3d06f, 0x9a9a9a];
 const kLongest = 1; // m; displacements beyond have the last colour
 
-/** {paint: writes the colours of all elements at a frame into the state of brick.js, legend: HTML} by the name of the choice. */
+/** Of faces on which a joint has come open. */
+export const kRed = rgb(kBroken);
+
+/** {opened: whether faces that have come open are red, paint: writes the colours of all elements at a frame into the state of brick.js, legend: HTML} by the name of the choice. */
 export function colourings({ frames, parts, facts }) {
   const damage = ramp(rgb(kIntact), rgb(kBroken)), way = ramp(rgb(kStill), rgb(kFar)), of = kParts.map(rgb);
   const paint = (state, e, colours, i) => {
@@ -21,7 +24,13 @@ export function colourings({ frames, parts, facts }) {
   };
   const bar = (from, to, low, high) => `${low}<span class="bar" style="background:linear-gradient(90deg,${css(from)},${css(to)})"></span>${high}`;
   const chip = (name, i) => Object.assign(document.createElement("span"), { textContent: name }).outerHTML.replace(/^/, `<span class="chip" style="background:${css(kParts[i % kParts.length])}"></span>`);
+  const sample = (hex, name) => `<span class="chip" style="background:${css(hex)}"></span>${name}`;
   return {
+    faces: {
+      opened: true,
+      paint: (at, state) => parts.forEach((_, e) => paint(state, e, damage, 0)),
+      legend: sample(kBroken, "a joint on the face has come open by half") + sample(kIntact, "not"),
+    },
     broken: {
       paint: (at, state) => frames.broken(at).forEach((byte, e) => paint(state, e, damage, byte)),
       legend: bar(kIntact, kBroken, "no bond broken", "all"),

@@ -70,6 +70,9 @@ export async function loadRun() {
     parts: new Int32Array(await inflate("parts")),
     coveredElements: new Int32Array(await inflate("covered-elements")),
     coveredNormals: new Float32Array(await inflate("covered-normals")),
+    openedElements: new Int32Array(await inflate("opened-elements")),
+    openedNormals: new Float32Array(await inflate("opened-normals")),
+    openedTimes: new Float32Array(await inflate("opened-times")),
   };
   const centroids = new Float32Array(await inflate("centroids"));
   run.frames = new Frames(await inflate("frames"), facts.times.length, centroids, facts.quantum);

@@ -3,7 +3,8 @@
 // The house in three dimensions. Nothing is drawn unless something changed.
 import { Box3, GridHelper, Mesh, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { brickMaterial, kStride, stateTexture } from "./brick.js";
+import { brickMaterial, kBefore, kStride, stateTexture } from "./brick.js";
+import { kRed } from "./colours.js";
 import { FaceOrder } from "./order.js";
 import { allShapes } from "./shapes.js";
 
@@ -51,7 +52,8 @@ export class House {
     this.extent = extent;
     this.texture = stateTexture(this.run.frames.n);
     this.state = this.texture.image.data;
-    const mesh = new Mesh(geometry, brickMaterial(this.texture));
+    this.material = brickMaterial(this.texture, kRed);
+    const mesh = new Mesh(geometry, this.material);
     mesh.frustumCulled = false; // the geometry does not know where its elements are
     this.scene.add(mesh);
   }
@@ -88,12 +90,14 @@ export class House {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Puts every element where it is at frame `at` (need not be whole); `paint` writes their colours (see colours.js). */
-  show(at, paint) {
+  /** Puts every element where it is at frame `at` (need not be whole); `paint` writes their colours (see colours.js). Faces that have come
+   *  open by the time `now` are red. */
+  show(at, paint, now = kBefore) {
     this.run.frames.place(at, this.state, kStride);
     paint(at, this.state);
     this.broken = this.run.frames.broken(at);
     this.texture.needsUpdate = true;
+    this.material.uniforms.now.value = now;
     this.draw();
   }
 

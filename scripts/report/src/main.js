@@ -62,8 +62,8 @@ class Report {
   /** Shows frame `at`, which need not be whole. */
   show(at) {
     this.at = Math.min(Math.max(at, 0), this.last);
-    const { paint, legend } = this.colours[by("colour").value];
-    this.house.show(this.at, paint);
+    const { paint, legend, opened } = this.colours[by("colour").value];
+    this.house.show(this.at, paint, opened ? this.time() : undefined);
     if (this.legend !== legend) by("legend").innerHTML = this.legend = legend;
     const t = this.time();
     by("clock").textContent = `${t.toFixed(2)} s`;

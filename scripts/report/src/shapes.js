@@ -3,6 +3,8 @@
 // The faces of all elements, each about its centroid.
 import { BufferGeometry, Float32BufferAttribute } from "three";
 
+const kNever = 3e38; // s
+
 // Faces of VTK's hexahedron (12) and wedge (13), outward.
 const kFaces = {
   12: [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
@@ -23,14 +25,13 @@ function outline(run, cells, e) {
   return [...faces.values()].map((face) => face.map(corner));
 }
 
-/** 1 for each face that joints cover (io/covered_faces.h). */
-function markCovered({ coveredElements, coveredNormals: n }, first, plane) {
-  const covered = new Uint8Array(plane.length / 4);
-  coveredElements.forEach((e, i) => {
-    for (let f = first[e]; f < first[e + 1]; ++f)
-      if (plane[4 * f] * n[3 * i] + plane[4 * f + 1] * n[3 * i + 1] + plane[4 * f + 2] * n[3 * i + 2] > 0.9999) covered[f] = 1;
+/** Writes value(i) for each face that is the i-th of those named by their element and their normal. */
+function mark(to, elements, normals, value, first, plane) {
+  elements.forEach((e, i) => {
+    const x = normals[3 * i], y = normals[3 * i + 1], z = normals[3 * i + 2];
+    for (let f = first[e]; f < first[e + 1]; ++f) if (plane[4 * f] * x + plane[4 * f + 1] * y + plane[4 * f + 2] * z > 0.9999) to[f] = value(i);
   });
-  return covered;
+  return to;
 }
 
 const kSquare = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
@@ -65,13 +66,14 @@ function planeOf(face) {
  *  element: its lowest and highest corner. */
 export function allShapes(run) {
   const n = run.frames.n, to = { points: [], across: [], index: [] }, element = [], extent = new Float32Array(6 * n);
-  const start = [0], plane = [], first = [0];
+  const start = [0], plane = [], first = [0], faceOf = [];
   const cellsOf = Array.from({ length: n }, () => []);
   run.cellElements.forEach((e, c) => cellsOf[e].push(c));
   cellsOf.forEach((cells, e) => {
     const faces = outline(run, cells, e), corners = faces.flat();
     for (const face of faces) {
       addFace(face, to);
+      while (faceOf.length < to.points.length / 3) faceOf.push(start.length - 1);
       start.push(to.index.length);
       plane.push(...planeOf(face));
     }
@@ -86,8 +88,11 @@ export function allShapes(run) {
   geometry.setAttribute("position", new Float32BufferAttribute(to.points, 3));
   geometry.setAttribute("across", new Float32BufferAttribute(to.across, 2));
   geometry.setAttribute("element", new Float32BufferAttribute(element, 1));
+  const count = plane.length / 4;
+  const opened = mark(new Float32Array(count).fill(kNever), run.openedElements, run.openedNormals, (i) => run.openedTimes[i], first, plane);
+  geometry.setAttribute("opened", new Float32BufferAttribute(faceOf.map((f) => opened[f]), 1));
   geometry.setIndex(to.index);
   geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
-  const faces = { index: Uint32Array.from(to.index), start: Uint32Array.from(start), plane: Float32Array.from(plane), first: Uint32Array.from(first), covered: markCovered(run, first, plane) };
+  const faces = { index: Uint32Array.from(to.index), start: Uint32Array.from(start), plane: Float32Array.from(plane), first: Uint32Array.from(first), covered: mark(new Uint8Array(count), run.coveredElements, run.coveredNormals, () => 1, first, plane) };
   return { geometry, faces, extent };
 }

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/opened_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "io/errors.h"
+#include "io/hdf5_file.h"
+
+namespace voussoir::io {
+namespace {
+
+using Ints = std::vector<std::int32_t>;
+
+constexpr double kHalf = 0.499;  // of a joint: areas of segments are sums with round-off
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// One side of all joints: the elements there, and their faces by number; −1: the base.
+struct JointSide {
+  Ints element;
+  std::vector<std::int64_t> face;
+};
+JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& first_face, std::size_t faces) {
+  JointSide side{run.read<std::int32_t>("/model/joint/element_" + which), {}};
+  const auto face = run.read<std::int32_t>("/model/joint/face_" + which);
+  if (face.size() != side.element.size()) throw FileError(run.path(), "/model/joint does not fit together");
+  for (std::size_t j = 0; j < face.size(); ++j) {
+    const std::int32_t e = side.element[j];
+    const bool known = e < static_cast<std::int64_t>(first_face.size());
+    const std::int64_t number = e < 0 ? -1 : known ? std::int64_t{first_face[static_cast<std::size_t>(e)]} + face[j] : -2;
+    if (number < -1 || number >= static_cast<std::int64_t>(faces))
+      throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no face");
+    side.face.push_back(number);
+  }
+  return side;
+}
+
+/// When each joint came open [s].
+std::vector<double> opening_times(const Hdf5File& run, const Ints& element_a) {
+  const auto area = run.read<double>("/model/joint/area"), broken = run.read<double>("/cracks/area"), time = run.read<double>("/cracks/time");
+  const auto joint = run.read<std::int32_t>("/cracks/joint"), from = run.read<std::int32_t>("/cracks/element_a");
+  if (area.size() != element_a.size() || broken.size() != joint.size() || from.size() != joint.size() || time.size() != joint.size())
+    throw FileError(run.path(), "/cracks does not fit together, or to /model/joint");
+  std::vector<std::array<double, 2>> open(area.size());  // m2, of the segments that either face masters
+  std::vector<double> since(area.size(), kNever);
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    const auto j = static_cast<std::size_t>(joint[i]);
+    if (j >= area.size()) throw FileError(run.path(), "/cracks/joint: row " + std::to_string(i) + " refers to no joint");
+    double& of_side = open[j][from[i] == element_a[j] ? 0 : 1];
+    of_side += broken[i];
+    if (of_side >= kHalf * area[j]) since[j] = std::min(since[j], time[i]);
+  }
+  return since;
+}
+
+}  // namespace
+
+OpenedFaces opened_faces(const Hdf5File& run) {
+  const auto normal = run.read<float>("/model/face/normal");
+  const auto element = run.read<std::int32_t>("/model/face/element"), first_face = run.read<std::int32_t>("/model/element/first_face");
+  if (normal.size() != 3 * element.size()) throw FileError(run.path(), "/model/face does not fit together");
+  const std::array sides{joint_side(run, "a", first_face, element.size()), joint_side(run, "b", first_face, element.size())};
+  const std::vector<double> since = opening_times(run, sides[0].element);
+  std::vector<double> opened(element.size(), kNever);
+  for (const JointSide& side : sides) {
+    if (side.face.size() != since.size()) throw FileError(run.path(), "/model/joint does not fit together");
+    for (std::size_t j = 0; j < since.size(); ++j) {
+      if (side.face[j] < 0) continue;
+      double& of_face = opened[static_cast<std::size_t>(side.face[j])];
+      of_face = std::min(of_face, since[j]);
+    }
+  }
+  OpenedFaces out;
+  for (std::size_t f = 0; f < opened.size(); ++f) {
+    if (opened[f] == kNever) continue;
+    out.element.push_back(element[f]);
+    out.normal.insert(out.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f), normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));
+    out.time.push_back(static_cast<float>(opened[f]));
+  }
+  return out;
+}
+
+}  // namespace voussoir::io
