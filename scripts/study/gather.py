@@ -12,14 +12,17 @@ import sys
 
 import h5py
 
+# Of /summary: what comes first in the table, and what is no result. All else that the program writes there follows.
+FIRST = ("collapsed", "fallen_mass_fraction", "first_crack_time", "tension", "shear", "compression", "slipped", "peak_base_shear", "peak_speed")
 NOT_RESULTS = ("finished", "units")
 
 
 def results(path):
     """Attributes of /summary, and which program made them. Figures keep all digits."""
     with h5py.File(path) as file:
-        row = {name: value for name, value in file["summary"].attrs.items() if name not in NOT_RESULTS}
-        return row | {"version": file["provenance"].attrs["version"]}
+        there = dict(file["summary"].attrs)
+        names = [name for name in FIRST if name in there] + [name for name in there if name not in (*FIRST, *NOT_RESULTS)]
+        return {name: there[name] for name in names} | {"version": file["provenance"].attrs["version"]}
 
 
 def costs(folder):

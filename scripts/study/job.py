@@ -120,7 +120,9 @@ def main():
     sessions.close_killed()
     if code == DONE:
         draw(plan, folder)
-    write(folder / "done.json", json.dumps({"status": "done" if code == DONE else "numerical failure"}) + "\n")
+    status = "done" if code == DONE else "numerical failure"
+    write(folder / "done.json", json.dumps({"status": status}) + "\n")
+    print(f"{run['name']}: {status}", file=sys.stderr)
     return DONE
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""One quantity of a study's table: over the scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY FIGURE
+"""Quantities of a study's table: over the scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY.svg ...
 
 Over the scale: a point a run, a line through the means over seeds, one for each case, direction, record and set of options.
 """
@@ -47,14 +47,20 @@ def label_of(quantity):
     return quantity.replace("_", " ") + (f", {UNITS[quantity]}" if quantity in UNITS else "")
 
 
-def main():
-    table, quantity, path = sys.argv[1:4]
-    with open(table, newline="") as file:
-        rows = [row for row in csv.DictReader(file) if is_number(row.get(quantity) or "")]
-    scaled = len({row["scale"] for row in rows}) > 1 and all(is_number(row["scale"]) for row in rows)
-    figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(rows)) / 2.54))
-    (over_scale if scaled else bars)(axes, rows, quantity)
+def draw(rows, path):
+    quantity = path.stem
+    shown = [row for row in rows if is_number(row.get(quantity) or "")]
+    scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in shown)
+    figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(shown)) / 2.54))
+    (over_scale if scaled else bars)(axes, shown, quantity)
     run_file.save(figure, path)
+
+
+def main():
+    with open(sys.argv[1], newline="") as file:
+        rows = list(csv.DictReader(file))
+    for path in sys.argv[2:]:
+        draw(rows, pathlib.Path(path))
 
 
 if __name__ == "__main__":
