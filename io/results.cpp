@@ -3,6 +3,8 @@
 #include "io/results.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -31,10 +33,18 @@ void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
   file.set_attribute(at, "units", std::string("wall_clock: s, of this process until this file was written; dates: UTC"));
 }
 
-void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary, bool finished) {
+std::string hexadecimal(std::uint64_t n) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(n));
+  return text.data();
+}
+
+void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary, const std::optional<std::uint64_t>& hash,
+                   bool finished) {
   const std::string at = "/summary";
   file.make_group(at);
   file.set_attribute(at, "finished", std::int64_t{finished});
+  if (hash) file.set_attribute(at, "state_hash", hexadecimal(*hash));
   if (!summary) return;
   const solver::Summary& s = *summary;
   file.set_attribute(at, "collapsed", std::int64_t{s.collapsed});
@@ -167,6 +177,11 @@ void ResultsWriter::summary(const solver::Summary& s) {
   stale_ = true;
 }
 
+void ResultsWriter::state_hash(std::uint64_t hash) {
+  state_hash_ = hash;
+  stale_ = true;
+}
+
 double ResultsWriter::wall_clock() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 void ResultsWriter::write_if_due() {
@@ -219,7 +234,7 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   file.make_group("/case");
   file.set_attribute("/case", "toml", case_toml_);
   write_provenance(file, provenance_, wall_clock());
-  write_summary(file, summary_, finished_);
+  write_summary(file, summary_, state_hash_, finished_);
   write_datasets(file, model_);
 }
 

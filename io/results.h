@@ -58,6 +58,8 @@ class ResultsWriter final : public solver::Recorder {
   void frame(const solver::FrameView& frame) override;
   /// Stands in run.h5 from the next part on.
   void summary(const solver::Summary& s) override;
+  /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
+  void state_hash(std::uint64_t hash);
 
   /// Writes buffered rows as a part and replaces run.h5. Call it before a checkpoint is written: then a resume finds all rows up to it.
   /// \throw FileError
@@ -93,6 +95,7 @@ class ResultsWriter final : public solver::Recorder {
   std::array<RowBuffer, kRowTables> buffers_;
   std::vector<Part> parts_;
   std::optional<solver::Summary> summary_;
+  std::optional<std::uint64_t> state_hash_;
   bool stale_ = false;  // run.h5 does not say all there is to say
   bool finished_ = false;
   std::uint64_t bytes_on_disk_ = 0;

@@ -138,8 +138,10 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     const solver::RunResult r =
         solver::run(sim, plan, c, c.time.duration, results, [&](const solver::RunStatus& s) { return watch.look(s); });
     watch.finish();
+    const std::uint64_t hash = solver::state_hash(sim.world());
+    results.state_hash(hash);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
-    print_summary(r.summary, solver::state_hash(sim.world()), folder);
+    print_summary(r.summary, hash, folder);
     print_stages(sim.stage_times());
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {

@@ -241,8 +241,10 @@ TEST_CASE("summary, provenance and a long case") {
   s.tension = 10, s.shear = 20, s.compression = 30, s.slipped = 40;
   s.peak_base_shear = 1e5, s.peak_speed = 4, s.worst_residual = 1e-7, s.end_time = 10;
   w.summary(s);
+  w.state_hash(0xabcdef);
   w.finish();
   const Hdf5File file = Hdf5File::open(dir.file("run.h5"));
+  CHECK(file.attribute_text("/summary", "state_hash") == "0000000000abcdef");
   CHECK(file.attribute_text("/case", "toml") == long_case);
   const std::map<std::string, double> expected{{"collapsed", 1},
                                                {"settled", 1},

@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""A study as one HTML page that needs no other file: the table, stills, plots; links to the runs' own pages where they are there.
+
+usage: page.py PLAN TABLE PAGE [SVG ...]   (in the study's folder)
+"""
+import base64
+import csv
+import html
+import json
+import pathlib
+import sys
+
+STYLE = """body { font: 14px/1.4 sans-serif; margin: 2em; color: #222 } table { border-collapse: collapse }
+th, td { padding: .25em .6em; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
+th { position: sticky; top: 0; background: #fff } td:first-child, th:first-child { text-align: left }
+tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertical-align: middle; margin: .3em } .still { width: 22em }"""
+
+
+def short(text):
+    """Five digits of a figure; all of everything else."""
+    try:
+        number = float(text)
+    except ValueError:
+        return text
+    return text if text.lstrip("-").isdigit() else f"{number:.5g}"
+
+
+def picture(path, kind, css):
+    return f'<img class="{css}" alt="{html.escape(path.stem)}" src="data:image/{kind};base64,{base64.b64encode(path.read_bytes()).decode()}">'
+
+
+def links(folder):
+    """The run's own page and pictures, as far as they are there."""
+    still, report = folder / "stills.png", folder / "report.html"
+    cells = [f'<a href="{html.escape(str(report))}">report</a>'] if report.exists() else []
+    if still.exists():
+        cells.append(f'<a href="{html.escape(str(still))}">{picture(still, "png", "still")}</a>')
+    return " ".join(cells)
+
+
+def table_row(row):
+    kind = "collapsed" if row.get("collapsed") == "1" else "" if row["status"] == "done" else "open"
+    cells = "".join(f"<td>{html.escape(short(value))}</td>" for value in row.values())
+    return f'<tr class="{kind}">{cells}<td>{links(pathlib.Path("runs") / row["run"])}</td></tr>'
+
+
+def facts(rows):
+    done = sum(row["status"] != "to be done" for row in rows)
+    hours = sum(float(row["core_hours"]) for row in rows)
+    collapsed = sum(row.get("collapsed") == "1" for row in rows)
+    return f"{done} of {len(rows)} runs done, {collapsed} collapsed, {hours:.3g} core-hours."
+
+
+def main():
+    plan = json.loads(pathlib.Path(sys.argv[1]).read_text())
+    with open(sys.argv[2], newline="") as file:
+        rows = list(csv.DictReader(file))
+    title = html.escape(plan["title"] or "A study")
+    head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in rows[0])
+    lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style></head><body>',
+             f"<h1>{title}</h1>", f"<p>{facts(rows)} Times in s, forces in N, speeds in m/s; first crack −1: none.</p>",
+             f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *map(table_row, rows), "</tbody></table>",
+             *(picture(pathlib.Path(path), "svg+xml", "plot") for path in sys.argv[4:]), "</body></html>"]
+    pathlib.Path(sys.argv[3]).write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

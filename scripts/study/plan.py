@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""A study file and the runs it stands for: one for each combination of case, direction, record, scale, options and seed.
+
+Whatever is wrong with the file raises StudyError before anything runs; the message names file, key, value and what is allowed.
+"""
+import hashlib
+import itertools
+import json
+import pathlib
+import re
+import subprocess
+import tomllib
+
+DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
+
+
+class StudyError(Exception):
+    pass
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def is_positive(value):
+    return is_number(value) and value > 0
+
+
+def is_time(value):
+    return is_number(value) and value >= 0
+
+
+def is_count(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 1
+
+
+def is_text(value):
+    return isinstance(value, str) and value != ""
+
+
+def is_override(value):
+    return is_text(value) and re.match(r"[^=]+=", value) is not None
+
+
+def is_scale(value):
+    return is_number(value) or (isinstance(value, list) and len(value) == 3 and all(map(is_number, value)))
+
+
+def is_seed(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+# Key: default, test, what is allowed. Lists are tested entry by entry.
+VALUES = {
+    "title": ("", lambda v: isinstance(v, str), "a string in quotes"),
+    "duration": (None, is_positive, "a number > 0: s of shaking"),
+    "threads": (1, is_count, "an integer >= 1: threads of a run"),
+    "checkpoint_every": (300, is_positive, "a number > 0: s of wall-clock"),
+    "memory": (2000, is_count, "an integer >= 1: MB that a run may take on a cluster"),
+    "minutes": (1440, is_count, "an integer >= 1: minutes that a cluster gives a run until it must be resumed"),
+    "report": (False, lambda v: isinstance(v, bool), "true or false"),
+}
+LISTS = {
+    "cases": (None, is_text, "a name of `voussoir cases`, or the path of a .toml file, from the study file's folder"),
+    "directions": ([], lambda v: v in DIRECTIONS, ", ".join(DIRECTIONS)),
+    "records": ([], is_text, '"bam-like", or the path of a record, from the study file\'s folder'),
+    "scales": ([], is_scale, "a number, or an array [L, T, V]"),
+    "seeds": ([], is_seed, "an integer >= 0"),
+    "set": ([], is_override, '"key=value" of the case file, for all runs'),
+    "stills": ([], is_time, "a number >= 0: s, the time of a frame to draw"),
+}
+
+
+def fault(path, key, value, allowed):
+    return StudyError(f"{path}: {key} = {json.dumps(value, default=str)}; allowed: {allowed}")
+
+
+def read_list(path, key, value, test, allowed):
+    if not isinstance(value, list):
+        raise fault(path, key, value, f"an array, each {allowed}")
+    for i, entry in enumerate(value):
+        if not test(entry):
+            raise fault(path, f"{key}[{i}]", entry, allowed)
+        if key != "set" and entry in value[:i]:
+            raise fault(path, f"{key}[{i}]", entry, "every entry once")
+    return value
+
+
+def read_options(path, table):
+    """Sets of overrides by their names; without any, one that has no name."""
+    if not isinstance(table, dict):
+        raise fault(path, "options", table, "a table [options] of lines name = [\"key=value\", ...]")
+    for name, overrides in table.items():
+        if not NAME.fullmatch(name):
+            raise fault(path, "options", name, "names of letters, digits, _ . +")
+        read_list(path, f"options.{name}", overrides, is_override, '"key=value" of the case file')
+    return table or {"": []}
+
+
+def read_document(path):
+    try:
+        return tomllib.loads(path.read_text())
+    except OSError as error:
+        raise StudyError(f"{path}: {error.strerror}; wanted a study file") from error
+    except ValueError as error:  # of TOML or of UTF-8
+        raise StudyError(f"{path}: {error}") from error
+
+
+def read_study(path):
+    """All keys of the file with their defaults."""
+    document = read_document(path)
+    for key in document:
+        if key not in (*VALUES, *LISTS, "options"):
+            raise fault(path, key, document[key], "the keys " + ", ".join((*VALUES, *LISTS, "options")))
+    study = {}
+    for key, (default, test, allowed) in VALUES.items():
+        study[key] = document.get(key, default)
+        if key in document and not test(study[key]):
+            raise fault(path, key, study[key], allowed)
+    for key, (default, test, allowed) in LISTS.items():
+        study[key] = read_list(path, key, document.get(key, default or []), test, allowed)
+    study["options"] = read_options(path, document.get("options", {}))
+    if not study["cases"]:
+        raise fault(path, "cases", study["cases"], "at least one; " + LISTS["cases"][2])
+    overrides = [o for one in (study["set"], *study["options"].values()) for o in one]
+    if study["seeds"] and not any(re.match(r"\s*scatter\.variation\s*=", o) for o in overrides):
+        raise fault(path, "seeds", study["seeds"], 'none, as long as "scatter.variation=..." stands neither in set nor in options')
+    return study
+
+
+def from_folder(folder, name, on_disk):
+    """A path from the study file's folder, else the name of something built in."""
+    return str((folder / name).resolve()) if on_disk else name
+
+
+def scale_name(scale):
+    return "x" + "_".join(f"{k:g}" for k in (scale if isinstance(scale, list) else [scale]))
+
+
+def one_run(study, folder, case, direction, record, scale, options, seed):
+    case = from_folder(folder, case, case.endswith(".toml"))
+    overrides = study["set"] + study["options"][options]
+    if study["duration"] is not None:
+        overrides = overrides + [f"time.duration={study['duration']}"]
+    names = [pathlib.Path(case).stem]
+    if direction:
+        names.append(direction)
+        overrides = overrides + [f"motion.direction={json.dumps(direction)}"]
+    if record:
+        names.append(pathlib.Path(record).stem)
+        overrides = overrides + [f"motion.record={json.dumps(from_folder(folder, record, record != 'bam-like'))}"]
+    if scale is not None:
+        names.append(scale_name(scale))
+        overrides = overrides + [f"motion.scale={json.dumps(scale)}"]
+    if options:
+        names.append(options)
+    if seed is not None:
+        names.append(f"seed{seed}")
+        overrides = overrides + [f"scatter.seed={seed}"]
+    return {"name": "-".join(names), "axes": {"case": names[0], "direction": direction, "record": record, "scale": scale, "options": options,
+                                              "seed": seed},
+            "case": case, "set": overrides, "identity": identity(case, overrides)}
+
+
+def identity(case, overrides):
+    """Says of results whether they are this run's: of its case file, as it reads now, and its overrides."""
+    text = pathlib.Path(case).read_text() if pathlib.Path(case).is_file() else case
+    return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
+
+
+def expand(study, path):
+    axes = [study[key] or [None] for key in ("cases", "directions", "records", "scales")]
+    runs = [one_run(study, path.parent, *values)
+            for values in itertools.product(*axes, study["options"], study["seeds"] or [None])]
+    names = [run["name"] for run in runs]
+    for name in names:
+        if names.count(name) > 1:
+            raise StudyError(f"{path}: two runs have the name {name}; allowed: cases and records whose files have names of their own")
+    return runs
+
+
+def check_cases(path, runs, voussoir):
+    """Asks the program whether it can build each case, with each set of options and each record."""
+    seen = set()
+    for run in runs:
+        key = (run["case"], run["axes"]["options"], run["axes"]["record"])
+        if key in seen:
+            continue
+        seen.add(key)
+        words = [voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)]
+        try:
+            done = subprocess.run(words, capture_output=True, text=True, check=False)
+        except OSError as error:
+            raise StudyError(f"{voussoir}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
+        if done.returncode != 0:
+            raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
+
+
+def check_folder(folder, runs):
+    """Results that are there must be those of the study as it is now."""
+    for run in runs:
+        there = folder / "runs" / run["name"] / "identity"
+        if there.exists() and there.read_text().strip() != run["identity"]:
+            raise StudyError(f"{there.parent}: holds a run of the same name with another case file or other overrides; "
+                             "remove it to run it anew, or give the study another folder")

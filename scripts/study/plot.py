@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Quantities of a study's table: over the scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY.svg ...
+
+Over the scale: a point a run, a line through the means over seeds, one for each case, direction, record and set of options.
+"""
+import csv
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import run_file
+
+UNITS = {"first_crack_time": "s", "peak_base_shear": "N", "peak_speed": "m/s"}
+GROUP = ("case", "direction", "record", "options")
+
+
+def is_number(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def over_scale(axes, rows, quantity):
+    groups = {}
+    for row in rows:
+        points = groups.setdefault(" ".join(row[key] for key in GROUP if row[key]), {})
+        points.setdefault(float(row["scale"]), []).append(float(row[quantity]))
+    for number, (label, points) in enumerate(groups.items()):
+        look = run_file.style(number)
+        scales = sorted(points)
+        axes.plot(scales, [sum(points[s]) / len(points[s]) for s in scales], label=label, **look)
+        axes.plot([s for s in scales for _ in points[s]], [v for s in scales for v in points[s]], ".", color=look["color"])
+    axes.set(xlabel="scale of the motion", ylabel=label_of(quantity))
+    axes.legend()
+
+
+def bars(axes, rows, quantity):
+    axes.barh([row["run"] for row in rows], [float(row[quantity]) for row in rows], color=run_file.COLOURS[0], height=0.6)
+    axes.invert_yaxis()
+    axes.set(xlabel=label_of(quantity))
+
+
+def label_of(quantity):
+    return quantity.replace("_", " ") + (f", {UNITS[quantity]}" if quantity in UNITS else "")
+
+
+def draw(rows, path):
+    quantity = path.stem
+    shown = [row for row in rows if is_number(row.get(quantity) or "")]
+    scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in shown)
+    figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(shown)) / 2.54))
+    (over_scale if scaled else bars)(axes, shown, quantity)
+    run_file.save(figure, path)
+
+
+def main():
+    with open(sys.argv[1], newline="") as file:
+        rows = list(csv.DictReader(file))
+    for path in sys.argv[2:]:
+        draw(rows, pathlib.Path(path))
+
+
+if __name__ == "__main__":
+    main()
