@@ -137,7 +137,9 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.points).c_str(),
               format_count(n.contacts).c_str());
   const solver::MemoryUse use = solver::memory_use(w);
-  const auto per = [](std::size_t bytes, std::int64_t count) { return static_cast<double>(bytes) / static_cast<double>(std::max<std::int64_t>(1, count)); };
+  const auto per = [](std::size_t bytes, std::int64_t count) {
+    return static_cast<double>(bytes) / static_cast<double>(std::max<std::int64_t>(1, count));
+  };
   std::printf("memory                   %.0f B an element, %.0f a side of a joint, %.1f a segment; free patches %.1f MB\n",
               per(use.elements, census.elements), per(use.sides, n.whole + n.open + n.damaged),
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));

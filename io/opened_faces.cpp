@@ -40,7 +40,8 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
 
 /// When each joint came open [s].
 std::vector<double> opening_times(const Hdf5File& run, const Ints& element_a) {
-  const auto area = run.read<double>("/model/joint/area"), broken = run.read<double>("/cracks/area"), time = run.read<double>("/cracks/time");
+  const auto area = run.read<double>("/model/joint/area"), broken = run.read<double>("/cracks/area"),
+             time = run.read<double>("/cracks/time");
   const auto joint = run.read<std::int32_t>("/cracks/joint"), from = run.read<std::int32_t>("/cracks/element_a");
   if (area.size() != element_a.size() || broken.size() != joint.size() || from.size() != joint.size() || time.size() != joint.size())
     throw FileError(run.path(), "/cracks does not fit together, or to /model/joint");
@@ -77,7 +78,8 @@ OpenedFaces opened_faces(const Hdf5File& run) {
   for (std::size_t f = 0; f < opened.size(); ++f) {
     if (opened[f] == kNever) continue;
     out.element.push_back(element[f]);
-    out.normal.insert(out.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f), normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));
+    out.normal.insert(out.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f),
+                      normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));
     out.time.push_back(static_cast<float>(opened[f]));
   }
   return out;

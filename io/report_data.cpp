@@ -201,8 +201,8 @@ std::string report_data(const std::string& run) {
          packed_script("cell-elements", file.read<std::int32_t>("/model/cell_element")) +
          packed_script("centroids", file.read<float>("/model/element/position0")) + packed_script("parts", part) +
          packed_script("covered-elements", covered.element) + packed_script("covered-normals", covered.normal) +
-         packed_script("opened-elements", opened.element) + packed_script("opened-normals", opened.normal) + packed_script("opened-times", opened.time) +
-         script("text/plain", "frames", frames.text);
+         packed_script("opened-elements", opened.element) + packed_script("opened-normals", opened.normal) +
+         packed_script("opened-times", opened.time) + script("text/plain", "frames", frames.text);
 }
 
 std::string report_html(const std::string& run) {

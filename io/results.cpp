@@ -39,8 +39,7 @@ std::string hexadecimal(std::uint64_t n) {
   return text.data();
 }
 
-void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary, const std::optional<std::uint64_t>& hash,
-                   bool finished) {
+void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary, const std::optional<std::uint64_t>& hash, bool finished) {
   const std::string at = "/summary";
   file.make_group(at);
   file.set_attribute(at, "finished", std::int64_t{finished});

@@ -187,7 +187,8 @@ void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) 
     if (d.is_text)
       file.write_strings(d.name, d.texts, d.note);
     else
-      file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), checked_layout(d.bytes.size() / std::max<std::size_t>(1, d.shape[0])), d.note);
+      file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), checked_layout(d.bytes.size() / std::max<std::size_t>(1, d.shape[0])),
+                         d.note);
   }
 }
 

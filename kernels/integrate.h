@@ -32,9 +32,9 @@ struct BodyForces {
 };
 
 /// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
-/// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ + L₊)·ω₋
-/// (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), both multiples of kLanes.
-/// \param wrench  rows: force, torque, and those of the dashpots alone
+/// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
+/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), both multiples of
+/// kLanes. \param wrench  rows: force, torque, and those of the dashpots alone
 void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit

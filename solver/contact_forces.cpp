@@ -38,7 +38,9 @@ void fetch(const World& w, std::size_t a) {
   }
 }
 
-void leave_alone(Contacts& c, std::size_t a) { std::fill(c.on.begin() + c.first_slot[a], c.on.begin() + c.first_slot[a + 1], std::uint8_t{0}); }
+void leave_alone(Contacts& c, std::size_t a) {
+  std::fill(c.on.begin() + c.first_slot[a], c.on.begin() + c.first_slot[a + 1], std::uint8_t{0});
+}
 
 void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
@@ -48,8 +50,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
   const kernels::PatchResult r = advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0,
                                          {c.candidate.data() + first, count}, c.gap.data() + first, bodies, faces, w.contact,
-                                         scratch.view(),
-                                         c.wrench.data() + first, c.on.data() + first);
+                                         scratch.view(), c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
   p.friction[i] += r.friction;

@@ -29,10 +29,11 @@ MemoryUse memory_use(const World& w) {
                  bytes(e.mass, e.inv_mass, e.ixx, e.iyy, e.izz, e.ixy, e.ixz, e.iyz, e.beta, e.radius, e.half_x, e.half_y, e.half_z) +
                  bytes(e.first_face, e.face_count, e.bonds_at_start, e.fixed, e.pose, e.twist, e.wrench) +
                  bytes(f.normal, f.distance, f.compliance_n, f.compliance_s, f.mass);
-  use.sides = bytes(s.constants, s.blocks, s.task_first, s.live, s.live_first, s.live_lanes, s.joint, s.set, s.master_face, s.slave_face, s.faces) +
-              bytes(s.parts, s.size, s.pair_wrench, s.pair_dashpot, s.pair_on, s.first_gather, s.gather) +
-              bytes(s.quick, s.retired, s.held, s.friction, s.impact, s.fracture) +
-              bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
+  use.sides =
+      bytes(s.constants, s.blocks, s.task_first, s.live, s.live_first, s.live_lanes, s.joint, s.set, s.master_face, s.slave_face, s.faces) +
+      bytes(s.parts, s.size, s.pair_wrench, s.pair_dashpot, s.pair_on, s.first_gather, s.gather) +
+      bytes(s.quick, s.retired, s.held, s.friction, s.impact, s.fracture) +
+      bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
   use.segments = bytes(s.bond) + in_use(s.first_mode, s.first_time, s.slip1, s.slip2, s.closure);
   use.patches = bytes(p.patch, p.set, p.first_point, p.from_side, p.mastered, p.touching, p.stored, p.friction, p.impact) +
                 bytes(p.partner, p.face, p.slip_x, p.slip_y, p.slip_z, p.closure) +

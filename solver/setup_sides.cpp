@@ -202,7 +202,8 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
   s.retired[id] = 0;
   s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
-  s.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
+  s.parts[id] = {
+      .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
   s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);

@@ -132,7 +132,8 @@ TEST_CASE("foreign files and other versions are refused by name") {
   const std::string later = sealed(kCheckpointSchema + 1, physics, "voussoir checkpoint");
   CHECK_THROWS_WITH_AS(read_checkpoint(later), doctest::Contains("has version 2 of the layout"), FileError);
   const std::string other = sealed(kCheckpointSchema, physics + 1, "voussoir checkpoint");
-  CHECK_THROWS_WITH_AS(read_checkpoint(other), doctest::Contains(("version " + std::to_string(physics + 1) + " of the physics").c_str()), FileError);
+  CHECK_THROWS_WITH_AS(read_checkpoint(other), doctest::Contains(("version " + std::to_string(physics + 1) + " of the physics").c_str()),
+                       FileError);
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "something")), DamagedFile);
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "voussoir checkpoint")), FileError);  // nothing else in it
 }

@@ -137,7 +137,8 @@ TEST_CASE("faults of the case name the key and what is allowed") {
   const TempFolder folder;
   const std::string f = folder.path();
   check_input_fault(of_record("kobe"), f, "motion.record", "\"kobe\" is neither a record of the program nor a folder or file");
-  check_input_fault(of_record("kobe"), f, "motion.record", "allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
+  check_input_fault(of_record("kobe"), f, "motion.record",
+                    "allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
   check_input_fault(of_record(""), f, "motion.record", "\"\" is neither");
   for (const std::string direction : {"LLV", "LT", "LTVV", "ltv", "", "XYZ"}) {
     check_input_fault(of_record("bam-like", direction), f, "motion.direction",

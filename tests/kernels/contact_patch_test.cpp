@@ -64,11 +64,10 @@ struct Twin {
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, moved};
     std::vector<double> depth(kPadded), distance(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded), pair_element(kPadded), pair_face(kPadded);
-    last =
-        advance(patch, {s.data(), t.data(), area.data(), kPoints},
-                {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0, candidates,
-                gap, bodies, bricks.table(), o,
-                {depth.data(), distance.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()}, wrench, on);
+    last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
+                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0,
+                   candidates, gap, bodies, bricks.table(), o,
+                   {depth.data(), distance.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()}, wrench, on);
   }
 };
 

@@ -171,7 +171,8 @@ TEST_CASE("congruent sides share their constants, which fit the place of each") 
     CHECK(norm(centroid(side.slave) + side.cb - centre) < 1e-11);
     const kernels::PointsView points = w->points.view(s.set[i]);
     double area = 0.0, sss = 0.0;
-    for (int k = 0; k < points.n; ++k) area += side.factor * points.area[k], sss += side.factor * points.area[k] * points.s[k] * points.s[k];
+    for (int k = 0; k < points.n; ++k)
+      area += side.factor * points.area[k], sss += side.factor * points.area[k] * points.s[k] * points.s[k];
     const kernels::SideBlock& b = s.blocks[i / kernels::kLanes];
     CHECK(std::abs(b.constants->area[i % kernels::kLanes] - area) < 1e-11 * area);
     CHECK(std::abs(b.constants->sss[i % kernels::kLanes] - sss) < 1e-11 * sss);

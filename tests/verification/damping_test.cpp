@@ -37,8 +37,8 @@ TEST_CASE("V8: fall with drag") {
 }
 
 TEST_CASE("V8: fall with drag, the scheme's own closed form") {
-  // v₊ = [(1 − a) v₋ + g Δt]/(1 + a), a = αΔt/2, from rest: v_k = (g/α)(1 − qᵏ), q = (1 − a)/(1 + a). A step so large that a scheme that is not
-  // centred is off by 1 %.
+  // v₊ = [(1 − a) v₋ + g Δt]/(1 + a), a = αΔt/2, from rest: v_k = (g/α)(1 − qᵏ), q = (1 − a)/(1 + a). A step so large that a scheme that is
+  // not centred is off by 1 %.
   const double alpha = 2.0, dt = 1e-2, a = 0.5 * alpha * dt, q = (1.0 - a) / (1.0 + a);
   const int steps = 100;
   Run run("fall_drag", {"time.step=0.01"});
