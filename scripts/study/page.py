@@ -14,7 +14,7 @@ import sys
 STYLE = """body { font: 14px/1.4 sans-serif; margin: 2em; color: #222 } table { border-collapse: collapse }
 th, td { padding: .25em .6em; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
 th { position: sticky; top: 0; background: #fff } td:first-child, th:first-child { text-align: left }
-tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertical-align: middle; margin: .3em } .still { width: 22em }"""
+tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertical-align: middle; margin: .3em } .still { height: 8em; max-width: 16em }"""
 
 
 def short(text):
