@@ -119,7 +119,6 @@ struct Partners {
 
   [[nodiscard]] bool hold(std::int32_t e) const noexcept { return std::find(element, element + count, e) != element + count; }
   void add(std::int32_t e, std::int32_t f) noexcept {
-    ++points;
     for (int n = 0; n < count; ++n) {
       if (element[n] == e && face[n] == f) return;
     }
@@ -130,8 +129,12 @@ struct Partners {
 Partners partners_of(PointsView p, ContactPoints q, PatchScratch scratch) noexcept {
   Partners all{scratch.pair_element, scratch.pair_face};
   for (int i = 0; i < p.n; i += kWidth) {
-    for (unsigned held = bits(~equal(q.partner + i, kNobody)); held != 0; held &= held - 1) {
-      const int k = i + std::countr_zero(held);
+    const LaneMask held = ~equal(q.partner + i, kNobody);
+    all.points += std::popcount(bits(held));
+    LaneMask unknown = held;
+    if (all.count > 0) unknown &= ~(equal(q.partner + i, all.element[0]) & equal(q.face + i, all.face[0]));
+    for (unsigned rest = bits(unknown); rest != 0; rest &= rest - 1) {
+      const int k = i + std::countr_zero(rest);
       all.add(q.partner[k], q.face[k]);
     }
   }
@@ -157,6 +160,24 @@ bool evaluate(Work& w, std::int32_t k, const Partners& partners, PairWrench& wre
   const Vec3 arm_b = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - load_pose(w.bodies.pose, c.element).u);
   write_wrench(w.m, arm_b, sum.total.sum(), sum.dash.sum(), wrench);
   return true;
+}
+
+/// Points of the patch against candidate k: few have come in or left, the others need no look.
+void look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const PlaneFields planes = plane_fields(y, w.faces, c);
+  for (int i = 0; i < w.points.n; i += kWidth) {
+    const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i);
+    Lanes distance = lanes(-1e300);  // the largest over the faces: negative inside
+    for (int f = 0; f < planes.count; ++f) distance = max(distance, planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt);
+    const LaneMask in = distance < 0.0;
+    unsigned rest = bits((in & equal(w.q.partner + i, kNobody)) | (~in & equal(w.q.partner + i, c.element)));
+    if (w.points.n - i < kWidth) rest &= (1U << (w.points.n - i)) - 1U;
+    for (; rest != 0; rest &= rest - 1) {
+      const int l = std::countr_zero(rest);
+      look_at_point(w, k, y, planes, i + l, (bits(in) >> l & 1U) != 0);
+    }
+  }
 }
 
 /// True if the face that separated the two last time still does, found without turning the whole patch.
@@ -203,11 +224,10 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
     const bool held = partners.hold(c.element);
     if (!held && still_separated(patch, w.m, bodies, faces, c)) continue;
     const InSlave y = slave_frame(w, c);
-    const bool apart = separated(patch, y, faces, c);
-    if (apart && !held) continue;
+    if (!held && separated(patch, y, faces, c)) continue;
     if (!near) std::fill_n(scratch.candidate, points.n, -1);
     near = true;
-    look_at(w, k, y, apart);
+    look_at(w, k, y);
   }
   if (!near) return w.r;
   take_partners(w);

@@ -76,7 +76,7 @@ struct Bodies {
 
 struct PatchScratch {
   // Room for one value a point.
-  double *depth = nullptr, *distance = nullptr;
+  double* depth = nullptr;
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
   std::int32_t *pair_element = nullptr, *pair_face = nullptr;

@@ -80,18 +80,6 @@ inline PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const 
   return p;
 }
 
-/// Signed distance of every point to the candidate, the largest over its faces: negative inside.
-inline void distances(PointsView p, const PlaneFields& planes, double* distance) noexcept {
-  std::fill_n(distance, p.n, -1e300);
-  for (int f = 0; f < planes.count; ++f) {
-    const PlaneField g = planes.g[f];
-    for (int i = 0; i < p.n; ++i) {
-      const double d = g.at(p.s[i], p.t[i]);
-      distance[i] = distance[i] > d ? distance[i] : d;
-    }
-  }
-}
-
 /// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
 inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
                                double& depth) noexcept {
@@ -197,34 +185,26 @@ inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
   return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
 }
 
-/// Releases the points that have left candidate k, and notes where it is the deepest new partner of a free point.
-inline void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
+/// What becomes of a point that is free or touches candidate k: it is released if it has left it, or candidate k is noted if it is the
+/// deepest new partner of a free point so far. `in`: the point is inside of it.
+inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const PlaneFields& planes, int i, bool in) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  PlaneFields planes;
-  if (!apart) {
-    planes = plane_fields(y, w.faces, c);
-    distances(w.points, planes, w.scratch.distance);
-  }
-  for (int i = 0; i < w.points.n; ++i) {
-    const double s = w.points.s[i], t = w.points.t[i];
-    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
-    const bool in = !apart && w.scratch.distance[i] < 0.0;
-    if (w.q.partner[i] == c.element) {
-      if (in) continue;
-      if (w.q.face[i] != kNoFace) {
-        book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
-                     w.r);
-      }
-      release(w.q, i);
-      w.changed = true;
-    } else if (in) {
-      double depth = 0.0;
-      const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
-      if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) continue;
-      w.scratch.candidate[i] = k;
-      w.scratch.face[i] = face;
-      w.scratch.depth[i] = depth;
+  const double s = w.points.s[i], t = w.points.t[i];
+  if (w.q.partner[i] == c.element) {
+    if (in) return;
+    if (w.q.face[i] != kNoFace) {
+      book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
+                   w.r);
     }
+    release(w.q, i);
+    w.changed = true;
+  } else if (in) {
+    double depth = 0.0;
+    const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
+    if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) return;
+    w.scratch.candidate[i] = k;
+    w.scratch.face[i] = face;
+    w.scratch.depth[i] = depth;
   }
 }
 

@@ -61,7 +61,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
 
 void ContactRoom::fit(std::int32_t points) {
   const auto n = static_cast<std::size_t>(points);
-  depth.resize(n), distance.resize(n), candidate.resize(n), face.resize(n), pair_element.resize(n), pair_face.resize(n);
+  depth.resize(n), candidate.resize(n), face.resize(n), pair_element.resize(n), pair_face.resize(n);
 }
 
 void advance_contacts(World& w, ContactRoom& room) {

@@ -23,10 +23,10 @@ void build_gather(World& w);
 
 /// One thread's room for the points of a patch.
 struct ContactRoom {
-  std::vector<double> depth, distance;
+  std::vector<double> depth;
   std::vector<std::int32_t> candidate, face, pair_element, pair_face;
   [[nodiscard]] kernels::PatchScratch view() {
-    return {depth.data(), distance.data(), candidate.data(), face.data(), pair_element.data(), pair_face.data()};
+    return {depth.data(), candidate.data(), face.data(), pair_element.data(), pair_face.data()};
   }
   void fit(std::int32_t points);
 };
@@ -40,8 +40,9 @@ void gather_contacts(World& w, std::int64_t first, std::int64_t last);
 /// Turns a side that has come apart into free patches of its two elements. Points that touch keep their partner, slip and closure.
 void retire_side(World& w, std::int32_t side);
 
-/// Appends the free patches that a retired side leaves (one, or two if it stood for both faces), without partners. \return how many
-std::size_t append_retired(World& w, std::int32_t side);
+/// Appends the free patch that a retired side leaves to its master, or (mirrored) the one that it leaves to its slave if it stood for both
+/// faces, without partners.
+void append_retired_patch(World& w, std::int32_t side, bool mirrored);
 
 /// Blocks that still hold a side, by task. Call after sides have retired.
 void list_live_blocks(World& w);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/contact_forces.h"
+#include "solver/patch_order.h"
 
 namespace voussoir::solver {
 
@@ -218,6 +219,7 @@ bool search_due(World& w, double moved) {
 
 void search_contacts(World& w) {
   Contacts& c = w.contacts;
+  sort_patches_if_scattered(w);
   const std::int32_t n = w.elements.count;
   std::vector<geometry::Box3> boxes(static_cast<std::size_t>(n));
   for (std::int32_t e = 0; e < n; ++e) boxes[static_cast<std::size_t>(e)] = element_box(w, e);

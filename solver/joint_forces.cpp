@@ -11,15 +11,16 @@ namespace voussoir::solver {
 
 namespace {
 
-// Beyond these the mean frame of a joint no longer describes two faces that face each other; its segments go on as free patches.
+// Beyond these the mean frame of a joint no longer describes two faces that face each other; its segments go on as free patches. A joint
+// that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;              // rad, relative rotation
 constexpr double kSlideShare = 0.5;         // of a segment
 constexpr std::int64_t kOpenInterval = 16;  // steps between two looks at sides that are open all over
 
 bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) {
   const double slide = kSlideShare * w.sides.size[id];
-  if (r.slide2 > slide * slide || r.tilt2 > kTilt * kTilt) return true;
-  return r.held == 0 && r.gap > w.contacts.skin;
+  if (r.slide2 > slide * slide) return true;
+  return r.held == 0 && (r.tilt2 > kTilt * kTilt || r.gap > w.contacts.skin);
 }
 
 /// Books what became of one side whose segments were looked at.

@@ -27,6 +27,22 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   return p;
 }
 
+/// Bonds that still pull when their faces have slid past each other end with the side. Books what their springs held, and by the trapezoid
+/// rule the work of their last force in the step ahead, as advance_segment does for one that breaks.
+void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
+  const auto i = static_cast<std::size_t>(id);
+  const kernels::PointsView points = w.points.view(w.sides.set[i]);
+  const kernels::SegmentsView q = w.sides.segments(id);
+  for (int k = 0; k < points.n; ++k) {
+    const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
+    const kernels::Local x{u.n - q.closure[k], u.s1 - q.slip1[k], u.s2 - q.slip2[k]};
+    if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
+    const kernels::Local traction{s.k.kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
+    const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
+    w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + w.dt * dot(traction, rate));
+  }
+}
+
 /// Hands the closed segments over: partner, face, elastic slip (into the body frame of the patch's element).
 ///
 /// A joint measures its closing along the mean normal at the midpoint of its two points, a free patch from its own point to the other face.
@@ -75,12 +91,11 @@ void activate_last_patch(World& w) {
   c.gather_stale = true;
 }
 
-/// The master's patch of a retired side, or (mirrored) the slave's, without partners.
-void append_retired_patch(World& w, std::int32_t side, const kernels::Side& s, bool mirrored) {
-  append_patch(w, patch_of(w, side, s, mirrored), w.sides.set[static_cast<std::size_t>(side)], side, !mirrored);
-}
-
 }  // namespace
+
+void append_retired_patch(World& w, std::int32_t side, bool mirrored) {
+  append_patch(w, patch_of(w, side, w.sides.side(side), mirrored), w.sides.set[static_cast<std::size_t>(side)], side, !mirrored);
+}
 
 void retire_side(World& w, std::int32_t side) {
   const std::int64_t id = side;
@@ -90,9 +105,10 @@ void retire_side(World& w, std::int32_t side) {
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
+  book_torn_bonds(w, id, s, f);
   const int patches = sides.faces[i];  // 2: the side stood for both faces
   for (int k = 0; k < patches; ++k) {
-    append_retired_patch(w, side, s, k == 1);
+    append_retired_patch(w, side, k == 1);
     hand_over(w, id, s, f, k == 1);
     activate_last_patch(w);
   }
@@ -100,12 +116,6 @@ void retire_side(World& w, std::int32_t side) {
   if (w.options.gather) sides.pair_on[i] = 0;
   sides.quick[i] = kernels::Quick::segments;
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
-}
-
-std::size_t append_retired(World& w, std::int32_t side) {
-  const auto patches = static_cast<std::size_t>(w.sides.faces[static_cast<std::size_t>(side)]);
-  for (std::size_t k = 0; k < patches; ++k) append_retired_patch(w, side, w.sides.side(side), k == 1);
-  return patches;
 }
 
 void list_live_blocks(World& w) {

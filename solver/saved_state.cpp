@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "solver/contact_forces.h"
 #include "solver/errors.h"
 #include "solver/hash.h"
 #include "solver/run.h"
+#include "solver/setup.h"
 
 namespace voussoir::solver {
 
@@ -30,21 +32,33 @@ std::span<const std::int32_t> integers(const SavedState& from, std::string_view 
   return {reinterpret_cast<const std::int32_t*>(f.bytes.data()), f.bytes.size() / sizeof(std::int32_t)};
 }
 
-/// A side that has retired leaves a patch to its master and, if it stood for both faces, then one to its slave: they are made again, in
-/// the order in which they came to be.
+/// Patches are made again in the order of the state. Those that were never joined keep theirs; a side that has retired leaves a patch to its
+/// master and, if it stood for both faces, one to its slave.
 void grow_patches(World& w, const SavedState& from) {
   const std::span<const std::int32_t> sides = integers(from, "patch_from_side");
-  const std::size_t at_start = w.patches.patch.size();
-  if (sides.size() < at_start) throw StateError("field patch_from_side has fewer entries than the model has free patches");
-  if (!std::ranges::all_of(sides.first(at_start), [](std::int32_t s) { return s == -1; }))
-    throw StateError("field patch_from_side names a side for a patch that never was joined");
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(w.sides.count()), 0);
-  for (std::size_t p = at_start; p < sides.size();) {
+  const SavedField& mastered = find(from, "patch_mastered");
+  if (mastered.bytes.size() != sides.size()) throw StateError("field patch_mastered has another number of entries than patch_from_side");
+  const Patches never_joined = std::exchange(w.patches, {});
+  std::size_t next = 0;
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(w.sides.count()), 0);  // 1: the master's, 2: the slave's
+  for (std::size_t p = 0; p < sides.size(); ++p) {
+    if (sides[p] == -1 && next < never_joined.patch.size()) {
+      append_patch(w, never_joined.patch[next], never_joined.set[next], -1, true);
+      ++next;
+      continue;
+    }
     const auto side = static_cast<std::size_t>(sides[p]);
-    const bool known = sides[p] >= 0 && sides[p] < w.sides.count() && w.sides.joint[side] >= 0 && seen[side] == 0;
-    if (!known) throw StateError("field patch_from_side names side " + std::to_string(sides[p]) + ", which cannot have retired");
-    seen[side] = 1;
-    p += append_retired(w, sides[p]);
+    const bool mirrored = mastered.bytes[p] == std::byte{0};
+    const bool known = sides[p] >= 0 && sides[p] < w.sides.count() && w.sides.joint[side] >= 0;
+    if (!known || (mirrored && w.sides.faces[side] != 2) || (seen[side] & (mirrored ? 2U : 1U)) != 0)
+      throw StateError("field patch_from_side names side " + std::to_string(sides[p]) + ", which cannot have left this patch");
+    seen[side] |= mirrored ? 2U : 1U;
+    append_retired_patch(w, sides[p], mirrored);
+  }
+  if (next < never_joined.patch.size()) throw StateError("field patch_from_side lacks free patches of the model");
+  for (std::size_t side = 0; side < seen.size(); ++side) {
+    if (seen[side] != 0 && seen[side] != (w.sides.faces[side] == 2 ? 3U : 1U))
+      throw StateError("field patch_from_side names side " + std::to_string(side) + " for one of its two faces only");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/census.h"
+#include "solver/patch_order.h"
 #include "solver/point_sets.h"
 
 namespace voussoir::solver {
@@ -45,6 +46,7 @@ void set_up_patches(World& w) {
     }
     append_patch(w, patch, sets.add(p.segments), -1, true);
   }
+  sort_patches(w);
 }
 
 void set_up_loads(World& w, const cases::Case& c) {

@@ -39,6 +39,23 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
 }
 
+/// Signed distance of a point to the candidate, the largest over its faces: negative inside.
+double distance(const PlaneFields& planes, double s, double t) noexcept {
+  double most = -1e300;
+  for (int f = 0; f < planes.count; ++f) most = std::max(most, planes.g[f].at(s, t));
+  return most;
+}
+
+/// All points against candidate k.
+void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const PlaneFields planes = plane_fields(y, w.faces, c);
+  for (int i = 0; i < w.points.n; ++i) {
+    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
+    look_at_point(w, k, y, planes, i, !apart && distance(planes, w.points.s[i], w.points.t[i]) < 0.0);
+  }
+}
+
 /// Forces of all points that touch candidate k. Returns whether any carries force.
 bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];

@@ -62,12 +62,12 @@ struct Twin {
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
     static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0};
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, moved};
-    std::vector<double> depth(kPadded), distance(kPadded);
+    std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded), pair_element(kPadded), pair_face(kPadded);
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
                    {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching > 0,
                    candidates, gap, bodies, bricks.table(), o,
-                   {depth.data(), distance.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()}, wrench, on);
+                   {depth.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()}, wrench, on);
   }
 };
 
