@@ -26,7 +26,7 @@ class Ledger {
   /// Every step: work of the loads over the last step [J].
   void add_load_work(double work) { loads_ += work; }
 
-  /// Brackets the kick and drift of a step in which a row is due.
+  /// Brackets the kick and drift of a step in which a row is due; before_kick when sides that came apart in it have retired.
   void before_kick(World& w);
   EnergyRow after_drift(const World& w, bool damps_rotation, double time);
 

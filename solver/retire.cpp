@@ -28,7 +28,8 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 }
 
 /// Bonds that still pull when their faces have slid past each other end with the side. Books what their springs held, and by the trapezoid
-/// rule the work of their last force in the step ahead, as advance_segment does for one that breaks.
+/// rule the work of their last force in the step ahead, as advance_segment does for one that breaks (a row of the ledger in this very step
+/// has that work early).
 void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
@@ -47,7 +48,8 @@ void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const ke
 ///
 /// A joint measures its closing along the mean normal at the midpoint of its two points, a free patch from its own point to the other face.
 /// After a slide of half a segment the two differ by up to slide × tilt, a hundred times the elastic closing; taken as it is, the change
-/// would shoot the pair apart. So the point keeps the difference as an offset until it lets go: force and energy are continuous.
+/// would shoot the pair apart. So the point keeps the difference as an offset until it lets go: force and energy are continuous, and the
+/// patch holds from this step on what the side held.
 void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
   const std::size_t p = w.patches.patch.size() - 1;
@@ -69,6 +71,8 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     const double depth = kernels::depth_under_face(w.patches.patch[p], points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(),
                                                    w.faces.table(), w.contact);
     to.closure[k] = depth - (u.n - q.closure[k]);
+    const double n = u.n - q.closure[k], da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
+    w.patches.stored[p] += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));
     ++w.patches.touching[p];
   }
 }

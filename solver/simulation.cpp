@@ -251,13 +251,13 @@ void Simulation::step(Due due) {
     const StageTimer timer(times_, Stage::forces);
     solver::forces(w, t, step_, forces_stage_);
   }
-  if (due.ledger) {
-    const StageTimer timer(times_, Stage::ledger);
-    ledger_.before_kick(w);
-  }
   {
     const StageTimer timer(times_, Stage::damage);
     book_damage(w, forces_stage_.events, t, damage_, cracks_);
+  }
+  if (due.ledger) {
+    const StageTimer timer(times_, Stage::ledger);
+    ledger_.before_kick(w);
   }
   const StageTimer timer(times_, Stage::update);
   ledger_.add_support_work(w);

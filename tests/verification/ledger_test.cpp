@@ -26,6 +26,12 @@ double imbalance_of_falling_wall(const std::string& step) {
   return imbalance / work;
 }
 
+/// The only joint of the couplet.
+std::size_t joint_of(const Run& run) {
+  const solver::Sides& s = run.sim().world().sides;
+  return static_cast<std::size_t>(std::ranges::find_if(s.joint, [](std::int32_t j) { return j >= 0; }) - s.joint.begin());
+}
+
 }  // namespace
 
 TEST_CASE("V13: energy ledger of a wall knocked down by gravity and friction") {
@@ -42,6 +48,40 @@ TEST_CASE("V13: energy ledger of a wall knocked down by gravity and friction") {
               "imbalance / work of gravity",
               true,
               {{"computed", "o-", {1e-4, 5e-5, 2.5e-5}, {coarse, middle, fine}}, {"limit", "--", {5e-5, 2.5e-5}, {1e-4, 1e-4}}}});
+}
+
+TEST_CASE("energy ledger of bonds torn by a slide: a brick shears off, one half of its joint still in tension") {
+  // The force of the joint acts half a brick below the centroid: c A b/2 bends the joint to c A (b/2) / (w d²/6), below f_t.
+  cases::Case c = load("couplet", {"block[1].velocity=[4.0,0.0,0.0]", "time.step=2e-5"}).value;
+  c.loads.clear();
+  Run run(c);
+  const std::size_t side = joint_of(run);
+  run.until(0.02, {false, true}, [] {});
+  CHECK(run.displacement(1).x > 0.0125);  // half a segment
+  CHECK(run.sim().world().sides.retired[side] == 1);
+  CHECK(run.sim().damage().bonded == 0);
+  CHECK(run.sim().damage().shear > 0);
+  CHECK(run.sim().energy().fracture > 0.0);
+  expect_below("ledger: residual after a slide has torn bonds", run.sim().energy().residual, 1e-5);
+}
+
+TEST_CASE("a joint that bends far but breaks nowhere stays a joint") {
+  // Soft and strong: it turns by 0.2 rad, more than the 0.15 at which the faces of a broken joint go separate ways.
+  cases::Case c = load("couplet", {"block[1].angular_velocity=[0.0,45.0,0.0]", "time.step=2e-5", "materials.adobe.young=9.8e5",
+                                   "joint_laws.normal.young=9.8e5", "joint_laws.normal.tension=1e9", "joint_laws.normal.cohesion=1e9",
+                                   "joint_laws.normal.compression=1e9"})
+                      .value;
+  c.loads.clear();
+  c.damping = {};
+  Run run(c);
+  const std::size_t side = joint_of(run);
+  const std::int64_t bonded = run.sim().damage().bonded;
+  double tilt = 0.0;
+  run.until(0.05, {false, true}, [&] { tilt = std::max(tilt, 2.0 * std::abs(run.orientation(1).y)); });
+  CHECK(tilt > 0.18);
+  CHECK(run.sim().world().sides.retired[side] == 0);
+  CHECK(run.sim().damage().bonded == bonded);
+  expect_below("ledger: residual of a joint bent to and fro by 0.2 rad", run.sim().worst_residual(), 1e-6);
 }
 
 }  // namespace voussoir::testing
