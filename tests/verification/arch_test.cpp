@@ -1,58 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/verification/arch.h"
+
 #include <algorithm>
-#include <array>
+#include <string>
 #include <vector>
 
-#include "tests/verification/fixture.h"
+#include "tests/verification/collapse.h"
+#include "tests/verification/limit_analysis.h"
 
 // V6: a semicircular dry arch of plane-faced voussoirs on rigid springings (Milankovitch 1907, Heyman 1969).
 namespace voussoir::testing {
 namespace {
 
-constexpr int kVoussoirs = 25, kPoints = 4;  // kPoints: across the thickness
-constexpr double kRadius = 1.5;              // m, centre line
-
-struct Point {
-  double y = 0.0, z = 0.0;
-};
-/// On joint i, 0 and kVoussoirs at the springings.
-Point on_joint(double radius, int i) {
-  const double angle = kPi * i / kVoussoirs;
-  return {radius * std::cos(angle), i == 0 || i == kVoussoirs ? 0.0 : radius * std::sin(angle)};
-}
-
-using Section = std::array<Point, 4>;
-Section section(double thickness, int i) {
-  const double inner = kRadius - 0.5 * thickness, outer = kRadius + 0.5 * thickness;
-  return {on_joint(inner, i), on_joint(outer, i), on_joint(outer, i + 1), on_joint(inner, i + 1)};
-}
-
-/// Area and first moments of a plane figure about y = 0 and z = 0.
-struct Lamina {
-  double area = 0.0, moment_y = 0.0, moment_z = 0.0;  // m2, m3
-};
-Lamina lamina(const Section& s) {
-  Lamina l;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Point a = s[k], b = s[(k + 1) % 4];
-    const double c = a.y * b.z - b.y * a.z;
-    l.area += 0.5 * c, l.moment_y += (a.y + b.y) * c / 6.0, l.moment_z += (a.z + b.z) * c / 6.0;
-  }
-  return l;
-}
+constexpr int kPoints = Arch{}.points;
+constexpr double kRadius = Arch{}.radius;  // m, centre line
 
 /// Limit analysis of the arch: a line of thrust that stays between the rows of contact points on every joint (Heyman's safe theorem).
 class LimitAnalysis {
  public:
-  /// \param lateral  horizontal over vertical acceleration
-  LimitAnalysis(double thickness, double lateral) : half_(0.5 * thickness * (1.0 - 1.0 / kPoints)), lateral_(lateral) {
-    for (int i = 0; i < kVoussoirs; ++i) laminas_.push_back(lamina(section(thickness, i)));
+  LimitAnalysis(const Arch& arch, double lateral) : arch_(arch), lateral_(lateral) {
+    for (int i = 0; i < arch.voussoirs; ++i) laminas_.push_back(arch.lamina(i));
     for (const Lamina& l : laminas_) weight_ += l.area;
   }
   [[nodiscard]] bool stands() const {
     const auto best = [&](double thrust) { return least([&](double vertical) { return miss(thrust, vertical); }); };
-    return least(best) <= 1e-9 * weight_ * kRadius;
+    return least(best) <= 1e-9 * weight_ * arch_.radius;
   }
 
  private:
@@ -62,14 +35,14 @@ class LimitAnalysis {
   [[nodiscard]] double miss(double thrust, double vertical) const {
     double low = -1e300, high = 1e300;
     Lamina before;
-    for (int i = 0; i <= kVoussoirs; ++i) {
+    for (int i = 0; i <= arch_.voussoirs; ++i) {
       const auto bound = [&](Point q) {
         const double weights = -(before.moment_y - q.y * before.area) - lateral_ * (before.moment_z - q.z * before.area);
-        return -((kRadius - q.y) * vertical - q.z * thrust + weights);
+        return -((arch_.radius - q.y) * vertical - q.z * thrust + weights);
       };
-      high = std::min(high, bound(on_joint(kRadius + half_, i)));
-      low = std::max(low, bound(on_joint(kRadius - half_, i)));
-      if (i == kVoussoirs) break;
+      high = std::min(high, bound(arch_.outer(i)));
+      low = std::max(low, bound(arch_.inner(i)));
+      if (i == arch_.voussoirs) break;
       const Lamina& l = laminas_[static_cast<std::size_t>(i)];
       before = {before.area + l.area, before.moment_y + l.moment_y, before.moment_z + l.moment_z};
     }
@@ -89,46 +62,32 @@ class LimitAnalysis {
     }
     return f(0.5 * (a + b));
   }
-  double half_, lateral_, weight_ = 0.0;
+  Arch arch_;
+  double lateral_, weight_ = 0.0;  // lateral over vertical acceleration; weight over that of unit area
   std::vector<Lamina> laminas_;
 };
 
-/// Halves [low, high] until it is narrower than `width`; `above(x)` tells on which side the limit lies.
-template <class Above>
-double bisect(double low, double high, double width, const Above& above) {
-  while (high - low > width) {
-    const double middle = 0.5 * (low + high);
-    (above(middle) ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-constexpr double kFalls = 1e-2;  // m; what stands moves by some 1e-4 m as its springs take up the load
-
-/// The arch of the case files with another thickness [m].
-cases::Case arch(double thickness) {
+/// The case with another arch.
+cases::Case shaped(const Arch& arch) {
   cases::Case c = load("arch_stands").value;
-  for (int i = 0; i < kVoussoirs; ++i) {
-    std::vector<std::array<double, 2>>& polygon = c.blocks[static_cast<std::size_t>(i)].polygon;
-    polygon.clear();
-    for (const Point p : section(thickness, i)) polygon.push_back({p.y, p.z});
-  }
-  c.segment_size = thickness / kPoints;
+  arch.shape(c);
   return c;
 }
 
-/// How far any voussoir has moved 2 s after the arch was left to itself [m]; at most a little over 1 cm.
-double movement(const cases::Case& c) {
-  Run run(c);
-  run.settle();
-  const auto largest = [&] {
-    double most = 0.0;
-    for (std::size_t i = 0; i < run.count(); ++i) most = std::max(most, norm(run.displacement(i)));
-    return most;
-  };
-  while (run.time() < c.time.duration && largest() < kFalls) run.until(run.time() + 0.02);
-  return largest();
-}
+/// Least thickness over radius, with n contact points across the thickness, between 5 % below and above Milankovitch's for their lever.
+struct LeastThickness {
+  int points = kPoints;
+
+  [[nodiscard]] double continuum() const { return 0.107 / (1.0 - 1.0 / points); }
+  [[nodiscard]] Arch arch(double ratio) const { return {.thickness = ratio * kRadius, .points = points}; }
+  [[nodiscard]] double by_limit_analysis() const {
+    return bisect(0.05, 0.4, 1e-9, [this](double ratio) { return LimitAnalysis(arch(ratio), 0.0).stands(); });
+  }
+  [[nodiscard]] double found() const {
+    return bisect(0.95 * continuum(), 1.05 * continuum(), 0.005 * continuum(),
+                  [this](double ratio) { return movement(shaped(arch(ratio))) < kFalls; });
+  }
+};
 
 }  // namespace
 
@@ -138,25 +97,43 @@ TEST_CASE("V6: the cases stand and fall as they say") {
 }
 
 TEST_CASE("V6: least thickness of a semicircular dry arch" * doctest::skip()) {
-  const double continuum = 0.107 / (1.0 - 1.0 / kPoints);
-  const double discrete = bisect(0.05, 0.4, 1e-9, [](double t) { return LimitAnalysis(t * kRadius, 0.0).stands(); });
-  const double found =
-      bisect(0.95 * continuum, 1.05 * continuum, 0.005 * continuum, [](double t) { return movement(arch(t * kRadius)) < kFalls; });
-  expect_near("V6 least t/R", found, continuum, 3e-2);
-  expect_near("V6 least t/R against limit analysis of the same voussoirs and contact points", found, discrete, 1e-2);
+  const LeastThickness least;
+  const double found = least.found();
+  expect_near("V6 least t/R", found, least.continuum(), 3e-2);
+  expect_near("V6 least t/R against limit analysis of the same voussoirs and contact points", found, least.by_limit_analysis(), 1e-2);
+}
+
+TEST_CASE("V6: least thickness of a dry arch, convergence with the size of segments" * doctest::skip()) {
+  Series got{"computed", "o", {}, {}}, exact{"1/n", "--", {}, {}};
+  for (const int n : {3, 4, 6}) {
+    const LeastThickness least{n};
+    const double found = least.found();
+    expect_near("V6 least t/R, n = " + std::to_string(n), found, least.by_limit_analysis(), 1e-2);
+    got.x.push_back(n), got.y.push_back(1.0 - 0.107 / found);
+    exact.x.push_back(n), exact.y.push_back(1.0 / n);
+  }
+  write(Curve{"v6_convergence",
+              "V6: least thickness of a semicircular dry arch",
+              "contact points across the thickness n",
+              "1 less the continuum's over it",
+              true,
+              {got, exact}});
 }
 
 TEST_CASE("arch under horizontal acceleration" * doctest::skip()) {
   // t/R = 0.15 between the outer rows of contact points: 0.147 g without sliding (Oppenheim 1992 and others).
-  const double thickness = 0.15 / (1.0 - 1.0 / kPoints) * kRadius, continuum = 0.147;
-  const double discrete = bisect(0.0, 0.5, 1e-9, [&](double lateral) { return !LimitAnalysis(thickness, lateral).stands(); });
+  const Arch arch{.thickness = 0.15 / (1.0 - 1.0 / kPoints) * kRadius};
+  const double continuum = 0.147;
+  const double discrete = bisect(0.0, 0.5, 1e-9, [&](double lateral) { return !LimitAnalysis(arch, lateral).stands(); });
   const double found = bisect(0.95 * continuum, 1.05 * continuum, 0.005 * continuum, [&](double lateral) {
-    cases::Case c = arch(thickness);
+    cases::Case c = shaped(arch);
     c.gravity.acceleration.y = lateral * kGravity;
     return movement(c) >= kFalls;
   });
   expect_near("arch, t_e/R = 0.15: horizontal acceleration at which it falls [g]", found, continuum, 3e-2);
   expect_near("arch, t_e/R = 0.15: the same against limit analysis of the same voussoirs and contact points [g]", found, discrete, 1e-2);
+  const CollapseFactors programmes = collapse_factors(cases::build_model(shaped(arch)), 60.0, {0.0, 1.0, 0.0});
+  expect_near("arch, t_e/R = 0.15: line of thrust against linear programme [g]", programmes.associated, discrete, 1e-6);
 }
 
 }  // namespace voussoir::testing

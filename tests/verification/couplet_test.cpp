@@ -23,8 +23,9 @@ struct Failure {
 Vec3 larger(Vec3 a, Vec3 b) { return {std::max(a.x, std::abs(b.x)), std::max(a.y, std::abs(b.y)), std::max(a.z, std::abs(b.z))}; }
 
 /// Loads the couplet: `first` grows in 1 s, `second` and `moment` from 1.5 to 4.5 s.
-Failure break_couplet(Vec3 first, Vec3 second, Vec3 moment) {
-  Run run("couplet", {triple("load[0].force", first), triple("load[1].force", second), triple("load[1].moment", moment)});
+Failure break_couplet(Vec3 first, Vec3 second, Vec3 moment, double segment = kDepth / 4) {
+  Run run("couplet", {triple("load[0].force", first), triple("load[1].force", second), triple("load[1].moment", moment),
+                      "segments.size=" + std::to_string(segment)});
   Failure p;
   double end = run.description().time.duration;
   while (run.time() < end) {
@@ -135,13 +136,24 @@ TEST_CASE("V5: the envelope of Eqs. 5-7") {
   write(curve);
 }
 
-TEST_CASE("V5: bond wrench about the long edge") {
-  const double n = 4.0;  // segments over the depth
-  const double expected = kTension * kWidth * kDepth * kDepth / 6.0 * (1.0 + 1.0 / n);
-  const Failure p = break_couplet({}, {}, {1.02 * expected, 0, 0});
-  CHECK(p.failed);
-  CHECK(p.damage.tension > 0);
-  expect_near("V5 bond wrench [N m]", std::abs(p.moment.x), expected, 1e-2);
+TEST_CASE("V5: bond wrench about the long edge, and its convergence with the size of segments") {
+  const double continuum = kTension * kWidth * kDepth * kDepth / 6.0;
+  Series got{"computed", "o", {}, {}}, exact{"1/n", "--", {}, {}};
+  for (const int n : {2, 4, 8}) {  // segments over the depth
+    const double expected = continuum * (1.0 + 1.0 / n);
+    const Failure p = break_couplet({}, {}, {1.02 * expected, 0, 0}, kDepth / n);
+    CHECK(p.failed);
+    CHECK(p.damage.tension > 0);
+    expect_near("V5 bond wrench, n = " + std::to_string(n) + " [N m]", std::abs(p.moment.x), expected, 1e-2);
+    got.x.push_back(n), got.y.push_back(std::abs(p.moment.x) / continuum - 1.0);
+    exact.x.push_back(n), exact.y.push_back(1.0 / n);
+  }
+  write(Curve{"v5_bond_wrench",
+              "V5: moment at the first crack of a bond wrench",
+              "contact points over the depth n",
+              "over the continuum's, less 1",
+              true,
+              {got, exact}});
 }
 
 }  // namespace voussoir::testing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tests/verification/fixture.h"
+#include "tests/verification/collapse.h"
 
 // V4: a stiff block rocks about its outermost rows of contact points, which lie at b_e = b (1 − 1/n) (Housner 1963).
 namespace voussoir::testing {
@@ -97,13 +97,18 @@ void draw(const Block& block, double theta0, const History& h) {
 
 /// Whether the block topples within 3 s on a base tilted by `tilt` [rad].
 bool topples(const Block& block, double tilt) {
-  Run run("tilt", {"base.tilt=[0.0," + std::to_string(tilt * 180.0 / kPi) + "]"});
+  Run run("tilt",
+          {"base.tilt=[0.0," + std::to_string(tilt * 180.0 / kPi) + "]", "segments.size=" + std::to_string(2.0 * block.b / block.points)});
   run.settle();
   while (run.time() < run.description().time.duration) {
     run.until(run.time() + 0.05);
     if (std::abs(angle(run)) > 0.5 * block.alpha()) return true;
   }
   return false;
+}
+
+double tilt_that_topples(const Block& block) {
+  return bisect(0.97 * block.alpha(), 1.03 * block.alpha(), 2e-3 * block.alpha(), [&](double tilt) { return topples(block, tilt); });
 }
 
 }  // namespace
@@ -148,14 +153,23 @@ TEST_CASE("V4: rocking block, quarter period beyond the tilt at which a joint co
 
 TEST_CASE("V4: tilt test") {
   const Block block;
-  double low = 0.97 * block.alpha(), high = 1.03 * block.alpha();
-  CHECK(!topples(block, low));
-  CHECK(topples(block, high));
-  for (int i = 0; i < 5; ++i) {
-    const double middle = 0.5 * (low + high);
-    (topples(block, middle) ? high : low) = middle;
+  CHECK(!topples(block, 0.97 * block.alpha()));
+  CHECK(topples(block, 1.03 * block.alpha()));
+  expect_near("V4 tangent of the tilt at which the block topples", std::tan(tilt_that_topples(block)), block.lever() / block.h, 2e-2);
+}
+
+TEST_CASE("V4: tilt test, convergence with the size of segments" * doctest::skip()) {
+  Series got{"computed", "o", {}, {}}, exact{"1/n", "--", {}, {}};
+  for (const int n : {2, 4, 8, 16}) {
+    Block block;
+    block.points = n;
+    const double tangent = std::tan(tilt_that_topples(block)), continuum = block.b / block.h;
+    expect_near("V4 tangent of the tilt at which the block topples, n = " + std::to_string(n), tangent, block.lever() / block.h, 2e-2);
+    got.x.push_back(n), got.y.push_back(1.0 - tangent / continuum);
+    exact.x.push_back(n), exact.y.push_back(1.0 / n);
   }
-  expect_near("V4 tangent of the tilt at which the block topples", std::tan(0.5 * (low + high)), block.lever() / block.h, 2e-2);
+  write(Curve{
+      "v4_tilt", "V4: tilt at which a block topples", "contact points over the base n", "1 less the tangent over b/h", true, {got, exact}});
 }
 
 }  // namespace voussoir::testing

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "tests/verification/fixture.h"
+#include "tests/verification/collapse.h"
 
 // A small wall up to its first crack: the discrete closed forms, and how step and segment size converge. What comes after the first crack
 // is chaotic; see scripts/ensemble.
@@ -141,15 +141,11 @@ TEST_CASE("wall: second order in the step until the first crack") {
 
 TEST_CASE("parapet: overturning under a steady acceleration across it") {
   const Wall w;
-  const double lever = w.thickness * (1.0 - 1.0 / w.points);
-  double low = 0.95 * kGravity * lever / w.height, high = 1.05 * kGravity * lever / w.height;
-  CHECK(!overturns(low));
-  CHECK(overturns(high));
-  for (int i = 0; i < 4; ++i) {
-    const double middle = 0.5 * (low + high);
-    (overturns(middle) ? high : low) = middle;
-  }
-  expect_near("parapet: acceleration that overturns it over g, t_e/h", 0.5 * (low + high) / kGravity, lever / w.height, 2e-2);
+  const double ratio = w.thickness * (1.0 - 1.0 / w.points) / w.height, low = 0.95 * ratio, high = 1.05 * ratio;
+  CHECK(!overturns(low * kGravity));
+  CHECK(overturns(high * kGravity));
+  const double got = bisect(low, high, 0.01 * ratio, [](double a) { return overturns(a * kGravity); });
+  expect_near("parapet: acceleration that overturns it over g, t_e/h", got, ratio, 2e-2);
 }
 
 }  // namespace voussoir::testing
