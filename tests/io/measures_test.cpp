@@ -85,7 +85,7 @@ TEST_CASE("the time of collapse is that of the first frame in which the roof has
   CHECK(m.debris.reach == 0.0);  // all of it inside
   CHECK(m.first_fallen_time == 0.1);
   CHECK(m.first_fallen_wall == "front wall");
-  CHECK(m.roof_first_fallen_time == 0.1 + 0.1);
+  CHECK(m.roof_first_fallen_time == 0.2);
   CHECK(m.roof_fallen_mass_fraction == 1.0);
   CHECK(m.series.fallen_mass_fraction == std::vector<double>{0.0, 1.8 / (1.8 + 9.0), 1.0, 1.0});
 }
@@ -208,10 +208,14 @@ TEST_CASE("the free volume is that under the roof less what lies in it") {
   hut.frame(0.0, stays);
   hut.frame(0.1, [&](std::size_t e, Vec3 x) { return hut.is_beam(e) ? x - Vec3{0, 0, 0.3} : x; });
   hut.frame(0.2, [&](std::size_t e, Vec3 x) { return hut.is_beam(e) ? x + Vec3{9, 0, 0} : x; });
-  // A stretcher of the left wall, 0.2 m along y, lies on the floor, its sides on the borders of cells.
-  std::size_t brick = 0;
-  while (!(hut.tag(brick) == "left wall" && hut.model().assembly.elements[brick].mass.volume > 1.99e-3)) ++brick;
-  hut.frame(0.3, [&](std::size_t e, Vec3 x) { return e == brick ? Vec3{0.2 + 0.35, 0.2 + 0.3, 0.05} : x; });
+  // A header of the left wall, 0.2 m along x, lies on the floor, its sides on the borders of cells.
+  const auto& blocks = hut.model().blocks;
+  const auto is_header = [](const cases::Block& b) {
+    return b.tag == "left wall" && b.whole && b.shape.vertices[1].x - b.shape.vertices[0].x > 0.19;
+  };
+  const auto brick = static_cast<std::size_t>(std::ranges::find_if(blocks, is_header) - blocks.begin());
+  REQUIRE(brick < blocks.size());
+  hut.frame(0.3, [&](std::size_t e, Vec3 x) { return e == brick ? Vec3{0.2 + 0.3, 0.2 + 0.25, 0.05} : x; });
   const Measures m = hut.measures();
   const double room = 1.0 * 0.8 * 0.4;
   CHECK(m.initial_free_volume == doctest::Approx(room));
@@ -233,19 +237,21 @@ TEST_CASE("drift is outward, relative to the foot, and ends with the wall") {
     };
   };
   hut.frame(0.0, stays);
-  hut.frame(0.1, lean(0.05, 0.01));
+  hut.frame(0.1, lean(0.15, 0.01));
   hut.frame(0.2, lean(-0.02, 0.0));
   hut.frame(0.3, [&](std::size_t e, Vec3 x) { return hut.tag(e) == "rear wall" && x.z > 0.3 ? x - Vec3{0, 0, 0.3} : x; });
   const Measures m = hut.measures();
-  CHECK(wall(m, "front wall").peak_drift == doctest::Approx((0.05 - 0.01) / 0.4));
+  CHECK(wall(m, "front wall").peak_drift == doctest::Approx((0.15 - 0.01) / 0.4));
   CHECK(wall(m, "front wall").residual_drift == doctest::Approx(0.0));
   CHECK(std::isnan(wall(m, "rear wall").residual_drift));
-  CHECK(wall(m, "rear wall").peak_drift == 0.0);
+  CHECK(wall(m, "rear wall").peak_drift == doctest::Approx(0.0));
   CHECK(wall(m, "rear wall").first_fallen_time == 0.3);
   CHECK(wall(m, "left wall").first_fallen_time < 0);
   CHECK(m.first_fallen_wall == "rear wall");
-  CHECK(m.peak_drift == doctest::Approx(0.04 / 0.4));
+  CHECK(m.peak_drift == doctest::Approx(0.14 / 0.4));
   const std::size_t front = static_cast<std::size_t>(&wall(m, "front wall") - m.walls.data());
+  // A lean of 0.14 m is 0.7 thicknesses, serious, but does not last; the top course of four is more than a fifth of a wall.
+  CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 0, 0, 4});
   CHECK(m.series.drift.size() == 4 * m.walls.size());
   CHECK(m.series.drift[2 * m.walls.size() + front] == doctest::Approx(-0.02 / 0.4));
 }
@@ -259,14 +265,14 @@ TEST_CASE("a crack along the whole foot of a wall has the extent one, and its wi
     return [&hut, by](std::size_t e, Vec3 x) { return hut.tag(e) == "front wall" ? x - Vec3{0, by, 0} : x; };
   };
   hut.frame(0.0, slide(0.01));  // the joints have not come open yet
-  hut.frame(0.1, slide(0.01));  // does not last
+  hut.frame(0.1, slide(0.01));
   hut.frame(0.2, slide(0.002));
   const Measures m = hut.measures();
   CHECK(wall(m, "front wall").crack_extent == doctest::Approx(1.0));
   CHECK(wall(m, "front wall").large_crack_extent == 0.0);
   CHECK(wall(m, "rear wall").crack_extent == 0.0);
   CHECK(m.first_crack_time == 0.05);
-  // One wall in four is many; that the crack was 10 mm wide for a while is no lasting damage.
+  // One wall in four is many, not most.
   CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 2, 2});
   CHECK(m.grade_time == std::array{0.1, 0.1, kNeverReached, kNeverReached, kNeverReached});
 }
