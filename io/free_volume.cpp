@@ -10,17 +10,20 @@
 namespace voussoir::io {
 namespace {
 
-/// Numbers [first, last) of the cells whose centres lie in [from, to], m.
+// Where in its cell a vertical line stands, along x and y: so that faces of bricks, on multiples of 0.05 m, do not run through lines.
+constexpr double kPlace = 0.25;
+
+/// Numbers [first, last) of the cells whose lines lie in [from, to], m.
 std::pair<std::size_t, std::size_t> cells_between(double from, double to, double origin, double size, std::size_t count) {
   const auto number = [&](double x) {
-    return static_cast<std::size_t>(std::clamp(std::ceil((x - origin) / size - 0.5), 0.0, static_cast<double>(count)));
+    return static_cast<std::size_t>(std::clamp(std::ceil((x - origin) / size - kPlace), 0.0, static_cast<double>(count)));
   };
   return {number(from), number(to)};
 }
 
 }  // namespace
 
-/// Calls `use` with the cell and the chord of every vertical line through a cell's centre in an element of the roof, or in another one.
+/// Calls `use` with the cell and the chord of the vertical line of every cell in an element of the roof, or in another one.
 template <class Use>
 void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, bool roof, const Use& use) const {
   for (std::size_t e = 0; e < poses.size(); ++e) {
@@ -31,7 +34,8 @@ void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, b
     const auto [j0, j1] = cells_between(c.y - r, c.y + r, g.room.low[1], g.dy, g.ny);
     for (std::size_t j = j0; j < j1; ++j) {
       for (std::size_t i = i0; i < i1; ++i) {
-        const double x = g.room.low[0] + (static_cast<double>(i) + 0.5) * g.dx, y = g.room.low[1] + (static_cast<double>(j) + 0.5) * g.dy;
+        const double x = g.room.low[0] + (static_cast<double>(i) + kPlace) * g.dx,
+                     y = g.room.low[1] + (static_cast<double>(j) + kPlace) * g.dy;
         if (const auto chord = shapes_.chord(e, poses[e], x, y)) use(j * g.nx + i, *chord);
       }
     }

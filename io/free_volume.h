@@ -10,8 +10,8 @@
 namespace voussoir::io {
 
 /// The volume that a collapse leaves to those inside. A room's plan is cut into cells of about kCell; over each cell there is free the
-/// height from the floor to the lowest element of the roof over its centre (never above where the roof was at first), less what other
-/// elements take of it.
+/// height from the floor to the lowest element of the roof on one vertical line (never above where the roof was at first), less what other
+/// elements take of that line.
 class FreeVolume {
  public:
   static constexpr double kCell = 0.1;  // m

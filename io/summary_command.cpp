@@ -82,7 +82,7 @@ void print_table(const Json& s, const Measures& m) {
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
   line("first crack", seconds(s["first_crack_time"]));
-  line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : ", first wall: " + m.first_fallen_wall));
+  line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
   line("fallen mass", percent(s["fallen_mass_fraction"]));
   line("debris", text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
                      text("%.2f m", m.debris.reach_95));
