@@ -10,7 +10,6 @@
 #include "io/building.h"
 #include "io/crack_extents.h"
 #include "io/damage_grade.h"
-#include "io/errors.h"
 #include "io/frame_reader.h"
 #include "io/free_volume.h"
 #include "io/hdf5_file.h"
@@ -47,7 +46,6 @@ class Measurer {
         volume_(building_, shapes_, start_),
         fallen_(frames_.elements()),
         walls_(building_.walls.size()) {
-    if (building_.mass.size() != frames_.elements()) throw FileError(run.path(), "/model/element does not fit together");
     for (const Wall& w : building_.walls) m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone});
     for (std::size_t e = 0; e < building_.mass.size(); ++e) {
       all_.mass += building_.mass[e];
