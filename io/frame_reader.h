@@ -3,13 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "io/hdf5_file.h"
 
 namespace voussoir::io {
 
-/// /frames of a run, one frame after the other: every value it gives is a number.
+/// /frames of a run, one frame after the other: every value it gives is a number. For one thread.
 class FrameReader {
  public:
   /// \param run  outlives the reader \throw FileError if /frames does not fit /model/element
@@ -27,8 +29,16 @@ class FrameReader {
   [[nodiscard]] std::vector<double> row(const char* name, std::uint64_t frame, std::uint64_t width) const;
 
  private:
+  /// Frames of one dataset that are at hand.
+  struct Block {
+    std::uint64_t first = 0, frames = 0;
+    std::vector<double> values;
+  };
+  void read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const;
+
   const Hdf5File& run_;
   std::vector<double> start_, times_;
+  mutable std::map<std::string, Block> blocks_;  // by name of the dataset
 };
 
 }  // namespace voussoir::io

@@ -18,6 +18,7 @@
 #include "io/report_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
+#include "io/summary_command.h"
 #include "io/verify_command.h"
 #include "solver/errors.h"
 
@@ -30,7 +31,7 @@ struct Words {
   std::string name;                 // CASE
   std::vector<std::string> set;     // --set key=value
   std::vector<std::string> motion;  // --motion axis=file
-  std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour";
+  std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour", format = "text";
   std::vector<std::string> files;  // of `motion`
   std::string first, second;       // of `compare`
   bool verify = false, markdown = false;
@@ -38,6 +39,7 @@ struct Words {
   io::BenchOptions bench;
   io::ResumeOptions resume;
   io::ReportOptions report;
+  io::SummaryOptions summary;
   io::MotionOptions motion_options;
   io::CheckOptions check;
   io::ModesOptions modes;
@@ -163,6 +165,13 @@ void add_report(CLI::App& app, Words& w) {
   report->footer("example: voussoir report results/flat20n --stills 1.2,2.0,2.8,4.8 --view front");
 }
 
+void add_summary(CLI::App& app, Words& w) {
+  CLI::App* summary = app.add_subcommand("summary", "what came out of a run: damage grade, fallen walls, debris, free volume, drift");
+  summary->add_option("DIR", w.summary.folder, "folder of the run, finished or not")->required();
+  summary->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
+  summary->footer("example: voussoir summary results/flat20n");
+}
+
 void add_check(CLI::App& app, Words& w) {
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
@@ -212,6 +221,10 @@ int dispatch(const CLI::App& app, Words& w) {
   }
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
   if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
+  if (app.got_subcommand("summary")) {
+    w.summary.json = w.format == "json";
+    return io::summary_command(w.summary);
+  }
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
@@ -256,6 +269,7 @@ int main(int argc, char** argv) {
   add_run(app, w);
   add_resume(app, w);
   add_compare(app, w);
+  add_summary(app, w);
   add_report(app, w);
   add_check(app, w);
   add_modes(app, w);

@@ -9,13 +9,13 @@
 
 #include "io/errors.h"
 #include "io/hdf5_file.h"
+#include "io/joint_openings.h"
 
 namespace voussoir::io {
 namespace {
 
 using Ints = std::vector<std::int32_t>;
 
-constexpr double kHalf = 0.499;  // of a joint: areas of segments are sums with round-off
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// One side of all joints: the elements there, and their faces by number; −1: the base.
@@ -38,25 +38,6 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
   return side;
 }
 
-/// When each joint came open [s].
-std::vector<double> opening_times(const Hdf5File& run, const Ints& element_a) {
-  const auto area = run.read<double>("/model/joint/area"), broken = run.read<double>("/cracks/area"),
-             time = run.read<double>("/cracks/time");
-  const auto joint = run.read<std::int32_t>("/cracks/joint"), from = run.read<std::int32_t>("/cracks/element_a");
-  if (area.size() != element_a.size() || broken.size() != joint.size() || from.size() != joint.size() || time.size() != joint.size())
-    throw FileError(run.path(), "/cracks does not fit together, or to /model/joint");
-  std::vector<std::array<double, 2>> open(area.size());  // m2, of the segments that either face masters
-  std::vector<double> since(area.size(), kNever);
-  for (std::size_t i = 0; i < joint.size(); ++i) {
-    const auto j = static_cast<std::size_t>(joint[i]);
-    if (j >= area.size()) throw FileError(run.path(), "/cracks/joint: row " + std::to_string(i) + " refers to no joint");
-    double& of_side = open[j][from[i] == element_a[j] ? 0 : 1];
-    of_side += broken[i];
-    if (of_side >= kHalf * area[j]) since[j] = std::min(since[j], time[i]);
-  }
-  return since;
-}
-
 }  // namespace
 
 OpenedFaces opened_faces(const Hdf5File& run) {
@@ -64,7 +45,7 @@ OpenedFaces opened_faces(const Hdf5File& run) {
   const auto element = run.read<std::int32_t>("/model/face/element"), first_face = run.read<std::int32_t>("/model/element/first_face");
   if (normal.size() != 3 * element.size()) throw FileError(run.path(), "/model/face does not fit together");
   const std::array sides{joint_side(run, "a", first_face, element.size()), joint_side(run, "b", first_face, element.size())};
-  const std::vector<double> since = opening_times(run, sides[0].element);
+  const std::vector<double> since = joint_opening_times(run);
   std::vector<double> opened(element.size(), kNever);
   for (const JointSide& side : sides) {
     if (side.face.size() != since.size()) throw FileError(run.path(), "/model/joint does not fit together");

@@ -3,7 +3,6 @@
 #include "io/report_data.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -14,10 +13,11 @@
 #include <vector>
 
 #include "io/case_file.h"
-#include "io/collapse_facts.h"
 #include "io/covered_faces.h"
+#include "io/errors.h"
 #include "io/frame_reader.h"
 #include "io/hdf5_file.h"
+#include "io/measures_file.h"
 #include "io/motion_files.h"
 #include "io/opened_faces.h"
 #include "io/packed_text.h"
@@ -53,7 +53,14 @@ Json plot(const std::string& title, const std::string& unit, Json time, Json cur
   return {{"title", title}, {"unit", unit}, {"t", std::move(time)}, {"curves", std::move(curves)}};
 }
 
-constexpr std::array kAxes{"x", "y", "z"};
+/// Rows with a column a name, as curves.
+Json columns(const std::vector<double>& values, const std::vector<std::string>& names) {
+  Json curves = Json::array();
+  for (std::size_t k = 0; k < names.size(); ++k) curves.push_back(curve(names[k], thinned(values, k, names.size())));
+  return curves;
+}
+
+const std::vector<std::string> kAxes{"x", "y", "z"};
 
 /// Ground acceleration at the times of the histories' rows.
 Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
@@ -63,9 +70,7 @@ Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
     const Vec3 a = cases::acceleration_at(motion, time.back());
     value.insert(value.end(), {a.x, a.y, a.z});
   }
-  Json curves = Json::array();
-  for (std::size_t k = 0; k < 3; ++k) curves.push_back(curve(kAxes[k], thinned(value, k, 3)));
-  return plot("Ground acceleration", "m/s²", thinned(time), std::move(curves));
+  return plot("Ground acceleration", "m/s²", thinned(time), columns(value, kAxes));
 }
 
 void add_histories(const Hdf5File& file, Json& plots) {
@@ -73,10 +78,7 @@ void add_histories(const Hdf5File& file, Json& plots) {
   for (const std::string& name : file.children("/history")) {
     const std::string group = "/history/" + name;
     if (!file.is_group(group)) continue;
-    const std::vector<double> u = file.read<double>(group + "/displacement");
-    Json curves = Json::array();
-    for (std::size_t k = 0; k < 3; ++k) curves.push_back(curve(kAxes[k], thinned(u, k, 3)));
-    plots.push_back(plot("Displacement of " + name, "m", time, std::move(curves)));
+    plots.push_back(plot("Displacement of " + name, "m", time, columns(file.read<double>(group + "/displacement"), kAxes)));
   }
 }
 
@@ -115,11 +117,21 @@ void add_ground(const LoadedCase& c, const std::vector<double>& times, Json& fac
   }
 }
 
-void add_collapse(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& summary) {
-  const CollapseFacts facts = collapse_facts(file, frames, c.value.base ? c.value.base->z : 0.0);
-  if (facts.time) summary["collapse_time"] = *facts.time;
-  summary["debris_reach"] = facts.reach;
-  summary["debris_reach_95"] = facts.reach_95;
+/// How the building fell.
+void add_measures(const Hdf5File& file, Json& facts) {
+  try {
+    const Measures m = measure(file);
+    facts["measures"] = Json::parse(measures_json(m));
+    const Json time = thinned(m.series.time);
+    std::vector<std::string> walls;
+    for (const WallMeasures& w : m.walls) walls.push_back(w.name);
+    if (!walls.empty()) facts["plots"].push_back(plot("Out-of-plane drift", "", time, columns(m.series.drift, walls)));
+    if (m.initial_free_volume > 0)
+      facts["plots"].push_back(plot("Volume left under the roof", "of " + std::to_string(std::lround(m.initial_free_volume)) + " m³", time,
+                                    columns(m.series.free_volume, {"free volume"})));
+  } catch (const FileError& e) {
+    warn("measures of the collapse", e);
+  }
 }
 
 /// The case of the run, unless another version of the program wrote one that this does not know.
@@ -127,7 +139,7 @@ std::optional<LoadedCase> case_of(const Hdf5File& file) {
   try {
     return read_case({file.path(), file.attribute_text("/case", "toml")});
   } catch (const std::exception& e) {
-    warn("ground motion, collapse time and debris", e);
+    warn("ground motion", e);
     return {};
   }
 }
@@ -186,7 +198,7 @@ std::string report_data(const std::string& run) {
   facts["summary"] = numbers(file, "/summary",
                              {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear",
                               "compression", "slipped", "peak_base_shear", "peak_speed", "worst_residual"});
-  if (c) add_collapse(*c, file, reader, facts["summary"]);
+  add_measures(file, facts);
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = reader.times();

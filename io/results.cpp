@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/errors.h"
+#include "io/measures_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -59,8 +60,9 @@ void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary
   file.set_attribute(at, "worst_residual", s.worst_residual);
   file.set_attribute(at, "end_time", s.end_time);
   file.set_attribute(at, "units",
-                     std::string("first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped: segment sides; "
-                                 "peak_base_shear: N; peak_speed: m/s; the others: 1"));
+                     "first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped: segment sides; "
+                     "peak_base_shear: N; peak_speed: m/s; " +
+                         figure_units() + "; the others: 1");
 }
 
 }  // namespace
@@ -181,6 +183,12 @@ void ResultsWriter::state_hash(std::uint64_t hash) {
   stale_ = true;
 }
 
+void ResultsWriter::measure() {
+  flush();
+  measures_ = io::measure(Hdf5File::open(folder_ + "/run.h5"));
+  stale_ = true;
+}
+
 double ResultsWriter::wall_clock() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 void ResultsWriter::write_if_due() {
@@ -234,6 +242,7 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   file.set_attribute("/case", "toml", case_toml_);
   write_provenance(file, provenance_, wall_clock());
   write_summary(file, summary_, state_hash_, finished_);
+  if (measures_) write_measures(file, *measures_);
   write_datasets(file, model_);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "io/measures.h"
 #include "io/provenance.h"
 #include "io/results_model.h"
 #include "io/results_parts.h"
@@ -61,6 +62,10 @@ class ResultsWriter final : public solver::Recorder {
   /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
   void state_hash(std::uint64_t hash);
 
+  /// Takes the measures of a collapse (measures.h) from all rows so far: they stand in run.h5 beside the summary from the next part on. For
+  /// the end of a run or a stop. \throw FileError
+  void measure();
+
   /// Writes buffered rows as a part and replaces run.h5. Call it before a checkpoint is written: then a resume finds all rows up to it.
   /// \throw FileError
   void flush();
@@ -96,6 +101,7 @@ class ResultsWriter final : public solver::Recorder {
   std::vector<Part> parts_;
   std::optional<solver::Summary> summary_;
   std::optional<std::uint64_t> state_hash_;
+  std::optional<Measures> measures_;
   bool stale_ = false;  // run.h5 does not say all there is to say
   bool finished_ = false;
   std::uint64_t bytes_on_disk_ = 0;

@@ -65,6 +65,15 @@ void print_stages(const solver::StageTimes& times) {
   std::printf("\n");
 }
 
+/// Results without measures are results: `voussoir summary` takes them afresh.
+void take_measures(ResultsWriter& results) {
+  try {
+    results.measure();
+  } catch (const FileError& e) {
+    std::fprintf(stderr, "voussoir: warning: %s; the summary has no measures of the collapse\n", e.what());
+  }
+}
+
 /// The observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
@@ -140,6 +149,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     watch.finish();
     const std::uint64_t hash = solver::state_hash(sim.world());
     results.state_hash(hash);
+    take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);
     print_stages(sim.stage_times());

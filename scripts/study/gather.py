@@ -2,27 +2,40 @@
 # SPDX-License-Identifier: Apache-2.0
 """All runs of a study as rows of table.csv. usage: gather.py PLAN TABLE   (in the study's folder)
 
-A row a run, in the order of the study file: its place in the study, its status, the attributes of /summary under their own names and in
-their own units (interface page), the version of the program; then what it cost, which alone depends on interruptions.
+A row a run, in the order of the study file: its place in the study, its status, what `voussoir summary` says of it under the same names and
+in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions.
 """
 import csv
 import json
 import pathlib
+import subprocess
 import sys
 
 import h5py
 
-# Of /summary: what comes first in the table, and what is no result. All else that the program writes there follows.
-FIRST = ("collapsed", "fallen_mass_fraction", "first_crack_time", "tension", "shear", "compression", "slipped", "peak_base_shear", "peak_speed")
-NOT_RESULTS = ("finished", "units")
+# What comes first in the table, and what is no result. All else that the program says follows, the walls last.
+FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
+         "residual_drift", "tension", "shear", "compression", "slipped", "peak_base_shear", "peak_speed")
+NOT_RESULTS = ("finished", "grade_time", "walls")
 
 
-def results(path):
-    """Attributes of /summary, and which program made them. Figures keep all digits."""
-    with h5py.File(path) as file:
-        there = dict(file["summary"].attrs)
-        names = [name for name in FIRST if name in there] + [name for name in there if name not in (*FIRST, *NOT_RESULTS)]
-        return {name: there[name] for name in names} | {"version": file["provenance"].attrs["version"]}
+def flat(summary):
+    """A value a name: `grade_2_time`, `front wall: peak_drift`. What there is not, as the drift of a fallen wall, is empty."""
+    names = [name for name in FIRST if name in summary] + [name for name in summary if name not in (*FIRST, *NOT_RESULTS)]
+    out = {name: summary[name] for name in names}
+    out |= {f"grade_{grade}_time": time for grade, time in enumerate(summary["grade_time"], 1)}
+    for wall in summary["walls"]:
+        out |= {f"{wall['name']}: {name}": value for name, value in wall.items() if name != "name"}
+    return {name: "" if value is None else value for name, value in out.items()}
+
+
+def results(voussoir, folder):
+    """What came out of a run, measured afresh, and which program made it. Figures keep all digits."""
+    said = subprocess.run([voussoir, "summary", str(folder), "--format", "json"], capture_output=True, text=True, check=False)
+    if said.returncode != 0:
+        sys.exit(f"{folder}: {said.stderr.strip()}")
+    with h5py.File(folder / "run.h5") as file:
+        return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
 
 
 def costs(folder):
@@ -34,18 +47,18 @@ def costs(folder):
     return {"starts": len(sessions), "wall_clock": round(sum(seconds), 3), "core_hours": round(core_hours, 6)}
 
 
-def row(run):
+def row(voussoir, run):
     folder = pathlib.Path("runs") / run["name"]
     axes = {name: "" if value is None else value for name, value in run["axes"].items()}
     done = folder / "done.json"
     status = json.loads(done.read_text())["status"] if done.exists() else "to be done"
-    found = results(folder / "run.h5") if done.exists() else {}
+    found = results(voussoir, folder) if done.exists() else {}
     return {"run": run["name"]} | axes | {"status": status}, found, costs(folder)
 
 
 def main():
     plan = json.loads(pathlib.Path(sys.argv[1]).read_text())
-    rows = [row(run) for run in plan["runs"]]
+    rows = [row(plan["voussoir"], run) for run in plan["runs"]]
     names = [dict.fromkeys(name for r in rows for name in r[part]) for part in range(3)]
     columns = [name for part in names for name in part]
     path = pathlib.Path(sys.argv[2])

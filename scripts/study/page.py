@@ -17,6 +17,20 @@ th { position: sticky; top: 0; background: #fff } td:first-child, th:first-child
 tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertical-align: middle; margin: .3em } .still { height: 8em; max-width: 16em }"""
 
 
+# Of the table, what a page has room for; the rest is in table.csv.
+SHOWN = ("run", "case", "direction", "record", "scale", "options", "seed", "status", "damage_grade", "collapsed", "collapse_time", "first_crack_time",
+         "first_fallen_time", "first_fallen_wall", "fallen_mass_fraction", "peak_drift", "residual_drift", "free_volume", "debris_area",
+         "debris_reach", "peak_base_shear", "state_hash", "core_hours")
+NEVER = ("collapse_time", "first_crack_time", "first_fallen_time")  # a time below 0
+
+
+def shown(name, text):
+    """A cell for people."""
+    if name == "damage_grade" and text:
+        return "–" if text.startswith("-") else "G" + text
+    return "never" if name in NEVER and text.startswith("-") else short(text)
+
+
 def short(text):
     """Five digits of a figure; all of everything else."""
     try:
@@ -39,9 +53,9 @@ def links(folder):
     return " ".join(cells)
 
 
-def table_row(row):
+def table_row(row, columns):
     kind = "collapsed" if row.get("collapsed") == "1" else "" if row["status"] == "done" else "open"
-    cells = "".join(f"<td>{html.escape(short(value))}</td>" for value in row.values())
+    cells = "".join(f"<td>{html.escape(shown(name, row[name]))}</td>" for name in columns)
     return f'<tr class="{kind}">{cells}<td>{links(pathlib.Path("runs") / row["run"])}</td></tr>'
 
 
@@ -57,10 +71,11 @@ def main():
     with open(sys.argv[2], newline="") as file:
         rows = list(csv.DictReader(file))
     title = html.escape(plan["title"] or "A study")
-    head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in rows[0])
+    columns = [name for name in SHOWN if any(row.get(name) for row in rows)]
+    head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in columns)
     lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style></head><body>',
-             f"<h1>{title}</h1>", f"<p>{facts(rows)} Times in s, forces in N, speeds in m/s; first crack −1: none.</p>",
-             f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *map(table_row, rows), "</tbody></table>",
+             f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N. All measures: table.csv.</p>",
+             f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *(table_row(row, columns) for row in rows), "</tbody></table>",
              *(picture(pathlib.Path(path), "svg+xml", "plot") for path in sys.argv[4:]), "</body></html>"]
     pathlib.Path(sys.argv[3]).write_text("\n".join(lines) + "\n")
 

@@ -7,6 +7,7 @@ Whatever is wrong with the file raises StudyError before anything runs; the mess
 import hashlib
 import itertools
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -85,7 +86,16 @@ def read_list(path, key, value, test, allowed):
             raise fault(path, f"{key}[{i}]", entry, allowed)
         if key != "set" and entry in value[:i]:
             raise fault(path, f"{key}[{i}]", entry, "every entry once")
-    return value
+    return [from_environment(path, f"{key}[{i}]", entry) for i, entry in enumerate(value)]
+
+
+def from_environment(path, key, entry):
+    """${NAME} in a text is the environment's: where records lie is no part of a study."""
+    def value(match):
+        if match[1] not in os.environ:
+            raise fault(path, key, entry, f"what the environment has; {match[1]} is not set")
+        return os.environ[match[1]]
+    return re.sub(r"\$\{(\w+)\}", value, entry) if isinstance(entry, str) else entry
 
 
 def read_options(path, table):
@@ -95,8 +105,8 @@ def read_options(path, table):
     for name, overrides in table.items():
         if not NAME.fullmatch(name):
             raise fault(path, "options", name, "names of letters, digits, _ . +")
-        read_list(path, f"options.{name}", overrides, is_override, '"key=value" of the case file')
-    return table or {"": []}
+    allowed = '"key=value" of the case file'
+    return {name: read_list(path, f"options.{name}", overrides, is_override, allowed) for name, overrides in table.items()} or {"": []}
 
 
 def read_document(path):

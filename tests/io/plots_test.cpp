@@ -90,6 +90,8 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   CHECK(has(drawn, "velocity z, m/s"));
   drawn = figure(py, folder, "plot_damage.py " + run);
   for (const char* word : {"run", "tension", "shear", "compression"}) CHECK(has(drawn, word));
+  drawn = figure(py, folder, "plot_debris.py First=" + run + " " + run + " --below 5");
+  for (const char* word : {"First, 0.10 s", "run, 0.10 s", "y, m"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_energy.py Pair=" + run);
   for (const char* word : {"Pair", "ground and gravity", "fracture", "energy, kJ", "residual"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_spectra.py " + table + " --quantity Sd --over period");

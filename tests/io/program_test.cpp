@@ -152,6 +152,9 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
   CHECK(says(o, {"collapsed", "energy residual", "run.h5"}));
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
   CHECK(std::filesystem::exists(folder.path("out/case.toml")));
+  CHECK(says(voussoir("summary " + folder.path("out")), {"finished at", "fallen mass", "debris"}));
+  CHECK(says(voussoir("summary " + folder.path("out") + " --format json"), {"\"damage_grade\": -1", "\"walls\": []", "\"state_hash\""}));
+  CHECK(voussoir("summary " + folder.path("nowhere")).code == 3);
   o = voussoir(words);
   CHECK(o.code == 3);
   CHECK(says(o, {"--overwrite"}));

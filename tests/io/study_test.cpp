@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -69,6 +70,7 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
       {"threads = 0\n", "threads = 0"},
       {"seeds = [1]\n", "scatter.variation"},
       {"set = [\"house.brik=1\"]\n", "house.brik"},
+      {"records = [\"${NO_SUCH_NAME}/rinaldi\"]\n", "NO_SUCH_NAME is not set"},
       {"[options]\na = \"b=1\"\n", "options.a = \"b=1\""},
   };
   for (const auto& fault : faults) {
@@ -94,6 +96,8 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(column(table, "tension").at(0) == "0");  // nothing shakes it
   CHECK(column(table, "tension").at(1) != "0");
   CHECK(column(table, "state_hash").at(0).size() == 16);
+  CHECK(column(table, "damage_grade") == Values{"-1", "-1"});  // a wall of free blocks is no house
+  CHECK(column(table, "debris_reach").size() == 2);
   CHECK(text_of(folder.path("study/index.html")).find("2 of 2 runs done") != std::string::npos);
 
   std::filesystem::remove(folder.path("study/runs/wall-x1/done.json"));  // as if killed at the end of its run
@@ -103,4 +107,61 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   folder.write("two.toml", kCase + "scales = [0.0, 1.0]\nduration = 0.7\n");  // other runs under the same names
   CHECK(study(folder, file) == 2);
   CHECK(text_of(folder.path("log")).find("wall-x0: holds a run of the same name") != std::string::npos);
+}
+
+TEST_CASE("fragility: two levels of four runs have a curve through their shares") {
+  if (code_of("/usr/bin/python3 -c 'import matplotlib, scipy' 2>/dev/null") != 0) {
+    MESSAGE("skipped: no matplotlib and scipy for /usr/bin/python3; scripts/setup study installs them");
+    return;
+  }
+  const TempFolder folder;
+  // One of four collapses at the scale 0.5 and three at 2.0; all are of grade 2; grade 5 is reached at 2.0 alone, grade 4 from there on.
+  std::string rows = "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade\n";
+  for (int seed = 0; seed < 4; ++seed) {
+    const auto row = [&](const char* scale, bool collapsed, const char* grade) {
+      rows += std::string("r,house,LTV,,") + scale + ",," + std::to_string(seed) + ",done," + (collapsed ? "1," : "0,") + grade + "\n";
+    };
+    row("0.5", seed < 1, "2");
+    row("2.0", seed < 3, seed < 2 ? "5" : "4");
+  }
+  rows += "r,house,LTV,,4.0,,0,to be done,,\n";
+  rows += "r,house,LTV,,4.0,,1,numerical failure,0,0\n";
+  const std::string table = folder.write("table.csv", rows), out = folder.path("out.csv");
+  const std::string words =
+      "/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + table + " -o " + folder.path("out.svg") + " --csv " + out;
+  REQUIRE(code_of(words + " --states 2 4 5 collapse >/dev/null 2>&1") == 0);
+  REQUIRE(column(out, "curve") == std::vector<std::string>(4, "house LTV"));
+  const auto figure = [&](const char* name) { return std::stod(column(out, name).at(3)); };
+  // Two levels determine the two parameters: the likelihood is greatest where the curve has the shares 1/4 and 3/4 themselves.
+  constexpr double kQuartile = 0.6744897501960817, kTwoSided95 = 1.959963984540054, kPi = 3.141592653589793;  // of the normal distribution
+  const double dispersion = std::log(2.0 / 0.5) / (2 * kQuartile);
+  CHECK(figure("median") == doctest::Approx(std::sqrt(0.5 * 2.0)).epsilon(1e-4));
+  CHECK(figure("dispersion") == doctest::Approx(dispersion).epsilon(1e-4));
+  // Fisher information of a probit: four runs a level, each phi^2 / (P (1 - P)); the levels lie alike about the median.
+  const double density = std::exp(-0.5 * kQuartile * kQuartile) / std::sqrt(2 * kPi), weight = 4 * density * density / (0.25 * 0.75);
+  const double median_error = dispersion / std::sqrt(2 * weight), dispersion_error = dispersion / (std::log(2.0) * std::sqrt(2 * weight));
+  CHECK(figure("median_high") == doctest::Approx(std::exp(kTwoSided95 * median_error)).epsilon(1e-4));
+  CHECK(figure("dispersion_low") == doctest::Approx(dispersion * std::exp(-kTwoSided95 * dispersion_error)).epsilon(1e-4));
+  CHECK(column(out, "runs") == std::vector<std::string>(4, "8"));
+  CHECK(text_of(out).find("always reached: median below 0.5") != std::string::npos);
+  CHECK(text_of(out).find("no overlap: median 0.5 to 2") != std::string::npos);
+  CHECK(text_of(out).find("mixed at 2 alone") != std::string::npos);
+}
+
+TEST_CASE("fragility: many runs of a known median and dispersion give them back") {
+  if (code_of("/usr/bin/python3 -c 'import matplotlib, scipy' 2>/dev/null") != 0) return;
+  const TempFolder folder;
+  constexpr double kMedian = 0.8, kDispersion = 0.4;
+  constexpr int kRuns = 1000;  // a level, so that shares are within 0.0005 of the probabilities
+  std::string rows = "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade\n";
+  for (const double scale : {0.35, 0.5, 0.7, 1.0, 1.4}) {
+    const double probability = 0.5 * std::erfc(-std::log(scale / kMedian) / (kDispersion * std::sqrt(2.0)));
+    for (int i = 0; i < kRuns; ++i)
+      rows += "r,house,,," + std::to_string(scale) + ",,,done," + (i < std::lround(probability * kRuns) ? "1" : "0") + ",0\n";
+  }
+  const std::string table = folder.write("table.csv", rows), out = folder.path("out.csv");
+  REQUIRE(code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + table + " -o " + folder.path("out.svg") + " --csv " +
+                  out + " --states collapse >/dev/null 2>&1") == 0);
+  CHECK(std::stod(column(out, "median").at(0)) == doctest::Approx(kMedian).epsilon(0.002));
+  CHECK(std::stod(column(out, "dispersion").at(0)) == doctest::Approx(kDispersion).epsilon(0.01));
 }

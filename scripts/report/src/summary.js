@@ -6,17 +6,38 @@ const count = (n) => n.toLocaleString("en");
 const metres = (x) => `${x.toFixed(1)} m`;
 const seconds = (t) => `${t.toFixed(2)} s`;
 
+const percent = (x) => (x === null ? "–" : `${(100 * x).toFixed(1)} %`);
+const when = (t) => (t < 0 ? "never" : seconds(t));
+
+function grade(m) {
+  if (m.damage_grade < 0) return "–"; // there are no walls
+  return m.damage_grade === 0 ? "G0" : `G${m.damage_grade} from ${seconds(m.grade_time[m.damage_grade - 1])}`;
+}
+
+/** How the building fell; nothing if the run does not say. */
+function collapse(m, collapsed) {
+  if (!m) return [];
+  return [
+    ["Damage grade (EMS-98)", grade(m)],
+    ["Collapsed", m.collapse_time < 0 ? (collapsed ? "yes" : "no") : `at ${seconds(m.collapse_time)}`],
+    ["First fallen", when(m.first_fallen_time)],
+    m.first_fallen_wall && ["… of the walls", m.first_fallen_wall],
+    ["Debris beyond the walls", m.debris_reach > 0 ? `to ${metres(m.debris_reach)}` : "none"],
+    m.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
+    ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
+    m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
+  ];
+}
+
 function rows({ facts, frames }) {
   const s = facts.summary, p = facts.provenance, has = (key) => s[key] !== undefined;
   return [
     ["Elements", count(frames.n)],
     has("finished") && ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : "not finished"],
     has("first_crack_time") && ["First crack", s.first_crack_time < 0 ? "none" : seconds(s.first_crack_time)],
-    has("collapse_time") && ["Collapsed", `at ${seconds(s.collapse_time)}`],
-    has("collapsed") && !has("collapse_time") && ["Collapsed", s.collapsed ? "yes" : "no"],
-    has("fallen_mass_fraction") && ["Fallen mass", `${(100 * s.fallen_mass_fraction).toFixed(1)} %`],
-    has("debris_reach") && ["Debris beyond the walls", s.debris_reach > 0 ? `to ${metres(s.debris_reach)}` : "none"],
-    s.debris_reach > 0 && ["… 95 % of it", s.debris_reach_95 > 0 ? `to ${metres(s.debris_reach_95)}` : "inside"],
+    !facts.measures && has("collapsed") && ["Collapsed", s.collapsed ? "yes" : "no"],
+    has("fallen_mass_fraction") && ["Fallen mass", percent(s.fallen_mass_fraction)],
+    ...collapse(facts.measures, s.collapsed),
     has("tension") && ["Sides broken in tension", count(s.tension)],
     has("shear") && ["… in shear", count(s.shear)],
     has("compression") && ["… in compression", count(s.compression)],
@@ -30,10 +51,24 @@ function rows({ facts, frames }) {
   ].filter(Boolean);
 }
 
+/** A row for each wall, and the roof: what has fallen of it, since when, how far it leaned. */
+function showParts(parent, m) {
+  const table = parent.appendChild(document.createElement("table"));
+  const add = (kind, cells) => {
+    const row = table.appendChild(document.createElement("tr"));
+    for (const text of cells) row.appendChild(document.createElement(kind)).textContent = text;
+  };
+  add("th", ["", "fallen", "first", "peak drift", "at the end"]);
+  for (const w of m.walls)
+    add("td", [w.name, percent(w.fallen_mass_fraction), when(w.first_fallen_time), percent(w.peak_drift), percent(w.residual_drift)]);
+  if (m.roof_fallen_mass_fraction !== null) add("td", ["roof", percent(m.roof_fallen_mass_fraction), when(m.roof_first_fallen_time), "", ""]);
+}
+
 export function showSummary(parent, run) {
   const list = parent.appendChild(document.createElement("dl"));
   for (const [name, value] of rows(run)) {
     list.appendChild(document.createElement("dt")).textContent = name;
     list.appendChild(document.createElement("dd")).textContent = value;
   }
+  if (run.facts.measures?.walls.length > 0) showParts(parent, run.facts.measures);
 }

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+namespace voussoir::io {
+
+class Hdf5File;
+
+/// When each joint of a run came open, s: as soon as broken segments cover half of it on either face; infinity: never.
+/// \param run  its joints and cracks \throw FileError
+std::vector<double> joint_opening_times(const Hdf5File& run);
+
+}  // namespace voussoir::io

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Where the debris lies: plans of several runs side by side, to one scale (the paper's Figs. 34 to 37).
+
+usage: scripts/plot_debris.py [LABEL=]DIR ... [--time T] [--below 1.0] [-o debris.png]
+
+A plan is cut: it shows what lies or stands lower than --below, so that the roof does not hide the floor. Bricks that have fallen are red,
+fallen timber and voussoirs brown, what stands is grey; the line is the outside of the walls at first.
+"""
+
+import math
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.patches import Rectangle
+
+import run_file
+from render import FACES, rotation
+
+STANDS, MASONRY, ROOF = "#d9d9d9", "#cc4125", "#7f5a33"
+ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column", "ring beam")
+
+
+class Plan:
+    """One frame of a run from above."""
+
+    def __init__(self, run, time, below):
+        file = run.file
+        times = file["frames/time"][:]
+        if not len(times):
+            raise SystemExit(f"{run.label}: has no frames yet")
+        frame = len(times) - 1 if time is None else int(np.argmin(abs(times - time)))
+        self.title = f"{run.label}, {times[frame]:.2f} s"
+        self.start, self.now = file["model/element/position0"][:], file["frames/position"][frame].astype(float)
+        sunk = self.start[:, 2] - self.now[:, 2]
+        fallen = sunk > np.minimum(0.5 * self.start[:, 2], 1.0)  # as solver/collapse.h has it
+        is_roof = np.array([tag.decode().startswith(ROOF_TAGS) for tag in file["model/element/tag"][:]])
+        self.colour = np.where(fallen, np.where(is_roof, ROOF, MASONRY), STANDS)
+        self.turn = rotation(file["frames/quaternion"][frame].astype(float))
+        self.vertices = file["model/vertex"][:]
+        self.cells = [(cell, kind, e) for cell, kind, e in
+                      zip(file["model/cells"][:], file["model/cell_type"][:], file["model/cell_element"][:]) if self.now[e, 2] < below]
+
+    def outside(self):
+        """Of the walls at first: low and high corner."""
+        return self.vertices[:, :2].min(axis=0), self.vertices[:, :2].max(axis=0)
+
+    def polygons(self):
+        """(height, corners, colour) of the faces that look up, the lowest first."""
+        shown = []
+        for cell, kind, e in self.cells:
+            corners = (self.vertices[cell[cell >= 0]] - self.start[e]) @ self.turn[e].T + self.now[e]
+            for face in FACES[int(kind)]:
+                c = corners[list(face)]
+                if np.cross(c[1] - c[0], c[2] - c[0])[2] > 1e-9:
+                    shown.append((c[:, 2].mean(), c[:, :2], self.colour[e]))
+        return sorted(shown, key=lambda item: item[0])
+
+    def draw(self, axes):
+        shown = self.polygons()
+        axes.add_collection(PolyCollection([s[1] for s in shown], facecolors=[s[2] for s in shown], edgecolors="#00000055", linewidths=0.2))
+        low, high = self.outside()
+        axes.add_patch(Rectangle(low, *(high - low), fill=False, linewidth=0.8))
+        axes.set_title(self.title, loc="left")
+        axes.set_aspect("equal")
+
+
+def extent(plans):
+    """Of everything that is drawn, and half a metre about it."""
+    points = np.concatenate([*(np.array([plan.now[e, :2] for _, _, e in plan.cells]) for plan in plans if plan.cells),
+                             *(np.array(plan.outside()) for plan in plans)])
+    return points.min(axis=0) - 0.5, points.max(axis=0) + 0.5
+
+
+def main():
+    p = run_file.parser(__doc__, "debris.png")
+    p.add_argument("run", nargs="+", help="folder of a run, or LABEL=folder")
+    p.add_argument("--time", type=float, help="s (default: the last frame)")
+    p.add_argument("--below", type=float, default=1.0, help="height of the cut, m (default 1)")
+    a = p.parse_args()
+    plans = [Plan(run_file.Run(argument), a.time, a.below) for argument in a.run]
+    low, high = extent(plans)
+    columns = min(2, len(plans))
+    rows = math.ceil(len(plans) / columns)
+    width = a.width / columns
+    height = (width - 1.0) * (high[1] - low[1]) / (high[0] - low[0]) + 1.5
+    figure, grid = run_file.plt.subplots(rows, columns, figsize=(a.width / 2.54, height * rows / 2.54), squeeze=False)
+    for axes in grid.flat[len(plans):]:
+        axes.set_axis_off()
+    for axes, plan in zip(grid.flat, plans):
+        plan.draw(axes)
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x, m", ylabel="y, m")
+    run_file.save(figure, a.output)
+
+
+if __name__ == "__main__":
+    main()

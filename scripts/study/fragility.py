@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the scale of its motion.
+
+usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv fragility.csv] [--states 2 3 4 collapse] [--peak P]
+
+A curve for each case, direction, record and set of options, P = Phi(ln(x / median) / dispersion), by maximum likelihood over the runs that are
+done, with 95 % bands from the Fisher information. Where the runs determine no curve, the table says why and gives the bracket of the median. --peak: of the
+motion at scale 1, m/s2; then x is the peak ground acceleration. Needs what `scripts/setup study` installs.
+"""
+import csv
+import itertools
+import math
+import pathlib
+import sys
+
+import numpy as np
+from scipy import optimize, special
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import run_file
+
+GROUP = ("case", "direction", "record", "options")
+STATES = ("1", "2", "3", "4", "5", "collapse")
+RARER = "rarer under stronger motion"
+NORMAL_95 = special.ndtri(0.975)
+COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_high", "dispersion", "dispersion_low", "dispersion_high", "remark")
+
+
+class Fit:
+    """Phi(a + b ln x): its two coefficients and their covariance."""
+
+    def __init__(self, coefficients, covariance):
+        self.coefficients, self.covariance = coefficients, covariance
+
+    @property
+    def median(self):
+        a, b = self.coefficients
+        return math.exp(-a / b)
+
+    @property
+    def dispersion(self):
+        return 1.0 / self.coefficients[1]
+
+    def log_errors(self):
+        """Standard errors of ln median and ln dispersion, by the delta method."""
+        a, b = self.coefficients
+        slopes = np.array([[-1.0 / b, a / b**2], [0.0, -1.0 / b]])
+        return np.sqrt(np.diag(slopes @ self.covariance @ slopes.T))
+
+    def band(self, x):
+        """Lower end, curve, upper end at x."""
+        design = np.column_stack([np.ones_like(x), np.log(x)])
+        middle = design @ self.coefficients
+        error = NORMAL_95 * np.sqrt(np.einsum("ij,jk,ik->i", design, self.covariance, design))
+        return special.ndtr(middle - error), special.ndtr(middle), special.ndtr(middle + error)
+
+
+def remark_of(x, reached):
+    """Why there is no curve; empty if there is one. Likelihood has a maximum only where outcomes overlap (Albert and Anderson 1984)."""
+    if not reached.any():
+        return f"never reached: median above {x.max():g}"
+    if reached.all():
+        return f"always reached: median below {x.min():g}"
+    below, above = x[~reached].max(), x[reached].min()
+    if below <= above:
+        return f"mixed at {above:g} alone" if below == above else f"no overlap: median {below:g} to {above:g}"
+    return RARER if x[reached].max() <= x[~reached].min() else ""
+
+
+def fit(x, reached):
+    """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
+    design = np.column_stack([np.ones_like(x), np.log(x)])
+    sign = np.where(reached, 1.0, -1.0)
+
+    def loss(coefficients):
+        eta = sign * (design @ coefficients)
+        hazard = np.exp(-0.5 * eta**2 - 0.5 * math.log(2 * math.pi) - special.log_ndtr(eta))
+        return -special.log_ndtr(eta).sum(), -(design.T @ (sign * hazard))
+
+    coefficients = optimize.minimize(loss, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-8}).x
+    eta = design @ coefficients
+    weight = np.exp(-eta**2 - math.log(2 * math.pi) - special.log_ndtr(eta) - special.log_ndtr(-eta))
+    return Fit(coefficients, np.linalg.inv(design.T @ (weight[:, None] * design)))
+
+
+def has_reached(row, state):
+    return int(row["collapsed"]) == 1 if state == "collapse" else int(row["damage_grade"]) >= int(state)
+
+
+def done_rows(path):
+    """Rows of runs that have ended and whose motion has one scale above zero."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows or not {"scale", "status", "damage_grade", "collapsed"} <= rows[0].keys():
+        sys.exit(f"{path}: no table of a study over several scales, with measures; wanted table.csv of scripts/study/run")
+    done = []
+    for row in rows:
+        try:
+            if row["status"] == "done" and float(row["scale"]) > 0:
+                done.append(row)
+        except ValueError:
+            sys.exit(f"{path}: run {row['run']} has the scale {row['scale'] or 'of its case'}; wanted a number for each run")
+    return done
+
+
+def curves(rows, states, peak):
+    """(name, state, x, reached) of each curve."""
+    names = {" ".join(row[key] for key in GROUP if row[key]): None for row in rows}
+    for name, state in itertools.product(names, states):
+        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name]
+        yield name, state, np.array([peak * float(row["scale"]) for row in of_group]), np.array([has_reached(row, state) for row in of_group])
+
+
+def table_row(name, state, x, reached, result, remark):
+    row = {"curve": name, "state": state, "runs": len(x), "reached": int(reached.sum()), "remark": remark}
+    if result:
+        median_error, dispersion_error = NORMAL_95 * result.log_errors()
+        row |= {"median": result.median, "median_low": result.median * math.exp(-median_error),
+                "median_high": result.median * math.exp(median_error), "dispersion": result.dispersion,
+                "dispersion_low": result.dispersion * math.exp(-dispersion_error),
+                "dispersion_high": result.dispersion * math.exp(dispersion_error)}
+    return {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()}
+
+
+def draw(axes, number, name, x, reached, result):
+    """The runs' shares at each level; the curve with its band, if there is one."""
+    look = run_file.style(number)
+    levels = np.unique(x)
+    axes.plot(levels, [reached[x == level].mean() for level in levels], "o", color=look["color"], markersize=3, label=None if result else name)
+    if result:
+        grid = np.geomspace(0.5 * x.min(), 1.5 * x.max(), 200)
+        low, middle, high = result.band(grid)
+        axes.plot(grid, middle, label=name, **look)
+        axes.fill_between(grid, low, high, color=look["color"], alpha=0.12, linewidth=0)
+
+
+def title_of(state):
+    return "collapse" if state == "collapse" else f"damage grade G{state} or worse"
+
+
+def main():
+    p = run_file.parser(__doc__, "fragility.svg")
+    p.add_argument("table")
+    p.add_argument("--csv", default="fragility.csv", help="medians and dispersions (default fragility.csv)")
+    p.add_argument("--states", nargs="+", choices=STATES, default=["2", "3", "4", "collapse"])
+    p.add_argument("--peak", type=float, help="of the motion at scale 1, m/s2")
+    a = p.parse_args()
+    rows = done_rows(a.table)
+    if not rows:
+        sys.exit(f"{a.table}: no run is done yet")
+    figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
+    numbers, out = {}, []
+    for name, state, x, reached in curves(rows, a.states, a.peak or 1.0):
+        remark = remark_of(x, reached)
+        result = None if remark else fit(x, reached)
+        if result and result.coefficients[1] <= 0:
+            result, remark = None, RARER
+        draw(panels[a.states.index(state)], numbers.setdefault(name, len(numbers)), name, x, reached, result)
+        out.append(table_row(name, state, x, reached, result, remark))
+    for axes, state in zip(panels, a.states):
+        axes.set(ylabel="probability", ylim=(-0.03, 1.03))
+        axes.set_title(title_of(state), loc="left")
+    panels[0].legend(loc="upper left")
+    panels[-1].set_xlabel("peak ground acceleration, m/s²" if a.peak else "scale of the motion")
+    run_file.save(figure, a.output)
+    with open(a.csv, "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(out)
+
+
+if __name__ == "__main__":
+    main()
