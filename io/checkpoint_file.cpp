@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/checkpoint_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <functional>
+#include <utility>
 
 #include "io/hdf5_file.h"
 
@@ -70,12 +75,13 @@ void write_state(Hdf5File& file, std::span<const solver::Field> state) {
   }
 }
 
-/// Reads what the writers above wrote. Room is made only for what the file really holds.
+/// Reads what the writers above wrote. Room is made only for what the file really holds, however often something claims to be in it.
 class Reader {
  public:
-  Reader(const Hdf5File& file, std::size_t bytes) : file_(file), bytes_(bytes) {}
+  /// \param bytes  of the file
+  Reader(const Hdf5File& file, std::size_t bytes) : file_(file), left_(bytes) {}
 
-  [[nodiscard]] CheckpointFacts facts() const {
+  [[nodiscard]] CheckpointFacts facts() {
     CheckpointFacts f;
     const std::string kernels = file_.attribute_text("/", "kernels");
     if (kernels != "fast" && kernels != "reference") fault("attribute kernels is neither fast nor reference");
@@ -84,19 +90,18 @@ class Reader {
     const std::string hash = file_.attribute_text("/", "model_hash");
     if (std::sscanf(hash.c_str(), "%" SCNx64, &f.model_hash) != 1) fault("attribute model_hash is no hash");
     f.step = file_.attribute_double("/", "step");
+    if (!std::isfinite(f.step) || f.step <= 0.0) fault("attribute step is no step");
     f.time = file_.attribute_double("/", "time");
+    if (!std::isfinite(f.time)) fault("attribute time is no time");
     for (std::size_t t = 0; t < kRowTables; ++t)
       f.rows[t] = static_cast<std::uint64_t>(file_.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
-    if (file_.stored_bytes("/case/toml") > bytes_) fault("/case/toml claims more than the file has");
-    const std::vector<std::string> toml = file_.read_strings("/case/toml");
-    if (toml.size() != 1) fault("/case/toml is not one text");
-    f.case_toml = toml[0];
+    f.case_toml = toml();
     f.motion = motion();
     f.supports = supports();
     return f;
   }
 
-  [[nodiscard]] solver::SavedState state() const {
+  [[nodiscard]] solver::SavedState state() {
     solver::SavedState state;
     for (const std::string& name : file_.children("/state")) state[name] = field("/state/" + name);
     return state;
@@ -105,45 +110,65 @@ class Reader {
  private:
   [[noreturn]] void fault(const std::string& what) const { throw DamagedFile(file_.path(), what); }
 
+  /// Every byte of the file is of one dataset at most.
+  void claim(const std::string& name, std::uint64_t bytes) {
+    if (bytes > left_) fault(name + " claims more than the file has");
+    left_ -= bytes;
+  }
+
   [[nodiscard]] static solver::FieldType field_type(Hdf5Type t) {
     using enum solver::FieldType;
     return t == Hdf5Type::f64 ? f64 : t == Hdf5Type::i64 ? i64 : t == Hdf5Type::i32 ? i32 : u8;
   }
 
-  [[nodiscard]] solver::SavedField field(const std::string& name) const {
-    const Shape shape = file_.shape(name);
-    const Hdf5Type type = file_.type(name);
-    if (shape.empty() || shape.size() > 2 || type == Hdf5Type::f32 || type == Hdf5Type::i8) fault(name + " is no field");
-    solver::SavedField f{field_type(type), shape[0], shape.size() == 2 ? shape[1] : 1, {}};
-    const std::uint64_t stored = file_.stored_bytes(name), row = f.columns * size_of(type);
-    if (f.columns > bytes_ || stored > bytes_ || f.count > bytes_ || stored != f.count * row) fault(name + " has not the bytes it claims");
-    f.bytes.resize(stored);
-    file_.read_rows(name, type, 0, f.count, f.bytes.data());
+  [[nodiscard]] solver::SavedField field(const std::string& name) {
+    const Hdf5Dataset d = file_.describe(name);
+    if (!d.type || *d.type == Hdf5Type::f32 || *d.type == Hdf5Type::i8 || d.shape.empty() || d.shape.size() > 2)
+      fault(name + " is no field");
+    claim(name, d.stored);
+    if (d.stored != d.claimed) fault(name + " has not the bytes it claims");
+    solver::SavedField f{field_type(*d.type), d.shape[0], d.shape.size() == 2 ? d.shape[1] : 1, std::vector<std::byte>(d.stored)};
+    file_.read_rows(name, *d.type, 0, f.count, f.bytes.data());
     return f;
   }
 
-  [[nodiscard]] std::vector<double> numbers(const std::string& name, std::uint64_t columns) const {
+  /// Finite ones.
+  [[nodiscard]] std::vector<double> numbers(const std::string& name, std::uint64_t columns) {
     const solver::SavedField f = field(name);
     if (f.type != solver::FieldType::f64 || f.columns != columns) fault(name + " is no list of numbers");
-    return file_.read<double>(name);
+    std::vector<double> values(f.bytes.size() / sizeof(double));
+    if (!values.empty()) std::memcpy(values.data(), f.bytes.data(), f.bytes.size());
+    if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) fault(name + " holds what is no finite number");
+    return values;
   }
 
-  [[nodiscard]] cases::GroundMotion motion() const {
+  [[nodiscard]] std::string toml() {
+    claim("/case/toml", file_.describe("/case/toml").claimed);
+    const std::vector<std::string> toml = file_.read_strings("/case/toml");
+    if (toml.size() != 1) fault("/case/toml is not one text");
+    return toml[0];
+  }
+
+  [[nodiscard]] cases::GroundMotion motion() {
     cases::GroundMotion m;
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
       const std::string name = std::string("/motion/") + kAxes[i];
       m.axis[i] = {file_.attribute_text(name, "name"), file_.attribute_double(name, "dt"), numbers(name, 1)};
+      const double dt = m.axis[i].dt;
+      if (!std::isfinite(dt) || (dt <= 0.0 && !m.axis[i].acceleration.empty())) fault("attribute dt of " + name + " is no step");
     }
     return m;
   }
 
-  [[nodiscard]] std::vector<cases::SupportHistory> supports() const {
+  [[nodiscard]] std::vector<cases::SupportHistory> supports() {
     std::vector<cases::SupportHistory> all(file_.children("/support").size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::string at = numbered("/support", i);
       all[i].time = numbers(at + "/time", 1);
       const std::vector<double> flat = numbers(at + "/displacement", 3);
       if (flat.size() != 3 * all[i].time.size()) fault(at + "/displacement has another number of samples than its time");
+      if (all[i].time.size() == 1 || std::ranges::adjacent_find(all[i].time, std::greater_equal<>()) != all[i].time.end())
+        fault(at + "/time has a single sample, or does not rise");
       for (std::size_t k = 0; k < flat.size(); k += 3) all[i].displacement.push_back({flat[k], flat[k + 1], flat[k + 2]});
       all[i].open_ended = file_.attribute_int(at, "open_ended") != 0;
     }
@@ -151,7 +176,7 @@ class Reader {
   }
 
   const Hdf5File& file_;
-  std::size_t bytes_;  // of the file: nothing in it can be larger
+  std::uint64_t left_;  // bytes of the file that nothing has claimed yet
 };
 
 }  // namespace
@@ -174,8 +199,9 @@ Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std:
     throw FileError(name, "was computed by version " + std::to_string(physics) + " of the physics; this program has version " +
                               std::to_string(solver::kPhysicsVersion) + ": go on with the program that began it, or run the case anew");
   }
-  const Reader reader(file, hdf5.size());
-  return {reader.facts(), reader.state()};
+  Reader reader(file, hdf5.size());
+  CheckpointFacts facts = reader.facts();
+  return {std::move(facts), reader.state()};
 }
 
 Checkpoint parse_checkpoint(const std::string& name, std::span<const std::byte> bytes) {

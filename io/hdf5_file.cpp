@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "io/errors.h"
@@ -45,6 +46,13 @@ void select_rows(const Doing& doing, hid_t space, const Shape& shape, std::uint6
   start[0] = first;
   count[0] = rows;
   doing.check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+}
+
+std::optional<Hdf5Type> known_type(hid_t held) {
+  using enum Hdf5Type;
+  for (const Hdf5Type t : {f64, f32, i8, u8, i32, i64})
+    if (H5Tequal(held, types_of(t).file) > 0) return t;
+  return std::nullopt;
 }
 
 bool is_empty(const Shape& shape) { return std::ranges::find(shape, 0U) != shape.end(); }
@@ -269,19 +277,23 @@ Shape Hdf5File::shape(const std::string& name) const {
   return extent_of(doing, doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
 }
 
-std::uint64_t Hdf5File::stored_bytes(const std::string& name) const {
+Hdf5Dataset Hdf5File::describe(const std::string& name) const {
   const Doing doing{path_, "read", name};
-  return H5Dget_storage_size(doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
+  const Handle dataset = doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type = doing.own(H5Dget_type(dataset), H5Tclose);
+  Hdf5Dataset d{extent_of(doing, dataset), known_type(type), H5Tget_size(type), H5Dget_storage_size(dataset)};
+  if (is_empty(d.shape)) d.claimed = 0;
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  for (const std::uint64_t n : d.shape) d.claimed = n > 0 && d.claimed > kMost / n ? kMost : d.claimed * n;
+  return d;
 }
 
 Hdf5Type Hdf5File::type(const std::string& name) const {
   const Doing doing{path_, "read", name};
   const Handle dataset = doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
-  const Handle held = doing.own(H5Dget_type(dataset), H5Tclose);
-  using enum Hdf5Type;
-  for (const Hdf5Type t : {f64, f32, i8, u8, i32, i64})
-    if (H5Tequal(held, types_of(t).file) > 0) return t;
-  throw FileError(path_, name + " holds no numbers of a known type");
+  const std::optional<Hdf5Type> type = known_type(doing.own(H5Dget_type(dataset), H5Tclose));
+  if (!type) throw FileError(path_, name + " holds no numbers of a known type");
+  return *type;
 }
 
 }  // namespace voussoir::io

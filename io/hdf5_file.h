@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,14 @@ struct Hdf5Layout {
 
 /// Of results: with checksums, so that no reader takes damaged numbers for good ones.
 Hdf5Layout checked_layout(std::size_t row_bytes);
+
+/// What a dataset says it is, and what of that is in the file.
+struct Hdf5Dataset {
+  Shape shape;
+  std::optional<Hdf5Type> type;  // none: it holds something else than numbers of Hdf5Type
+  std::uint64_t claimed = 0;     // bytes that shape and type ask for; the largest number if it has more digits
+  std::uint64_t stored = 0;      // bytes that its values take in the file
+};
 
 /// What each dataset of ours says of itself, in the attributes `unit` and `description`. None without a unit.
 struct Hdf5Note {
@@ -141,8 +150,8 @@ class Hdf5File {
   [[nodiscard]] Shape shape(const std::string& name) const;
   /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
   [[nodiscard]] Hdf5Type type(const std::string& name) const;
-  /// Bytes that the values of a dataset take in this file. A dataset may claim more than it has: look here before making room for it.
-  [[nodiscard]] std::uint64_t stored_bytes(const std::string& name) const;
+  /// Look here before making room for a dataset: it may claim more than the file has.
+  [[nodiscard]] Hdf5Dataset describe(const std::string& name) const;
 
   /// Attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);

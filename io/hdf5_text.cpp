@@ -33,6 +33,18 @@ Handle open_attribute(const Doing& doing, hid_t file, const std::string& name) {
   return doing.own(H5Aopen_by_name(file, doing.object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
 }
 
+/// One number. An array in its place would be written over what lies behind the number.
+template <class T>
+T attribute_number(const Doing& doing, hid_t file, const std::string& name, hid_t memory) {
+  const Handle attribute = open_attribute(doing, file, name);
+  const Handle space = doing.own(H5Aget_space(attribute), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    throw FileError(doing.path, "attribute " + name + " of " + doing.object + " is not one number");
+  T value{};
+  doing.check(H5Aread(attribute, memory, &value));
+  return value;
+}
+
 }  // namespace
 
 void Hdf5File::write_strings(const std::string& name, std::span<const std::string> values, const Hdf5Note& note) {
@@ -116,17 +128,11 @@ std::string Hdf5File::attribute_text(const std::string& object, const std::strin
 }
 
 double Hdf5File::attribute_double(const std::string& object, const std::string& name) const {
-  const Doing doing{path_, "read an attribute of", object};
-  double value = 0;
-  doing.check(H5Aread(open_attribute(doing, handle_, name), H5T_NATIVE_DOUBLE, &value));
-  return value;
+  return attribute_number<double>({path_, "read an attribute of", object}, handle_, name, H5T_NATIVE_DOUBLE);
 }
 
 std::int64_t Hdf5File::attribute_int(const std::string& object, const std::string& name) const {
-  const Doing doing{path_, "read an attribute of", object};
-  std::int64_t value = 0;
-  doing.check(H5Aread(open_attribute(doing, handle_, name), H5T_NATIVE_INT64, &value));
-  return value;
+  return attribute_number<std::int64_t>({path_, "read an attribute of", object}, handle_, name, H5T_NATIVE_INT64);
 }
 
 std::map<std::string, std::vector<std::string>> Hdf5File::attributes(const std::string& object) const {

@@ -228,7 +228,8 @@ bool ResultsWriter::finish() {
   if (!options_.merge || bytes_on_disk_ > options_.merge_limit) return false;
   try {
     write_run(true);
-  } catch (const FileError&) {
+  } catch (const FileError& e) {
+    if (e.path().starts_with(folder_ + "/parts/")) throw;  // no want of space, but rows that cannot be read any more
     return false;
   }
   // A kill before this line leaves parts that nothing refers to.

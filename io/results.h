@@ -72,7 +72,7 @@ class ResultsWriter final : public solver::Recorder {
   /// The end of a run: flushes, says so in run.h5, and merges all rows into it if options allow. The writer takes no rows after this.
   /// A kill at any moment of it loses nothing.
   /// \return true if merged; false: the rows stay in parts, also when merging fails (say, for want of space)
-  /// \throw FileError if the last rows cannot be written
+  /// \throw FileError if the last rows cannot be written, or earlier ones no longer be read
   bool finish();
 
   /// Rows so far, on disk or buffered.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 
@@ -11,6 +12,8 @@
 namespace voussoir::io {
 namespace {
 
+constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column that a check holds in memory at a time
+
 std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
 
 void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
@@ -20,6 +23,19 @@ void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t
     if (!file.exists(c.name)) throw FileError(file.path(), c.name + " is missing: the run had other histories");
     if (file.shape(c.name) != expected || file.type(c.name) != c.type)
       throw FileError(file.path(), c.name + " has another shape: the run had another model");
+  }
+}
+
+/// Checksums are looked at when rows are read: better now than at the end of a long run.
+void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
+  std::vector<std::byte> buffer;
+  for (const ColumnSpec& c : columns) {
+    const std::uint64_t piece = std::max<std::uint64_t>(1, kPieceBytes / std::max<std::uint64_t>(1, c.row_bytes()));
+    for (std::uint64_t first = 0; first < rows; first += piece) {
+      const std::uint64_t n = std::min(piece, rows - first);
+      buffer.resize(n * c.row_bytes());
+      file.read_rows(c.name, c.type, first, n, buffer.data());
+    }
   }
 }
 
@@ -35,7 +51,9 @@ Part read_part(const std::string& folder, const std::string& name, const RowSche
   part.last_time = file.attribute_double("/", "time_last");
   for (std::size_t t = 0; t < kRowTables; ++t) {
     part.rows[t] = static_cast<std::uint64_t>(file.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
-    if (part.rows[t] > 0) check_columns(file, schema[t], part.rows[t]);
+    if (part.rows[t] == 0) continue;
+    check_columns(file, schema[t], part.rows[t]);
+    check_values(file, schema[t], part.rows[t]);
   }
   return part;
 }

@@ -82,12 +82,14 @@ class Watch {
 
   /// \return false to stop
   bool look(const solver::RunStatus& s) {
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual}, wall);
+    const double now = wall();
+    progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual}, now);
     const bool stop = stop_signal != 0;
     if (stop || save_signal != 0 || checkpoints_.due(s)) {
       save_signal = 0;
       save(stop || !saved_);
+      ++saves_;
+      saving_ += wall() - now;
     }
     return !stop;
   }
@@ -107,7 +109,16 @@ class Watch {
 
   void finish() { progress_.finish(); }
 
+  /// What safety cost.
+  void print_checkpoints() const {
+    std::printf("checkpoints          %d, with the rows before them %.2f s (%.2f %% of %.1f s)\n", saves_, saving_,
+                100.0 * saving_ / wall(), wall());
+  }
+
  private:
+  /// s since the start
+  [[nodiscard]] double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
   solver::Simulation& sim_;
   solver::RunState& plan_;
   ResultsWriter& results_;
@@ -115,6 +126,8 @@ class Watch {
   Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool saved_ = false;
+  int saves_ = 0;        // also those that failed
+  double saving_ = 0.0;  // s
 };
 
 }  // namespace
@@ -153,6 +166,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);
     print_stages(sim.stage_times());
+    watch.print_checkpoints();
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     watch.finish();

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <hdf5.h>
+
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -136,6 +139,41 @@ TEST_CASE("foreign files and other versions are refused by name") {
                        FileError);
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "something")), DamagedFile);
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "voussoir checkpoint")), FileError);  // nothing else in it
+}
+
+TEST_CASE("what no run can have saved is refused, though the seal holds") {
+  const TempFolder dir;
+  Cracked w;
+  CheckpointFacts f = w.facts();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string why;
+  SUBCASE("no step") { f.step = 0.0, why = "attribute step"; }
+  SUBCASE("a step without value") { f.step = nan, why = "attribute step"; }
+  SUBCASE("endless time") { f.time = -std::numeric_limits<double>::infinity(), why = "attribute time"; }
+  SUBCASE("samples without a step") { f.motion.axis[1].dt = 0.0, why = "attribute dt of /motion/y"; }
+  SUBCASE("a step of samples without value") { f.motion.axis[0].dt = nan, why = "attribute dt of /motion/x"; }
+  SUBCASE("a sample without value") { f.motion.axis[2].acceleration[7] = nan, why = "/motion/z holds"; }
+  SUBCASE("a displacement without value") { f.supports[0].displacement[1].y = nan, why = "/support/0/displacement holds"; }
+  SUBCASE("time that stands still") { f.supports[0].time = {0.5, 0.5}, why = "does not rise"; }
+  SUBCASE("a single sample") { f.supports[0].time = {0.5}, f.supports[0].displacement = {{}}, why = "single sample"; }
+  CAPTURE(why);
+  write_checkpoint(dir.file("c.h5"), f, solver::fields(w.sim, w.plan));
+  CHECK(refusal(read_bytes(dir.file("c.h5"))).find(why) != std::string::npos);
+}
+
+TEST_CASE("three numbers in place of one do not overflow") {
+  const TempFolder dir;
+  const std::string path = dir.file("three.h5");
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t three = 3;
+  const hid_t space = H5Screate_simple(1, &three, nullptr),
+              attribute = H5Acreate2(id, "step", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+  const double values[] = {1.0, 2.0, 3.0};
+  REQUIRE(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values) >= 0);
+  H5Aclose(attribute), H5Sclose(space), H5Fclose(id);
+  const Hdf5File three_numbers = Hdf5File::open(path);
+  CHECK_THROWS_WITH_AS(three_numbers.attribute_double("/", "step"), doctest::Contains("step of / is not one number"), FileError);
+  CHECK_THROWS_WITH_AS(three_numbers.attribute_int("/", "step"), doctest::Contains("step of / is not one number"), FileError);
 }
 
 TEST_CASE("the newest two checkpoints are kept; the schedule is by wall-clock, by simulated time, and before the last step") {

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <thread>
 
@@ -133,6 +135,33 @@ TEST_CASE("a resume drops rows after its time") {
   CHECK(check_rows(dir.file("run.h5")) == 50);
   CHECK(w.finish());
   CHECK(check_rows(dir.file("run.h5")) == 50);
+}
+
+TEST_CASE("rows that changed on disk are told before a run goes on, and at its end") {
+  const TempFolder dir;
+  write_some(dir.path(), 3);
+  const std::string part = dir.file("parts/0001.h5");
+  const auto spoil = [&part] {  // a bit of the times of row 15
+    std::ifstream in(part, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const double time = time_of(15);
+    const std::string mark(reinterpret_cast<const char*>(&time), sizeof time);
+    std::size_t found = 0;
+    for (std::size_t at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 1), ++found) bytes[at] ^= 4;
+    REQUIRE(found > 0);
+    std::ofstream(part, std::ios::binary) << bytes;
+  };
+  const auto wanted = doctest::Contains("0001.h5: cannot read");
+  SUBCASE("before it goes on") {
+    spoil();
+    CHECK_THROWS_WITH_AS(go_on(dir.path(), 1e9), wanted, FileError);
+  }
+  SUBCASE("while it goes on") {
+    ResultsWriter w = go_on(dir.path(), 1e9);
+    spoil();
+    CHECK_THROWS_WITH_AS(w.finish(), wanted, FileError);
+    CHECK(fs::exists(dir.file("parts/0002.h5")));
+  }
 }
 
 TEST_CASE("a resume refuses results of something else") {

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/checkpoint_file.h"
+#include "io/hdf5_file.h"
+
+/// HDF5 files of small checkpoints, each with one fault of structure at most, and where in them the values lie.
+namespace voussoir::fuzz {
+
+enum class Fault : std::uint8_t { none, missing, text, group, floats, bytes, empty, scalar, deep, longer };
+inline constexpr std::size_t kFaults = 10;
+
+struct Image {
+  std::vector<std::byte> bytes;
+  std::vector<std::size_t> places;  // of values, 8 bytes each
+};
+
+/// Writes one checkpoint in which there is one of everything. All values are marks that can be found again.
+class Scribe {
+ public:
+  /// \param spoilt  the number of the object that has the fault
+  Scribe(std::size_t spoilt, Fault fault) : file_(io::Hdf5File::create_in_memory("image")), spoilt_(spoilt), fault_(fault) {}
+
+  Image write() {
+    root();
+    text_dataset();
+    for (const char* axis : {"/motion/x", "/motion/y", "/motion/z"}) {
+      dataset(axis, io::Hdf5Type::f64, {2});
+      attribute(axis, "dt", mark());
+      attribute(axis, "name", word());
+    }
+    file_.make_group("/support");
+    dataset("/support/0/time", io::Hdf5Type::f64, {2});
+    dataset("/support/0/displacement", io::Hdf5Type::f64, {2, 3});
+    attribute("/support/0", "open_ended", std::int64_t{1});
+    dataset("/state/pose", io::Hdf5Type::f64, {3, 2});
+    dataset("/state/damage", io::Hdf5Type::i64, {2});
+    dataset("/state/point_face", io::Hdf5Type::i32, {4});
+    dataset("/state/side_quick", io::Hdf5Type::u8, {8});
+    return find_marks();
+  }
+  [[nodiscard]] std::size_t objects() const { return at_; }
+
+ private:
+  void root() {
+    attribute("/", "format", std::string("voussoir checkpoint"));
+    attribute("/", "physics_version", solver::kPhysicsVersion);
+    attribute("/", "program", word());
+    attribute("/", "model_hash", std::string("0123456789abcdef"));
+    attribute("/", "kernels", std::string("fast"));
+    attribute("/", "step", mark());
+    attribute("/", "time", mark());
+    for (std::size_t t = 0; t < io::kRowTables; ++t)
+      attribute("/", std::string("rows_") + io::table_name(static_cast<io::RowTable>(t)),
+                std::int64_t{1000} + static_cast<std::int64_t>(t));
+  }
+
+  Fault fault() { return at_++ == spoilt_ ? fault_ : Fault::none; }
+  /// Rising numbers: whatever has to rise, does.
+  double mark() { return marks_.emplace_back(1.0 + 0x1.23456789abcdp-8 * static_cast<double>(marks_.size())); }
+  std::string word() { return words_.emplace_back("*word" + std::to_string(100 + words_.size())); }
+
+  template <class T>
+  void attribute(const std::string& object, const std::string& name, const T& value) {
+    const Fault f = fault();
+    if (f == Fault::missing || (object != "/" && !file_.exists(object))) return;
+    switch (f) {
+      case Fault::text:
+        return file_.set_attribute(object, name, word());
+      case Fault::floats:
+        return file_.set_attribute(object, name, mark());
+      case Fault::bytes:
+        return file_.set_attribute(object, name, std::int64_t{77});
+      case Fault::empty:
+        return file_.set_attribute(object, name, std::span<const std::string>());
+      case Fault::longer:
+        return file_.set_attribute(object, name, std::vector<std::string>{word(), word()});
+      default:
+        return file_.set_attribute(object, name, value);
+    }
+  }
+
+  void text_dataset() {
+    const std::string name = "/case/toml";
+    const Fault f = fault();
+    if (f == Fault::missing) return;
+    if (f == Fault::group) return file_.make_group(name);
+    if (f == Fault::floats || f == Fault::scalar) return fill(name, io::Hdf5Type::f64, f == Fault::scalar ? io::Shape{} : io::Shape{3});
+    std::vector<std::string> texts{"title = \"" + word() + "\"\n"};
+    if (f == Fault::empty) texts.clear();
+    if (f == Fault::longer) texts.push_back(word());
+    file_.write_strings(name, texts);
+  }
+
+  void dataset(const std::string& name, io::Hdf5Type type, io::Shape shape) {
+    switch (fault()) {
+      case Fault::missing:
+        return;
+      case Fault::text:
+        return file_.write_strings(name, std::vector<std::string>{word()});
+      case Fault::group:
+        return file_.make_group(name);
+      case Fault::floats:
+        return fill(name, io::Hdf5Type::f32, shape);
+      case Fault::bytes:
+        return fill(name, type == io::Hdf5Type::u8 ? io::Hdf5Type::f64 : io::Hdf5Type::u8, shape);
+      case Fault::empty:
+        shape[0] = 0;
+        break;
+      case Fault::scalar:
+        shape.clear();
+        break;
+      case Fault::deep:
+        shape.insert(shape.end(), {2, 2});
+        break;
+      case Fault::longer:
+        shape[0] += 1;
+        break;
+      case Fault::none:
+        break;
+    }
+    fill(name, type, shape);
+  }
+
+  void fill(const std::string& name, io::Hdf5Type type, const io::Shape& shape) {
+    std::size_t bytes = size_of(type);
+    for (const std::uint64_t n : shape) bytes *= n;
+    std::vector<double> values((bytes + 7) / 8);
+    for (double& v : values) v = mark();
+    file_.write_dataset(name, type, shape, values.data());
+  }
+
+  Image find_marks() {
+    Image image{file_.image(), {}};
+    const auto find = [&image](const void* what) {
+      for (std::size_t at = 0; at + 8 <= image.bytes.size(); ++at)
+        if (std::memcmp(image.bytes.data() + at, what, 8) == 0) image.places.push_back(at);
+    };
+    for (const double m : marks_) find(&m);
+    for (const std::string& w : words_) find(w.data());
+    for (const char* w : {"01234567", "89abcdef", "fast\0\0\0"}) find(w);
+    for (std::int64_t rows = 1000; rows < 1000 + static_cast<std::int64_t>(io::kRowTables); ++rows) find(&rows);
+    return image;
+  }
+
+  io::Hdf5File file_;
+  std::size_t spoilt_, at_ = 0;
+  Fault fault_;
+  std::vector<double> marks_;
+  std::vector<std::string> words_;
+};
+
+}  // namespace voussoir::fuzz
