@@ -65,23 +65,23 @@ TEST_CASE("energy ledger of bonds torn by a slide: a brick shears off, one half 
   expect_below("ledger: residual after a slide has torn bonds", run.sim().energy().residual, 1e-5);
 }
 
-TEST_CASE("a joint that bends far but breaks nowhere stays a joint") {
-  // Soft and strong: it turns by 0.2 rad, more than the 0.15 at which the faces of a broken joint go separate ways.
+TEST_CASE("a joint that bends far but still holds stays a joint") {
+  // Soft: it turns by more than the 0.15 rad at which the faces of a broken joint go separate ways. Its outer row breaks in tension.
   cases::Case c = load("couplet", {"block[1].angular_velocity=[0.0,45.0,0.0]", "time.step=2e-5", "materials.adobe.young=9.8e5",
-                                   "joint_laws.normal.young=9.8e5", "joint_laws.normal.tension=1e9", "joint_laws.normal.cohesion=1e9",
-                                   "joint_laws.normal.compression=1e9"})
+                                   "joint_laws.normal.young=9.8e5", "joint_laws.normal.tension=1.4e5", "joint_laws.normal.cohesion=1e9",
+                                   "joint_laws.normal.compression=1e9", "segments.size=0.05"})
                       .value;
   c.loads.clear();
   c.damping = {};
   Run run(c);
   const std::size_t side = joint_of(run);
-  const std::int64_t bonded = run.sim().damage().bonded;
   double tilt = 0.0;
   run.until(0.05, {false, true}, [&] { tilt = std::max(tilt, 2.0 * std::abs(run.orientation(1).y)); });
   CHECK(tilt > 0.18);
   CHECK(run.sim().world().sides.retired[side] == 0);
-  CHECK(run.sim().damage().bonded == bonded);
-  expect_below("ledger: residual of a joint bent to and fro by 0.2 rad", run.sim().worst_residual(), 1e-6);
+  CHECK(run.sim().damage().tension > 0);
+  CHECK(run.sim().damage().bonded > 0);
+  expect_below("ledger: residual of a joint bent to and fro by 0.2 rad", run.sim().worst_residual(), 1e-5);
 }
 
 }  // namespace voussoir::testing
