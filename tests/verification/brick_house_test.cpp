@@ -58,7 +58,7 @@ TEST_CASE("brick house on the shaking table of LNEC" * doctest::skip()) {
   const double test = 1.27;  // g
   const cases::Case c = load("brick_house").value;
   Shaken s;
-  for (double factor = 1.0; !s.fell() && factor < 2.0; factor += 0.125) {
+  for (double factor = 0.5; !s.fell() && factor < 2.0; factor += 0.125) {  // of the level at which the gable overturned
     s = shake(c, factor);
     MESSAGE(s.peak, " g: fallen ", s.gable, " kg of the gable, ", s.returns, " kg of the returns; gable out of its plane ", s.out, " m");
   }
