@@ -9,6 +9,8 @@ namespace voussoir::kernels {
 
 namespace {
 
+constexpr double kRoundOff = 1e-9;  // m, far more than that of any distance
+
 /// Lanes whose entry of `list` is `value`.
 VOUSSOIR_INLINE LaneMask equal(const std::int32_t* list, std::int32_t value) noexcept {
   typedef std::int32_t Ints __attribute__((vector_size(4 * kWidth)));
@@ -103,57 +105,59 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   sum.impact += select(changed, da * normal, zero);
 }
 
-/// Points of the patch that touch one face of candidate k.
-void touch_face(Work& w, const Facing& f, std::int32_t element, std::int32_t face, Touching& sum) noexcept {
+/// Points of the patch in the range of a candidate that touch one face of it.
+void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face, Touching& sum) noexcept {
   const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
-  for (int i = 0; i < w.points.n; i += kWidth) {
-    const LaneMask mine = equal(w.q.partner + i, element) & equal(w.q.face + i, face);
+  for (int i = c.first; i < c.last; i += kWidth) {
+    const LaneMask mine = equal(w.q.partner + i, c.element) & equal(w.q.face + i, face);
     if (bits(mine) != 0) touch(f, g, w.points, w.q, i, mine, sum);
   }
 }
 
-/// The partners of a patch and their faces, each once, in the order of the points: mostly one, seldom more than two.
-struct Partners {
-  std::int32_t *element, *face;  // room for one entry a point
-  int count = 0, points = 0;
-
-  [[nodiscard]] bool hold(std::int32_t e) const noexcept { return std::find(element, element + count, e) != element + count; }
-  void add(std::int32_t e, std::int32_t f) noexcept {
-    for (int n = 0; n < count; ++n) {
-      if (element[n] == e && face[n] == f) return;
-    }
-    element[count] = e, face[count] = f;
-    ++count;
+/// Lists the faces of candidate c that points of its range push against, each once, in the order of the points.
+int faces_pushed(const Work& w, const Candidate& c, std::int32_t* list) noexcept {
+  int count = 0;
+  for (int i = c.first; i < c.last; ++i) {
+    const std::int32_t face = w.q.face[i];
+    if (w.q.partner[i] != c.element || face == kNoFace || std::find(list, list + count, face) != list + count) continue;
+    list[count++] = face;
   }
-};
-Partners partners_of(PointsView p, ContactPoints q, PatchScratch scratch) noexcept {
-  Partners all{scratch.pair_element, scratch.pair_face};
-  for (int i = 0; i < p.n; i += kWidth) {
-    const LaneMask held = ~equal(q.partner + i, kNobody);
-    all.points += std::popcount(bits(held));
-    LaneMask unknown = held;
-    if (all.count > 0) unknown &= ~(equal(q.partner + i, all.element[0]) & equal(q.face + i, all.face[0]));
-    for (unsigned rest = bits(unknown); rest != 0; rest &= rest - 1) {
-      const int k = i + std::countr_zero(rest);
-      all.add(q.partner[k], q.face[k]);
-    }
-  }
-  return all;
+  return count;
 }
 
-/// Forces of all points that touch candidate k. Returns whether any carries force.
-bool evaluate(Work& w, std::int32_t k, const Partners& partners, PairWrench& wrench) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  const auto pushes = [&](int n) { return partners.element[n] == c.element && partners.face[n] != kNoFace; };
-  int n = 0;
-  while (n < partners.count && !pushes(n)) ++n;
-  if (n == partners.count) return false;
+/// Writes down who touches whom. Those that touch are to be looked at.
+void list_partners(Work& w) noexcept {
+  for (Candidate& c : w.candidates) c.face = kNoFace, c.first = c.last = 0;
+  if (w.r.touching == 0 && !w.changed) return;
+  w.r.touching = 0;
+  for (int i = 0; i < w.points.n; i += kWidth) {
+    for (unsigned rest = bits(~equal(w.q.partner + i, kNobody)); rest != 0; rest &= rest - 1) {
+      const int k = i + std::countr_zero(rest);
+      ++w.r.touching;
+      const auto is_partner = [&](const Candidate& c) { return c.element == w.q.partner[k]; };
+      const auto found = std::find_if(w.candidates.begin(), w.candidates.end(), is_partner);
+      if (found == w.candidates.end()) continue;  // of no run
+      Candidate& c = *found;
+      if (c.last == 0) c.first = i, c.until = kLookNow;
+      c.last = i + kWidth;
+      if (w.q.face[k] == kNoFace || c.face == w.q.face[k]) continue;
+      c.face = c.face == kNoFace ? w.q.face[k] : kSeveralFaces;
+    }
+  }
+}
+
+/// Forces of all points that touch candidate c. Returns whether any carries force.
+bool evaluate(Work& w, const Candidate& c, PairWrench& wrench) noexcept {
+  if (c.face == kNoFace) return false;
   const InSlave y = slave_frame(w, c);
   Touching sum;
-  for (; n < partners.count; ++n) {
-    if (!pushes(n)) continue;
-    const std::int32_t face = partners.face[n];
-    touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c.element, face, sum);
+  const auto add = [&](std::int32_t face) { touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c, face, sum); };
+  if (c.face == kSeveralFaces) {
+    std::int32_t faces[kMostFaces];
+    const int count = faces_pushed(w, c, faces);
+    for (int n = 0; n < count; ++n) add(faces[n]);
+  } else {
+    add(c.face);
   }
   const Quad energy = sums_of(sum.stored, sum.friction, sum.impact, Lanes{});
   w.r.stored += energy[0], w.r.friction += energy[1], w.r.impact += energy[2];
@@ -162,35 +166,77 @@ bool evaluate(Work& w, std::int32_t k, const Partners& partners, PairWrench& wre
   return true;
 }
 
-/// Points of the patch against candidate k: few have come in or left, the others need no look.
-void look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
+/// Largest distance of the points of a chunk over the faces of a candidate: negative inside.
+VOUSSOIR_INLINE Lanes distances(const PlaneFields& planes, Lanes s, Lanes t) noexcept {
+  Lanes most = lanes(-1e300);
+  for (int f = 0; f < planes.count; ++f) most = max(most, planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt);
+  return most;
+}
+
+/// The same but for the face that each point touches.
+VOUSSOIR_INLINE Lanes distances_beside(const PlaneFields& planes, std::int32_t first_face, const std::int32_t* face, Lanes s,
+                                       Lanes t) noexcept {
+  Lanes most = lanes(-1e300);
+  for (int f = 0; f < planes.count; ++f) {
+    const Lanes g = planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt;
+    most = select(equal(face, first_face + f), most, max(most, g));
+  }
+  return most;
+}
+
+/// Points of the patch against candidate k: few have come in or left. Returns the way [m] that the others have to go until one can, but for
+/// those that leave through the face they touch.
+double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c);
+  const Lanes far = lanes(1e300);
+  Lanes way = far;
   for (int i = 0; i < w.points.n; i += kWidth) {
-    const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i);
-    Lanes distance = lanes(-1e300);  // the largest over the faces: negative inside
-    for (int f = 0; f < planes.count; ++f) distance = max(distance, planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt);
-    const LaneMask in = distance < 0.0;
-    unsigned rest = bits((in & equal(w.q.partner + i, kNobody)) | (~in & equal(w.q.partner + i, c.element)));
-    if (w.points.n - i < kWidth) rest &= (1U << (w.points.n - i)) - 1U;
+    const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i), distance = distances(planes, s, t);
+    const LaneMask in = distance < 0.0, free = equal(w.q.partner + i, kNobody), held = equal(w.q.partner + i, c.element);
+    unsigned rest = bits((in & free) | (~in & held));
+    Lanes room = select(free, distance, far);
+    if (bits(held) != 0) room = select(held, -distances_beside(planes, c.first_face, w.q.face + i, s, t), room);
+    if (w.points.n - i < kWidth) {
+      rest &= (1U << (w.points.n - i)) - 1U;
+      for (int l = w.points.n - i; l < kWidth; ++l) room[l] = 1e300;
+    }
+    way = min(way, room);
     for (; rest != 0; rest &= rest - 1) {
       const int l = std::countr_zero(rest);
       look_at_point(w, k, y, planes, i + l, (bits(in) >> l & 1U) != 0);
     }
   }
+  double least = way[0];
+  for (int l = 1; l < kWidth; ++l) least = std::min(least, way[l]);
+  return least;
 }
 
-/// True if the face that separated the two last time still does, found without turning the whole patch.
-bool still_separated(const Patch& p, const Master& m, const Bodies& b, const FaceTable& faces, const Candidate& c) noexcept {
-  const Pose slave = load_pose(b.pose, c.element);
-  const Vec3 n = apply(slave, faces.normal[c.separating]);
-  const Vec3 from = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
-  return separates(p, {dot(n, from) - faces.distance[c.separating], dot(n, m.es), dot(n, m.et)});
+/// True if some point that touches candidate c may have left it through its face. The bound on all other ways is Candidate::until.
+bool leaves(const Work& w, const Candidate& c) noexcept {
+  if (c.face == kNoFace) return false;
+  if (c.face == kSeveralFaces) return true;
+  const Pose slave = load_pose(w.bodies.pose, c.element);
+  const Vec3 n = apply(slave, w.faces.normal[c.face]);
+  const Vec3 from = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - slave.u);
+  const double g0 = dot(n, from) - w.faces.distance[c.face] + kRoundOff, gs = dot(n, w.m.es), gt = dot(n, w.m.et);
+  LaneMask out{};
+  for (int i = c.first; i < c.last; i += kWidth) {
+    const Lanes depth = g0 + load_lanes(w.points.s + i) * gs + load_lanes(w.points.t + i) * gt;
+    out |= equal(w.q.partner + i, c.element) & equal(w.q.face + i, c.face) & (depth >= 0.0);
+  }
+  return bits(out) != 0;
 }
 
-/// True if the two were farther apart at the last search than all that either can have moved since.
-bool out_of_reach(const Patch& p, const Bodies& b, const Candidate& c, double gap) noexcept {
-  return gap > b.moved[p.element] + b.moved[c.element];
+/// Looks at candidate k where something may have changed: most steps nothing can.
+void look_if_due(Work& w, std::int32_t k) noexcept {
+  Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const double paths = w.bodies.path[w.patch.element] + w.bodies.path[c.element];
+  if (paths < c.until && !w.changed && !leaves(w, c)) return;  // a point that another partner has let go is a new one for this
+  const InSlave y = slave_frame(w, c);
+  const double apart = c.first < c.last ? -1.0 : separation(w.patch, y, w.faces, c);
+  if (apart < 0.0 && !w.looked) std::fill_n(w.scratch.candidate, w.points.n, -1), w.looked = true;
+  c.until = paths + (apart >= 0.0 ? apart : look_at(w, k, y)) - kRoundOff;
 }
 
 }  // namespace
@@ -202,38 +248,21 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
   return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
 }
 
-// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces. Candidates
-// that nothing touched, and that are out of reach or still separated, are passed over at once: most are.
-PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                          const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
-                          PairWrench* wrench, std::uint8_t* active) noexcept {
-  const auto count = static_cast<std::int32_t>(candidates.size());
-  std::fill_n(active, count, std::uint8_t{0});
-  Partners partners{scratch.pair_element, scratch.pair_face};
-  if (had_partners) partners = partners_of(points, q, scratch);
-  const auto passed_over = [&](const Candidate& c) {
-    return out_of_reach(patch, bodies, c, gap[&c - candidates.data()]) && !partners.hold(c.element);
-  };
-  if (std::all_of(candidates.begin(), candidates.end(), passed_over)) return {};
+// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
+PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
+                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                          std::uint8_t* active) noexcept {
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
-  bool near = had_partners;
-  if (near) std::fill_n(scratch.candidate, points.n, -1);
-  for (std::int32_t k = 0; k < count; ++k) {
-    Candidate& c = candidates[static_cast<std::size_t>(k)];
-    if (passed_over(c)) continue;
-    const bool held = partners.hold(c.element);
-    if (!held && still_separated(patch, w.m, bodies, faces, c)) continue;
-    const InSlave y = slave_frame(w, c);
-    if (!held && separated(patch, y, faces, c)) continue;
-    if (!near) std::fill_n(scratch.candidate, points.n, -1);
-    near = true;
-    look_at(w, k, y);
+  w.r.touching = touching;
+  if (candidates.front().face == kUnknownFace) list_partners(w);
+  const auto count = static_cast<std::int32_t>(candidates.size());
+  for (std::int32_t k = 0; k < count; ++k) look_if_due(w, k);
+  if (w.noted) take_partners(w);
+  if (w.changed) {
+    list_partners(w);
+    for (Candidate& c : candidates) c.until = kLookNow;
   }
-  if (!near) return w.r;
-  take_partners(w);
-  if (w.changed) partners = partners_of(points, q, scratch);
-  w.r.touching = partners.points;
-  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, partners, wrench[k]) ? 1 : 0;
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, candidates[static_cast<std::size_t>(k)], wrench[k]) ? 1 : 0;
   return w.r;
 }
 

@@ -21,6 +21,9 @@ inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr int kMostFaces = 64;      // of one element
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
+inline constexpr std::int32_t kSeveralFaces = -2;
+inline constexpr std::int32_t kUnknownFace = -3;
+inline constexpr double kLookNow = -1e300;  // m, a path that every path exceeds
 
 /// Faces of all elements in their body frames, centred at the centroid; one entry more for the base (the plane z = 0 of the base row).
 struct FaceTable {
@@ -50,11 +53,13 @@ struct ContactPoints {
   double* closure = nullptr;  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
 };
 
-/// An element that a patch may touch.
+/// An element that a patch may touch, and what is known of the pair, so that most steps need no look at its points.
 struct Candidate {
   std::int32_t element = 0;
   std::int32_t first_face = 0, face_count = 0;  // into FaceTable
-  std::int32_t separating = 0;                  // face that separated the two last time: tested first
+  // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace: partners are to be listed).
+  std::int32_t face = kUnknownFace, first = 0, last = 0;
+  double until = kLookNow;  // m, sum of both bodies' paths below which no point can come in, or leave through another face than `face`
 };
 
 struct ContactOptions {
@@ -70,8 +75,8 @@ struct Bodies {
   const double* pose = nullptr;                                       // rows
   const double* twist = nullptr;                                      // rows
   const double *ref_x = nullptr, *ref_y = nullptr, *ref_z = nullptr;  // m, centroids in the reference configuration
-  const double* beta = nullptr;   // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
-  const double* moved = nullptr;  // m, bound on what any point of each body has moved since the last search
+  const double* beta = nullptr;  // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+  const double* path = nullptr;  // m, bound on the way that any point of each body has gone since the last search
 };
 
 struct PatchScratch {
@@ -92,13 +97,17 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
                         const FaceTable& faces, const ContactOptions& o) noexcept;
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
-/// \param gap  m, by which each candidate was apart at the last search; negative: look at it in any case
-/// \param had_partners  some point has a partner from the last step (else separated candidates need no look at points)
+/// \param touching  points that have a partner from the last step
 /// \pre  histories of the points are padded to kLanes with points that have no partner
-using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, bool had_partners, std::span<Candidate> candidates,
-                                 const double* gap, const Bodies& bodies, const FaceTable& faces, const ContactOptions& o,
-                                 PatchScratch scratch, PairWrench* wrench, std::uint8_t* active) noexcept;
-AdvancePatch advance_patch;            // several points at a time
-AdvancePatch advance_patch_reference;  // the plain twin
+using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
+                                 const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                                 PairWrench* wrench, std::uint8_t* active) noexcept;
+AdvancePatch advance_patch;            // several points at a time, and no look at those that cannot have come in or left
+AdvancePatch advance_patch_reference;  // the plain twin: looks at every point, and leaves what candidates know alone
+
+/// True if nothing of the pair can have changed and it pushes nowhere: a patch of which this holds for all candidates needs no step.
+inline bool quiet(const Candidate& c, double path_of_patch, double path_of_candidate) noexcept {
+  return c.face == kNoFace && path_of_patch + path_of_candidate < c.until;
+}
 
 }  // namespace voussoir::kernels

@@ -52,20 +52,17 @@ inline PlaneField plane_field(const InSlave& y, const FaceTable& faces, int face
   return {dot(n, y.y0) - faces.distance[face], dot(n, y.ys), dot(n, y.yt)};
 }
 
-inline bool separates(const Patch& p, PlaneField g) noexcept {
+/// Over the rectangle of the patch.
+inline double least_distance(const Patch& p, PlaneField g) noexcept {
   const double s = g.gs > 0.0 ? p.s_low : p.s_high, t = g.gt > 0.0 ? p.t_low : p.t_high;
-  return g.at(s, t) >= 0.0;
+  return g.at(s, t);
 }
 
-/// True if one face of the candidate has all points outside. Remembers it: next step it will most likely separate again.
-inline bool separated(const Patch& p, const InSlave& y, const FaceTable& faces, Candidate& c) noexcept {
-  if (separates(p, plane_field(y, faces, c.separating))) return true;
-  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) {
-    if (f == c.separating || !separates(p, plane_field(y, faces, f))) continue;
-    c.separating = f;
-    return true;
-  }
-  return false;
+/// Distance [m] that one face of the candidate, the best, keeps between it and the whole patch; negative: none separates them.
+inline double separation(const Patch& p, const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+  double most = -1e300;
+  for (int f = c.first_face; f < c.first_face + c.face_count; ++f) most = std::max(most, least_distance(p, plane_field(y, faces, f)));
+  return most;
 }
 
 /// All faces of a candidate over the patch.
@@ -178,6 +175,8 @@ struct Work {
   PatchScratch scratch;
   Master m;
   PatchResult r;
+  bool looked = false;   // `scratch.candidate` is set
+  bool noted = false;    // some free point has a new partner in `scratch`
   bool changed = false;  // some point has another partner than before
 };
 
@@ -205,6 +204,7 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
     w.scratch.candidate[i] = k;
     w.scratch.face[i] = face;
     w.scratch.depth[i] = depth;
+    w.noted = true;
   }
 }
 

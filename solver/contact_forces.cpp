@@ -12,16 +12,14 @@ namespace {
 
 constexpr std::int64_t kRun = 16;  // patches that a thread takes at a time
 
-/// True if the patch touches nothing and every candidate was farther apart at the last search than both can have moved since. So are most,
-/// and this reads lists alone: the patches themselves lie all over memory.
-bool out_of_reach(const World& w, std::size_t a) {
+/// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
+/// reads lists alone: the patches themselves lie all over memory.
+bool is_quiet(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
-  if (w.patches.touching[static_cast<std::size_t>(c.active[a])] > 0) return false;
-  const double moved = c.moved[static_cast<std::size_t>(c.master[a])];
-  for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
-    if (c.gap[slot] <= moved + c.moved[static_cast<std::size_t>(c.candidate[slot].element)]) return false;
-  }
-  return true;
+  if (w.options.reference_kernels) return false;
+  const double path = c.path[static_cast<std::size_t>(c.master[a])];
+  const auto is_quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, path, c.path[static_cast<std::size_t>(k.element)]); };
+  return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], is_quiet);
 }
 
 /// Asks for a patch and its points before they are needed.
@@ -38,19 +36,15 @@ void fetch(const World& w, std::size_t a) {
   }
 }
 
-void leave_alone(Contacts& c, std::size_t a) {
-  std::fill(c.on.begin() + c.first_slot[a], c.on.begin() + c.first_slot[a + 1], std::uint8_t{0});
-}
-
 void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
-  const kernels::PatchResult r = advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i] > 0,
-                                         {c.candidate.data() + first, count}, c.gap.data() + first, bodies, faces, w.contact,
-                                         scratch.view(), c.wrench.data() + first, c.on.data() + first);
+  const kernels::PatchResult r =
+      advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i],
+              {c.candidate.data() + first, count}, bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, c.on.data() + first);
   p.touching[i] = r.touching;
   p.stored[i] = r.stored;
   p.friction[i] += r.friction;
@@ -75,11 +69,7 @@ void advance_contacts(World& w, ContactRoom& room) {
     std::size_t count = 0;
     for (std::int64_t a = from; a < std::min(from + kRun, patches); ++a) {
       const auto i = static_cast<std::size_t>(a);
-      if (out_of_reach(w, i)) {
-        leave_alone(w.contacts, i);
-      } else {
-        fetch(w, near[count++] = i);
-      }
+      if (!is_quiet(w, i)) fetch(w, near[count++] = i);
     }
     for (std::size_t k = 0; k < count; ++k) advance_one(w, near[k], bodies, faces, room);
   }

@@ -7,8 +7,8 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Bounds what any point of the elements [first, last) has moved since the last search (Contacts::moved). Returns the largest [m]: exact in
-/// any order.
+/// Bounds the way that any point of the elements [first, last) has gone since the last search (Contacts::path), and what it has moved. Returns
+/// the largest of the latter [m]: exact in any order. Call once a step.
 double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
 /// True if some element may have moved more than half the skin since the last search; `moved`: the largest of measure_moves.
@@ -17,6 +17,12 @@ bool search_due(World& w, double moved);
 
 /// Broad phase on the uniform grid, then patch against element by separating planes; rebuilds candidates, slots and gather lists.
 void search_contacts(World& w);
+
+/// An element that a patch may touch, as new.
+[[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
+
+/// Candidates of all slots as new: nothing is known of any pair.
+void list_candidates(World& w);
 
 /// Lists for every element the slots that push it. search_contacts does it; so must whoever adds slots in between.
 void build_gather(World& w);

@@ -57,27 +57,23 @@ PlacedPatch placed(const World& w, std::size_t p) {
   return r;
 }
 
-/// True unless a face of the element has the whole patch farther out than the skin. `separating`: the face that is farthest from it, by
-/// `farthest`.
-bool near_element(const World& w, const PlacedPatch& p, std::int32_t element, std::int32_t& separating, double& farthest) {
+/// Distance [m] that one face of the element, the best, keeps between it and the whole patch.
+double gap_to(const World& w, const PlacedPatch& p, std::int32_t element) {
   const auto i = static_cast<std::size_t>(element);
   const Body b = body(w, element);
-  farthest = -1e300;
+  double farthest = -1e300;
   for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
     const auto k = static_cast<std::size_t>(f);
     const Vec3 n = b.r * w.faces.normal[k];
-    const double g = dot(n, p.centre - b.x) - w.faces.distance[k] - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et));
-    if (g <= farthest) continue;
-    farthest = g;
-    separating = f;
+    farthest = std::max(farthest, dot(n, p.centre - b.x) - w.faces.distance[k] - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et)));
   }
-  return farthest < w.contacts.skin;
+  return farthest;
 }
 
 /// Candidates of the patches of one element.
 struct Found {
   std::vector<std::int32_t> patch;
-  std::vector<kernels::Candidate> candidate;
+  std::vector<std::int32_t> element;
   std::vector<double> gap;  // m
 };
 
@@ -93,12 +89,10 @@ void search_element(const World& w, std::int32_t e, std::span<const std::int32_t
   for (const std::int32_t p : patches) {
     const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
     const auto consider = [&](std::int32_t other) {
-      std::int32_t separating = 0;
-      double gap = 0.0;
-      if (!near_element(w, placed_patch, other, separating, gap)) return;
-      const auto o = static_cast<std::size_t>(other);
+      const double gap = gap_to(w, placed_patch, other);
+      if (gap >= w.contacts.skin) return;
       found.patch.push_back(p);
-      found.candidate.push_back({other, el.first_face[o], el.face_count[o], separating});
+      found.element.push_back(other);
       found.gap.push_back(gap);
     };
     for (const std::int32_t other : near) {
@@ -115,18 +109,18 @@ void remember_poses(World& w) {
   const Elements& e = w.elements;
   c.at_ux = e.ux, c.at_uy = e.uy, c.at_uz = e.uz;
   c.at_qw = e.qw, c.at_qx = e.qx, c.at_qy = e.qy, c.at_qz = e.qz;
-  c.moved.assign(e.ux.size(), 0.0);
+  c.path.assign(e.ux.size(), 0.0);
 }
 
 /// Lets go of partners that are no candidates any more: they are farther away than the skin.
-void release_lost(World& w, std::size_t p, std::span<const kernels::Candidate> candidates) {
+void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candidates) {
   if (w.patches.touching[p] == 0) return;
   const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
   const int n = w.points.count[static_cast<std::size_t>(w.patches.set[p])];
   for (int i = 0; i < n; ++i) {
     const std::int32_t partner = q.partner[i];
     if (partner == kernels::kNobody) continue;
-    if (std::any_of(candidates.begin(), candidates.end(), [&](const auto& c) { return c.element == partner; })) continue;
+    if (std::ranges::find(candidates, partner) != candidates.end()) continue;
     q.partner[i] = kernels::kNobody;
     q.face[i] = kernels::kNoFace;
     q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = q.closure[i] = 0.0;
@@ -140,21 +134,25 @@ void build_slots(World& w, const std::vector<Found>& found) {
   Contacts& c = w.contacts;
   c.active.clear();
   c.first_slot.clear();
-  c.candidate.clear();
-  c.gap.clear();
+  c.element.clear();
   for (const Found& f : found) {
     for (std::size_t i = 0; i < f.patch.size(); ++i) {
       if (c.active.empty() || c.active.back() != f.patch[i]) {
         c.active.push_back(f.patch[i]);
-        c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
+        c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
       }
-      c.candidate.push_back(f.candidate[i]);
-      c.gap.push_back(f.gap[i]);
+      c.element.push_back(f.element[i]);
     }
   }
-  c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
-  c.wrench.assign(c.candidate.size(), {});
-  c.on.assign(c.candidate.size(), 0);
+  c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
+  list_candidates(w);
+  std::size_t slot = 0;
+  for (const Found& f : found) {
+    for (std::size_t i = 0; i < f.gap.size(); ++i, ++slot) {
+      c.candidate[slot].until = f.gap[i];
+      if (w.patches.touching[static_cast<std::size_t>(f.patch[i])] == 0) c.candidate[slot].face = kernels::kNoFace;
+    }
+  }
 }
 
 /// Patches by element: first entries (count + 1) and the list.
@@ -171,6 +169,21 @@ void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::v
 
 }  // namespace
 
+kernels::Candidate candidate_of(const World& w, std::int32_t element) {
+  const auto e = static_cast<std::size_t>(element);
+  kernels::Candidate c;
+  c.element = element, c.first_face = w.elements.first_face[e], c.face_count = w.elements.face_count[e];
+  return c;
+}
+
+void list_candidates(World& w) {
+  Contacts& c = w.contacts;
+  c.candidate.clear();
+  for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
+  c.wrench.assign(c.element.size(), {});
+  c.on.assign(c.element.size(), 0);
+}
+
 void build_gather(World& w) {
   Contacts& c = w.contacts;
   const auto n = static_cast<std::size_t>(w.elements.count);
@@ -178,7 +191,7 @@ void build_gather(World& w) {
     for (std::size_t a = 0; a < c.active.size(); ++a) {
       for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
         use(static_cast<std::size_t>(c.master[a]), 2 * slot);
-        const std::int32_t slave = c.candidate[static_cast<std::size_t>(slot)].element;
+        const std::int32_t slave = c.element[static_cast<std::size_t>(slot)];
         if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
       }
     }
@@ -204,8 +217,10 @@ double measure_moves(World& w, std::int64_t first, std::int64_t last) {
     // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
     const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
     const double moved = std::sqrt(2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2));
-    c.moved[k] = moved;
     worst = moved > worst ? moved : worst;
+    const double speed = std::sqrt(e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k]);
+    const double spin = std::sqrt(e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]);
+    c.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);
   }
   return worst;
 }
@@ -245,7 +260,7 @@ void search_contacts(World& w) {
     const auto p = static_cast<std::size_t>(c.active[a]);
     seen[p] = 1;
     const auto slot = static_cast<std::size_t>(c.first_slot[a]);
-    release_lost(w, p, {c.candidate.data() + slot, static_cast<std::size_t>(c.first_slot[a + 1]) - slot});
+    release_lost(w, p, {c.element.data() + slot, static_cast<std::size_t>(c.first_slot[a + 1]) - slot});
   }
   for (std::size_t p = 0; p < seen.size(); ++p) {
     if (!seen[p]) release_lost(w, p, {});

@@ -107,17 +107,16 @@ void add_patches(Table& t, World& w) {
 void add_search(Table& t, World& w) {
   Contacts& c = w.contacts;
   const char* shape = "element";
-  const auto patches = static_cast<std::int64_t>(w.patches.patch.size()), slots = static_cast<std::int64_t>(c.candidate.size());
+  const auto patches = static_cast<std::int64_t>(w.patches.patch.size()), slots = static_cast<std::int64_t>(c.element.size()),
+             elements = std::int64_t{w.elements.base} + 1;
   t.insert(t.end(),
            {field("searched_ux", "m", shape, c.at_ux), field("searched_uy", "m", shape, c.at_uy), field("searched_uz", "m", shape, c.at_uz),
             field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
-            field("searched_qz", "-", shape, c.at_qz), field("moved_since", "m", shape, c.moved), value("search_due", c.stale, 0, 1),
+            field("searched_qz", "-", shape, c.at_qz), value("search_due", c.stale, 0, 1),
             value("search_countdown", c.countdown, 0, std::numeric_limits<std::int32_t>::max()), value("searches", "-", c.searches),
             field("active_patch", "-", "active patch", c.active, 0, patches - 1),
             field("active_first_slot", "-", "active patch", c.first_slot, 0, slots)});
-  static_assert(sizeof(kernels::Candidate) == 4 * sizeof(std::int32_t));
-  t.push_back(rows<std::int32_t>("slot_candidate", "-", "slot", c.candidate, 4));
-  t.push_back(field("slot_gap", "m", "slot", c.gap));
+  t.push_back(field("slot_element", "-", "slot", c.element, 0, elements - 1));
 }
 
 }  // namespace

@@ -84,12 +84,11 @@ constexpr std::int32_t kStepsToSearch = 10;
 void activate_last_patch(World& w) {
   Contacts& c = w.contacts;
   const kernels::Patch& p = w.patches.patch.back();
-  const auto origin = static_cast<std::size_t>(p.origin);
   if (c.first_slot.empty()) c.first_slot.push_back(0);
   c.active.push_back(static_cast<std::int32_t>(w.patches.patch.size()) - 1);
-  c.candidate.push_back({p.origin, w.elements.first_face[origin], w.elements.face_count[origin], w.elements.first_face[origin]});
-  c.gap.push_back(-1.0);
-  c.first_slot.push_back(static_cast<std::int64_t>(c.candidate.size()));
+  c.element.push_back(p.origin);
+  c.candidate.push_back(candidate_of(w, p.origin));
+  c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
   c.wrench.emplace_back();
   c.on.push_back(0);
   c.gather_stale = true;

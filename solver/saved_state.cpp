@@ -32,8 +32,8 @@ std::span<const std::int32_t> integers(const SavedState& from, std::string_view 
   return {reinterpret_cast<const std::int32_t*>(f.bytes.data()), f.bytes.size() / sizeof(std::int32_t)};
 }
 
-/// Patches are made again in the order of the state. Those that were never joined keep theirs; a side that has retired leaves a patch to its
-/// master and, if it stood for both faces, one to its slave.
+/// Patches are made again in the order of the state. Those that were never joined keep theirs; a side that has retired leaves a patch to
+/// its master and, if it stood for both faces, one to its slave.
 void grow_patches(World& w, const SavedState& from) {
   const std::span<const std::int32_t> sides = integers(from, "patch_from_side");
   const SavedField& mastered = find(from, "patch_mastered");
@@ -67,14 +67,12 @@ void size_search(World& w, const SavedState& from) {
   Contacts& c = w.contacts;
   const std::uint64_t poses = find(from, "searched_ux").count;
   if (poses != 0 && poses != w.elements.ux.size()) throw StateError("field searched_ux has the elements of another model");
-  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.moved}) column->assign(poses, 0.0);
+  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz}) column->assign(poses, 0.0);
   c.active.assign(integers(from, "active_patch").size(), 0);
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
-  const std::size_t slots = integers(from, "slot_candidate").size() / 4;
-  c.candidate.assign(slots, {});
-  c.gap.assign(slots, -1.0);
-  c.wrench.assign(slots, {});
-  c.on.assign(slots, 0);
+  const std::size_t slots = integers(from, "slot_element").size();
+  c.element.assign(slots, 0);
+  std::ranges::fill(c.path, 0.0);
   c.gather_stale = true;
 }
 
@@ -133,15 +131,9 @@ void check_contacts(const World& w) {
   const bool filled = !c.first_slot.empty();
   if (c.first_slot.size() != (filled ? c.active.size() + 1 : 0) || (!filled && !c.active.empty()))
     throw StateError("field active_first_slot has another number of entries than active_patch asks for");
-  const auto slots = static_cast<std::int64_t>(c.candidate.size());
+  const auto slots = static_cast<std::int64_t>(c.element.size());
   if (!std::ranges::is_sorted(c.first_slot) || (filled ? c.first_slot.front() != 0 || c.first_slot.back() != slots : slots != 0))
-    throw StateError("field active_first_slot does not part the entries of slot_candidate");
-  for (const kernels::Candidate& k : c.candidate) {
-    const bool good = k.element >= 0 && k.element <= w.elements.base &&
-                      k.first_face == w.elements.first_face[static_cast<std::size_t>(k.element)] &&
-                      k.face_count == w.elements.face_count[static_cast<std::size_t>(k.element)] && is_face_of(w, k.separating, k.element);
-    if (!good) throw StateError("field slot_candidate names an element or faces that do not exist");
-  }
+    throw StateError("field active_first_slot does not part the entries of slot_element");
   const Patches& p = w.patches;
   for (std::size_t i = 0; i < p.partner.size(); ++i) {
     const bool free = p.partner[i] == kernels::kNobody;
@@ -168,6 +160,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   size_search(w, from);
   for (const Field& f : fields(sim, plan)) copy_in(f, from);
   check_contacts(w);
+  list_candidates(w);
   list_live_blocks(w);
 }
 

@@ -42,7 +42,7 @@ kernels::FaceTable Faces::table() const noexcept {
 
 kernels::Bodies World::bodies() const noexcept {
   const Elements& e = elements;
-  return {e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data(), contacts.moved.data()};
+  return {e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data(), contacts.path.data()};
 }
 
 kernels::PointsView PointSets::view(std::int32_t set) const noexcept {

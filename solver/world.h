@@ -130,12 +130,12 @@ struct Contacts {
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search (state)
-  Array<double> moved;                                            // m, bound on the move of any point of each element since (derived)
+  Array<double> path;                                             // m, bound on the way of any point of each element since (derived)
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
   std::vector<std::int32_t> master;                               // by active patch: its element (derived)
-  std::vector<kernels::Candidate> candidate;                      // by slot
-  Array<double> gap;                                              // m, by slot, at the last search (state)
+  Array<std::int32_t> element;                                    // by slot: who may be touched (state)
+  std::vector<kernels::Candidate> candidate;                      // by slot: the same, and what is known of the pair (derived)
   std::vector<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries

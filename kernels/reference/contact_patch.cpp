@@ -84,17 +84,17 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
 
 }  // namespace
 
-PatchResult advance_patch_reference(const Patch& patch, PointsView points, ContactPoints q, bool had_partners,
-                                    std::span<Candidate> candidates, const double*, const Bodies& bodies, const FaceTable& faces,
-                                    const ContactOptions& o, PatchScratch scratch, PairWrench* wrench, std::uint8_t* active) noexcept {
+PatchResult advance_patch_reference(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
+                                    const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                                    PairWrench* wrench, std::uint8_t* active) noexcept {
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   std::fill_n(scratch.candidate, points.n, -1);
   const auto count = static_cast<std::int32_t>(candidates.size());
   for (std::int32_t k = 0; k < count; ++k) {
-    Candidate& c = candidates[static_cast<std::size_t>(k)];
+    const Candidate& c = candidates[static_cast<std::size_t>(k)];
     const InSlave y = slave_frame(w, c);
-    const bool apart = separated(patch, y, faces, c);
-    if (!apart || had_partners) look_at(w, k, y, apart);
+    const bool apart = separation(patch, y, faces, c) >= 0.0;
+    if (!apart || touching > 0) look_at(w, k, y, apart);
   }
   take_partners(w);
   for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;

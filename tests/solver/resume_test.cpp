@@ -192,7 +192,7 @@ TEST_CASE("a state of another model, or with numbers that cannot be, is refused 
   CHECK(refusal("segment_bond", put(std::uint8_t{255}, 1)).find("allowed: 0 to 3") != std::string::npos);
   CHECK(refusal("point_partner", put(std::int32_t{1 << 20}, 0)).find("point_partner") != std::string::npos);
   CHECK(refusal("point_face", put(std::int32_t{0}, 0)).find("point_face") != std::string::npos);
-  CHECK(refusal("slot_candidate", put(std::int32_t{-1}, 0)).find("slot_candidate") != std::string::npos);
+  CHECK(refusal("slot_element", put(std::int32_t{-1}, 0)).find("slot_element") != std::string::npos);
   CHECK(refusal("active_first_slot", put(std::int64_t{1}, 0)).find("active_first_slot") != std::string::npos);
   CHECK(refusal("patch_from_side", put(std::int32_t{5}, 0)).find("patch_from_side") != std::string::npos);
   CHECK(refusal("phase", put(std::uint8_t{9}, 0)).find("phase") != std::string::npos);
