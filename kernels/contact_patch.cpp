@@ -217,9 +217,9 @@ bool leaves(const Work& w, const Candidate& c) noexcept {
   if (c.face == kNoFace) return false;
   if (c.face == kSeveralFaces) return true;
   const Pose slave = load_pose(w.bodies.pose, c.element);
-  const Vec3 n = apply(slave, w.faces.normal[c.face]);
+  const Vec3 n = apply(slave, w.faces[c.face].normal);
   const Vec3 from = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - slave.u);
-  const double g0 = dot(n, from) - w.faces.distance[c.face] + kRoundOff, gs = dot(n, w.m.es), gt = dot(n, w.m.et);
+  const double g0 = dot(n, from) - w.faces[c.face].distance + kRoundOff, gs = dot(n, w.m.es), gt = dot(n, w.m.et);
   LaneMask out{};
   for (int i = c.first; i < c.last; i += kWidth) {
     const Lanes depth = g0 + load_lanes(w.points.s + i) * gs + load_lanes(w.points.t + i) * gt;
@@ -242,7 +242,7 @@ void look_if_due(Work& w, std::int32_t k) noexcept {
 }  // namespace
 
 double depth_under_face(const Patch& patch, double s, double t, std::int32_t slave, std::int32_t face, const Bodies& bodies,
-                        const FaceTable& faces, const ContactOptions& o) noexcept {
+                        const Face* faces, const ContactOptions& o) noexcept {
   const Master m = master_of(patch, bodies);
   const InSlave y = in_slave(m, load_pose(bodies.pose, slave), reference(bodies, slave));
   return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
@@ -250,7 +250,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 
 // Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
-                          const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                          const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
                           std::uint8_t* active) noexcept {
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   w.r.touching = touching;

@@ -25,13 +25,13 @@ inline constexpr std::int32_t kSeveralFaces = -2;
 inline constexpr std::int32_t kUnknownFace = -3;
 inline constexpr double kLookNow = -1e300;  // m, a path that every path exceeds
 
-/// Faces of all elements in their body frames, centred at the centroid; one entry more for the base (the plane z = 0 of the base row).
-struct FaceTable {
-  const Vec3* normal = nullptr;          // outward
-  const double* distance = nullptr;      // m, ℓ
-  const double* compliance_n = nullptr;  // m/Pa, ℓ (1 − ν²)/E; 0 for the base
-  const double* compliance_s = nullptr;  // m/Pa, 2 ℓ (1 + ν)/E
-  const double* mass = nullptr;          // kg/m2, ρ ℓ (Eq. 10)
+/// A face of an element in its body frame, centred at the centroid; the base has one (the plane z = 0 of its row). A cache line: a pair
+/// reads two of them anywhere in the table of all faces.
+struct alignas(64) Face {
+  Vec3 normal;                                    // outward
+  double distance = 0.0;                          // m, ℓ
+  double compliance_n = 0.0, compliance_s = 0.0;  // m/Pa, ℓ (1 − ν²)/E and 2 ℓ (1 + ν)/E; 0 for the base
+  double mass = 0.0;                              // kg/m2, ρ ℓ (Eq. 10)
 };
 
 /// Constants of a free patch. Reference axes, from the centroid of its element.
@@ -47,8 +47,8 @@ struct Patch {
 
 /// History of the points of a patch.
 struct ContactPoints {
-  std::int32_t* partner = nullptr;                                 // element, kNobody: free
-  std::int32_t* face = nullptr;                                    // of the partner, in FaceTable; kNoFace: inside but carries no force
+  std::int32_t* partner = nullptr;  // element, kNobody: free
+  std::int32_t* face = nullptr;     // of the partner, in the table of faces; kNoFace: inside but carries no force
   double *slip_x = nullptr, *slip_y = nullptr, *slip_z = nullptr;  // m, elongation of the shear spring in A's body frame
   double* closure = nullptr;  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
 };
@@ -56,7 +56,7 @@ struct ContactPoints {
 /// An element that a patch may touch, and what is known of the pair, so that most steps need no look at its points.
 struct Candidate {
   std::int32_t element = 0;
-  std::int32_t first_face = 0, face_count = 0;  // into FaceTable
+  std::int32_t first_face = 0, face_count = 0;  // into the table of faces
   // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace: partners are to be listed).
   std::int32_t face = kUnknownFace, first = 0, last = 0;
   double until = kLookNow;  // m, sum of both bodies' paths below which no point can come in, or leave through another face than `face`
@@ -70,12 +70,17 @@ struct ContactOptions {
   std::int32_t base = 0;       // row of the base: against it a patch carries the full area
 };
 
+/// What never changes of a body.
+struct BodyConstants {
+  Vec3 ref;           // m, centroid in the reference configuration
+  double beta = 0.0;  // 1/s, bound on its damping rate (semi-implicit dashpots)
+};
+
 /// Everything about bodies that the kernel reads.
 struct Bodies {
-  const double* pose = nullptr;                                       // rows
-  const double* twist = nullptr;                                      // rows
-  const double *ref_x = nullptr, *ref_y = nullptr, *ref_z = nullptr;  // m, centroids in the reference configuration
-  const double* beta = nullptr;  // 1/s, bound on the damping rate of each body (semi-implicit dashpots)
+  const double* pose = nullptr;   // rows
+  const double* twist = nullptr;  // rows
+  const BodyConstants* constants = nullptr;
   const double* path = nullptr;  // m, bound on the way that any point of each body has gone since the last search
 };
 
@@ -94,14 +99,14 @@ struct PatchResult {
 
 /// Depth u_n [m] (negative: inside) of the point (s, t) of a patch under a face of another element, along the normal that the law uses.
 double depth_under_face(const Patch& patch, double s, double t, std::int32_t slave, std::int32_t face, const Bodies& bodies,
-                        const FaceTable& faces, const ContactOptions& o) noexcept;
+                        const Face* faces, const ContactOptions& o) noexcept;
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
 /// \param touching  points that have a partner from the last step
 /// \pre  histories of the points are padded to kLanes with points that have no partner
 using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
-                                 const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
-                                 PairWrench* wrench, std::uint8_t* active) noexcept;
+                                 const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
+                                 std::uint8_t* active) noexcept;
 AdvancePatch advance_patch;            // several points at a time, and no look at those that cannot have come in or left
 AdvancePatch advance_patch_reference;  // the plain twin: looks at every point, and leaves what candidates know alone
 

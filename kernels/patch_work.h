@@ -23,7 +23,7 @@ struct Master {
 
 inline Vec3 apply(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
 inline Vec3 apply_transposed(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
-inline Vec3 reference(const Bodies& b, std::int32_t e) noexcept { return {b.ref_x[e], b.ref_y[e], b.ref_z[e]}; }
+inline Vec3 reference(const Bodies& b, std::int32_t e) noexcept { return b.constants[e].ref; }
 
 inline Master master_of(const Patch& p, const Bodies& b) noexcept {
   Master m;
@@ -47,9 +47,9 @@ struct PlaneField {
   double g0, gs, gt;
   [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
 };
-inline PlaneField plane_field(const InSlave& y, const FaceTable& faces, int face) noexcept {
-  const Vec3 n = faces.normal[face];
-  return {dot(n, y.y0) - faces.distance[face], dot(n, y.ys), dot(n, y.yt)};
+inline PlaneField plane_field(const InSlave& y, const Face* faces, int face) noexcept {
+  const Vec3 n = faces[face].normal;
+  return {dot(n, y.y0) - faces[face].distance, dot(n, y.ys), dot(n, y.yt)};
 }
 
 /// Over the rectangle of the patch.
@@ -59,7 +59,7 @@ inline double least_distance(const Patch& p, PlaneField g) noexcept {
 }
 
 /// Distance [m] that one face of the candidate, the best, keeps between it and the whole patch; negative: none separates them.
-inline double separation(const Patch& p, const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+inline double separation(const Patch& p, const InSlave& y, const Face* faces, const Candidate& c) noexcept {
   double most = -1e300;
   for (int f = c.first_face; f < c.first_face + c.face_count; ++f) most = std::max(most, least_distance(p, plane_field(y, faces, f)));
   return most;
@@ -70,7 +70,7 @@ struct PlaneFields {
   PlaneField g[kMostFaces];
   int count = 0;
 };
-inline PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const Candidate& c) noexcept {
+inline PlaneFields plane_fields(const InSlave& y, const Face* faces, const Candidate& c) noexcept {
   PlaneFields p;
   for (int f = 0; f < c.face_count; ++f) p.g[f] = plane_field(y, faces, c.first_face + f);
   p.count = c.face_count;
@@ -78,12 +78,12 @@ inline PlaneFields plane_fields(const InSlave& y, const FaceTable& faces, const 
 }
 
 /// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
-inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const FaceTable& faces, const Candidate& c,
+inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const Face* faces, const Candidate& c,
                                double& depth) noexcept {
   std::int32_t best = kNoFace;
   depth = 1e300;
   for (int f = 0; f < planes.count; ++f) {
-    if (dot(y.normal, faces.normal[c.first_face + f]) >= kOpposing) continue;
+    if (dot(y.normal, faces[c.first_face + f].normal) >= kOpposing) continue;
     const double d = -planes.g[f].at(s, t);
     if (d < depth) {
       depth = d;
@@ -101,17 +101,16 @@ inline void release(ContactPoints q, int i) noexcept {
 }
 
 /// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
-inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const FaceTable& t,
-                           const ContactOptions& o) noexcept {
+inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const Face* t, const ContactOptions& o) noexcept {
   Stiffness k;
   if (slave == p.origin) {
     k.kn = p.origin_kn, k.ks = p.origin_ks;
   } else {
-    k.kn = 1.0 / (t.compliance_n[p.face] + t.compliance_n[face]);
-    k.ks = 1.0 / (t.compliance_s[p.face] + t.compliance_s[face]);
+    k.kn = 1.0 / (t[p.face].compliance_n + t[face].compliance_n);
+    k.ks = 1.0 / (t[p.face].compliance_s + t[face].compliance_s);
   }
-  const double mass = t.mass[p.face] + (slave == o.base ? t.mass[p.face] : t.mass[face]);
-  const double beta = b.beta[p.element] + (slave == o.base ? b.beta[p.element] : b.beta[slave]);
+  const double mass = t[p.face].mass + (slave == o.base ? t[p.face].mass : t[face].mass);
+  const double beta = b.constants[p.element].beta + (slave == o.base ? b.constants[p.element].beta : b.constants[slave].beta);
   const double f = 2.0 * o.damping / (1.0 + o.step * beta);
   k.cn = f * std::sqrt(mass * k.kn);
   k.cs = f * std::sqrt(mass * k.ks);
@@ -127,11 +126,11 @@ struct Facing {
   double tan_phi = 0.0, factor = 0.5;
 };
 
-inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b,
-                     const FaceTable& faces, const ContactOptions& o) noexcept {
+inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const Face* faces,
+                     const ContactOptions& o) noexcept {
   const Pose slave = load_pose(b.pose, c.element);
   const Twist twist = load_twist(b.twist, c.element);
-  const Vec3 nb = apply(slave, faces.normal[face]);
+  const Vec3 nb = apply(slave, faces[face].normal);
   const PlaneField g = plane_field(y, faces, face);
   Facing f;
   // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
@@ -170,7 +169,7 @@ struct Work {
   ContactPoints q;
   std::span<Candidate> candidates;
   const Bodies& bodies;
-  const FaceTable& faces;
+  const Face* faces;
   const ContactOptions& o;
   PatchScratch scratch;
   Master m;

@@ -36,7 +36,7 @@ void fetch(const World& w, std::size_t a) {
   }
 }
 
-void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::FaceTable& faces, ContactRoom& scratch) {
+void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::Face* faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
@@ -60,7 +60,7 @@ void ContactRoom::fit(std::int32_t points) {
 
 void advance_contacts(World& w, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
-  const kernels::FaceTable faces = w.faces.table();
+  const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   room.fit(w.points.largest);
 #pragma omp for schedule(dynamic) nowait

@@ -20,7 +20,7 @@ struct Body {
 Body body(const World& w, std::int32_t e) {
   const auto i = static_cast<std::size_t>(e);
   const kernels::Pose p = kernels::load_pose(w.elements.pose.data(), e);
-  return {Vec3{w.elements.ref_x[i], w.elements.ref_y[i], w.elements.ref_z[i]} + p.u, Mat3{} + p.d};
+  return {w.elements.body[i].ref + p.u, Mat3{} + p.d};
 }
 
 Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
@@ -63,9 +63,9 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element) {
   const Body b = body(w, element);
   double farthest = -1e300;
   for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
-    const auto k = static_cast<std::size_t>(f);
-    const Vec3 n = b.r * w.faces.normal[k];
-    farthest = std::max(farthest, dot(n, p.centre - b.x) - w.faces.distance[k] - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et)));
+    const kernels::Face& face = w.faces[static_cast<std::size_t>(f)];
+    const Vec3 n = b.r * face.normal;
+    farthest = std::max(farthest, dot(n, p.centre - b.x) - face.distance - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et)));
   }
   return farthest;
 }
@@ -85,7 +85,7 @@ void search_element(const World& w, std::int32_t e, std::span<const std::int32_t
   box = {box.low - skin, box.high + skin};
   w.contacts.grid.query(box, near);
   const Elements& el = w.elements;
-  const bool base = box.low.z <= el.ref_z[static_cast<std::size_t>(el.base)] && w.has_base;
+  const bool base = box.low.z <= el.body[static_cast<std::size_t>(el.base)].ref.z && w.has_base;
   for (const std::int32_t p : patches) {
     const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
     const auto consider = [&](std::int32_t other) {

@@ -30,7 +30,7 @@ CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::
   row.joint = w.sides.joint[id];
   row.element_a = s.master;
   row.element_b = s.slave == w.elements.base ? -1 : s.slave;
-  row.position = Vec3{w.elements.ref_x[a], w.elements.ref_y[a], w.elements.ref_z[a]} + pose.u + r + pose.d * r;
+  row.position = w.elements.body[a].ref + pose.u + r + pose.d * r;
   row.normal = n + pose.d * n;
   row.area = s.factor * p.area[event.point];
   row.mode = static_cast<FailureMode>(event.broke);

@@ -93,7 +93,7 @@ void add_sides(Table& t, Sides& s) {
 // What a patch of a retired side is made of follows from the side: see restore().
 void add_patches(Table& t, World& w) {
   Patches& p = w.patches;
-  const std::int64_t sides = w.sides.count(), elements = w.elements.base + 1, faces = static_cast<std::int64_t>(w.faces.mass.size());
+  const std::int64_t sides = w.sides.count(), elements = w.elements.base + 1, faces = static_cast<std::int64_t>(w.faces.size());
   t.insert(t.end(),
            {field("patch_from_side", "-", "patch", p.from_side, -1, sides - 1), field("patch_mastered", "-", "patch", p.mastered, 0, 1),
             field("patch_touching", "-", "patch", p.touching), field("patch_stored", "J", "patch", p.stored),

@@ -69,7 +69,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.face[k] = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
     to.slip_x[k] = body.x, to.slip_y[k] = body.y, to.slip_z[k] = body.z;
     const double depth = kernels::depth_under_face(w.patches.patch[p], points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(),
-                                                   w.faces.table(), w.contact);
+                                                   w.faces.data(), w.contact);
     to.closure[k] = depth - (u.n - q.closure[k]);
     const double n = u.n - q.closure[k], da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
     w.patches.stored[p] += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));

@@ -32,7 +32,8 @@ class Reporter {
         std::size_t k = v.size() * i;
         for (const double x : v) to[k++] = static_cast<float>(x);
       };
-      put(position_, {e.ref_x[i] + e.ux[i], e.ref_y[i] + e.uy[i], e.ref_z[i] + e.uz[i]});
+      const Vec3 x = e.body[i].ref + Vec3{e.ux[i], e.uy[i], e.uz[i]};
+      put(position_, {x.x, x.y, x.z});
       put(quaternion_, {e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
       broken_[i] = e.bonds_at_start[i] > 0 ? 1.0F - static_cast<float>(e.bonds[i]) / static_cast<float>(e.bonds_at_start[i]) : 0.0F;
     }
@@ -160,9 +161,9 @@ Summary summarise(const Simulation& sim, const RunState& state) {
   const World& w = sim.world();
   const Elements& e = w.elements;
   FallenMass fallen;
-  const double base = e.ref_z[static_cast<std::size_t>(e.base)];
+  const double base = e.body[static_cast<std::size_t>(e.base)].ref.z;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
-    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.ref_z[i] - base);
+    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.body[i].ref.z - base);
   Summary s;
   s.fallen_mass_fraction = fallen.fraction();
   s.collapsed = fallen.is_collapse();

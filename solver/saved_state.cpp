@@ -168,8 +168,8 @@ std::uint64_t model_hash(const World& w) {
   Hash hash;
   const auto add = [&hash](const auto& column) { hash.add(column.data(), column.size() * sizeof(column[0])); };
   const Elements& e = w.elements;
-  for (const auto* column : {&e.ref_x, &e.ref_y, &e.ref_z, &e.mass, &e.inv_mass, &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.beta,
-                             &e.radius, &e.half_x, &e.half_y, &e.half_z, &w.points.s, &w.points.t, &w.points.area}) {
+  for (const auto* column : {&e.mass, &e.inv_mass, &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.radius, &e.half_x, &e.half_y,
+                             &e.half_z, &w.points.s, &w.points.t, &w.points.area}) {
     add(*column);
   }
   for (const kernels::SideBlock& b : w.sides.blocks) {
@@ -179,8 +179,10 @@ std::uint64_t model_hash(const World& w) {
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }
-  add(w.sides.joint), add(w.sides.set);
-  add(w.faces.normal), add(w.faces.distance), add(w.faces.compliance_n), add(w.faces.compliance_s), add(w.faces.mass);
+  add(e.body), add(w.sides.joint), add(w.sides.set);
+  for (const kernels::Face& f : w.faces) {
+    for (const double v : {f.normal.x, f.normal.y, f.normal.z, f.distance, f.compliance_n, f.compliance_s, f.mass}) hash.add(&v, sizeof v);
+  }
   hash.add(&w.dt, sizeof w.dt);
   return hash.value();
 }

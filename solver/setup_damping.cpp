@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "solver/setup.h"
@@ -24,9 +25,9 @@ struct FaceClass {
 };
 
 /// The distinct kinds of faces in the model: whatever a face may come to touch.
-std::vector<FaceClass> face_classes(const Faces& f) {
+std::vector<FaceClass> face_classes(const std::vector<kernels::Face>& faces) {
   std::set<FaceClass> classes;
-  for (std::size_t i = 0; i + 1 < f.mass.size(); ++i) classes.insert({f.compliance_n[i], f.compliance_s[i], f.mass[i]});
+  for (const kernels::Face& f : std::span(faces).first(faces.size() - 1)) classes.insert({f.compliance_n, f.compliance_s, f.mass});
   return {classes.begin(), classes.end()};
 }
 
@@ -50,8 +51,8 @@ class DampingMatrices {
     const std::vector<FaceClass> classes = face_classes(w.faces);
     std::vector<std::array<double, 2>> worst;
     for (const FaceClass& k : classes) worst.push_back(worst_dashpot(k, classes, w.contact.damping));
-    for (std::size_t i = 0; i + 1 < w.faces.mass.size(); ++i) {
-      const FaceClass k{w.faces.compliance_n[i], w.faces.compliance_s[i], w.faces.mass[i]};
+    for (const kernels::Face& f : std::span(w.faces).first(w.faces.size() - 1)) {
+      const FaceClass k{f.compliance_n, f.compliance_s, f.mass};
       dashpot_.push_back(worst[static_cast<std::size_t>(std::lower_bound(classes.begin(), classes.end(), k) - classes.begin())]);
     }
   }
@@ -99,7 +100,7 @@ void set_up_damping_bound(World& w) {
   for (const geometry::FreePatch& p : a.patches) matrices.add(p.element, p.face, p.frame, p.segments);
   for (std::int32_t i = 0; i < w.elements.count; ++i) {
     const auto e = static_cast<std::size_t>(i);
-    if (!w.elements.fixed[e]) w.elements.beta[e] = matrices.rate(e);
+    if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);
   }
 }
 

@@ -17,13 +17,13 @@ double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - 
 void size_arrays(Elements& e) {
   const auto n = static_cast<std::size_t>(e.rows);
   for (Array<double>* a :
-       {&e.ux,           &e.uy,    &e.uz,    &e.qx,    &e.qy,    &e.qz,     &e.vx,          &e.vy,           &e.vz,
-        &e.lx,           &e.ly,    &e.lz,    &e.wx,    &e.wy,    &e.wz,     &e.work_ground, &e.work_gravity, &e.loss_damping,
-        &e.loss_dashpot, &e.alpha, &e.ref_x, &e.ref_y, &e.ref_z, &e.mass,   &e.inv_mass,    &e.ixx,          &e.iyy,
-        &e.izz,          &e.ixy,   &e.ixz,   &e.iyz,   &e.beta,  &e.radius, &e.half_x,      &e.half_y,       &e.half_z}) {
+       {&e.ux,  &e.uy,  &e.uz,  &e.qx,  &e.qy,          &e.qz,           &e.vx,           &e.vy,           &e.vz,     &e.lx,    &e.ly,
+        &e.lz,  &e.wx,  &e.wy,  &e.wz,  &e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot, &e.alpha,  &e.mass,  &e.inv_mass,
+        &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz,         &e.iyz,          &e.radius,       &e.half_x,       &e.half_y, &e.half_z}) {
     a->assign(n, 0.0);
   }
   e.qw.assign(n, 1.0);
+  e.body.assign(n, {});
   e.bonds.assign(n, 0);
   e.bonds_at_start.assign(n, 0);
   e.fixed.assign(n, 1);
@@ -82,10 +82,9 @@ void set_up_elements(World& w, const cases::Case& c) {
     const cases::Block& b = m.blocks[i];
     const geometry::Element& g = m.assembly.elements[i];
     const double density = m.materials[static_cast<std::size_t>(b.material)].value.density;
-    const Vec3 x = g.mass.centroid;
-    e.ref_x[i] = x.x, e.ref_y[i] = x.y, e.ref_z[i] = x.z;
+    e.body[i].ref = g.mass.centroid;
     e.first_face[i] = g.first_face, e.face_count[i] = g.face_count;
-    set_extent(e, i, b.shape, x);
+    set_extent(e, i, b.shape, g.mass.centroid);
     e.fixed[i] = b.fixed ? 1 : 0;
     if (b.fixed) continue;
     e.mass[i] = density * g.mass.volume;
@@ -95,7 +94,7 @@ void set_up_elements(World& w, const cases::Case& c) {
     set_inertia(e, i, density * g.mass.inertia, b.angular_velocity);
   }
   const auto base = static_cast<std::size_t>(e.base);
-  e.ref_z[base] = c.base ? c.base->z : 0.0;
+  e.body[base].ref.z = c.base ? c.base->z : 0.0;
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
   e.face_count[base] = 1;
 }
@@ -111,15 +110,14 @@ void set_up_faces(World& w) {
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
       const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
-      w.faces.normal.push_back(face.normal);
-      w.faces.distance.push_back(face.distance);
-      w.faces.compliance_n.push_back(face.distance / plane_strain_modulus(material));  // Eq. 1
-      w.faces.compliance_s.push_back(face.distance * 2.0 * (1.0 + material.poisson) / material.young);
-      w.faces.mass.push_back(material.density * face.distance);  // Eq. 10
+      w.faces.push_back({.normal = face.normal,
+                         .distance = face.distance,
+                         .compliance_n = face.distance / plane_strain_modulus(material),  // Eq. 1
+                         .compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young,
+                         .mass = material.density * face.distance});  // Eq. 10
     }
   }
-  w.faces.normal.push_back({0.0, 0.0, 1.0});  // the base, a rigid half-space
-  for (auto* column : {&w.faces.distance, &w.faces.compliance_n, &w.faces.compliance_s, &w.faces.mass}) column->push_back(0.0);
+  w.faces.push_back({.normal = {0.0, 0.0, 1.0}});  // the base, a rigid half-space
 }
 
 }  // namespace voussoir::solver

@@ -86,26 +86,25 @@ std::vector<NewSide> sides_of(const World& w) {
 
 /// k̄ of two faces with the joint's mortar between them: Eqs. 2, 3, THEORY.md (4), (5). Against the base the element's own ℓ alone counts.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
-  const Faces& f = w.faces;
-  const auto a = static_cast<std::size_t>(s.master_face), b = static_cast<std::size_t>(s.slave_face);
-  double cn = f.compliance_n[a] + f.compliance_n[b], cs = f.compliance_s[a] + f.compliance_s[b];
+  const kernels::Face &a = w.faces[static_cast<std::size_t>(s.master_face)], &b = w.faces[static_cast<std::size_t>(s.slave_face)];
+  double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
   const bool on_base = s.slave == w.elements.base;
   if (law.thickness > 0.0 && !on_base) {
     const double half = 0.5 * law.thickness;
-    const double left = 1.0 - half / f.distance[a], right = 1.0 - half / f.distance[b];
+    const double left = 1.0 - half / a.distance, right = 1.0 - half / b.distance;
     if (left <= 0.0 || right <= 0.0) {
       throw cases::InputError(
           "joint_laws." + w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(s.joint)])].name + ".thickness",
           "= " + std::to_string(law.thickness) + " m is thicker than a block that it joins; allowed: less than twice the distance " +
-              std::to_string(std::min(f.distance[a], f.distance[b])) + " m from its centroid to the face");
+              std::to_string(std::min(a.distance, b.distance)) + " m from its centroid to the face");
     }
-    cn = left * f.compliance_n[a] + right * f.compliance_n[b] + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
-    cs = left * f.compliance_s[a] + right * f.compliance_s[b] + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
+    cn = left * a.compliance_n + right * b.compliance_n + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
+    cs = left * a.compliance_s + right * b.compliance_s + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
   }
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
-  const double mass = f.mass[a] + (on_base ? f.mass[a] : f.mass[b]);  // Eq. 10; with the base 2 ρ_A ℓ_A
-  const double beta =
-      w.elements.beta[static_cast<std::size_t>(s.master)] + w.elements.beta[static_cast<std::size_t>(on_base ? s.master : s.slave)];
+  const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
+  const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
+                      w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
   const double c = 2.0 * h / (1.0 + w.dt * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);
   k.cs = c * std::sqrt(mass * k.ks);
@@ -150,7 +149,7 @@ kernels::SideConstants constants_of(const World& w, const NewSide& side, const k
   const auto put = [](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][0] = v.x, to[1][0] = v.y, to[2][0] = v.z; };
   const auto centroid = [&](std::int32_t e) {
     const auto i = static_cast<std::size_t>(e);
-    return Vec3{w.elements.ref_x[i], w.elements.ref_y[i], w.elements.ref_z[i]};
+    return w.elements.body[i].ref;
   };
   put(c.ca, side.frame.centre - centroid(side.master));
   put(c.cb, side.frame.centre - centroid(side.slave));

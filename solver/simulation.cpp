@@ -153,7 +153,7 @@ void Simulation::measure_base_forces() {
     if (w.elements.fixed[i]) continue;
     const double* r = w.elements.wrench.data() + i * kernels::kWrenchStride;
     const Vec3 f{r[0], r[1], r[2]};
-    const Vec3 x{w.elements.ref_x[i] + w.elements.ux[i], w.elements.ref_y[i] + w.elements.uy[i], w.elements.ref_z[i] + w.elements.uz[i]};
+    const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
     forces_.base_shear += f;
     forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
   }

@@ -36,13 +36,8 @@ kernels::ElementsView Elements::view() noexcept {
           .iyz = iyz.data()};
 }
 
-kernels::FaceTable Faces::table() const noexcept {
-  return {normal.data(), distance.data(), compliance_n.data(), compliance_s.data(), mass.data()};
-}
-
 kernels::Bodies World::bodies() const noexcept {
-  const Elements& e = elements;
-  return {e.pose.data(), e.twist.data(), e.ref_x.data(), e.ref_y.data(), e.ref_z.data(), e.beta.data(), contacts.path.data()};
+  return {elements.pose.data(), elements.twist.data(), elements.body.data(), contacts.path.data()};
 }
 
 kernels::PointsView PointSets::view(std::int32_t set) const noexcept {

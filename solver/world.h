@@ -39,26 +39,18 @@ struct Elements {
   Array<double> alpha;                                                  // 1/s (changes where debris loses its damping)
   Array<std::int32_t> bonds;                                            // bonded segment sides left
   // Constants.
-  Array<double> ref_x, ref_y, ref_z;                 // m
-  Array<double> mass, inv_mass;                      // kg, 1/kg
-  Array<double> ixx, iyy, izz, ixy, ixz, iyz;        // inverse inertia, body axes
-  Array<double> beta;                                // 1/s, see ContactOptions
+  Array<double> mass, inv_mass;                // kg, 1/kg
+  Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
+  std::vector<kernels::BodyConstants> body;
   Array<double> radius;                              // m, round the centroid
   Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
-  std::vector<std::int32_t> first_face, face_count;  // into Faces
+  std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
   // Derived rows.
   Array<double> pose, twist, wrench;
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
-};
-
-/// Faces of all elements, one more for the base (kernels::FaceTable).
-struct Faces {
-  std::vector<Vec3> normal;
-  std::vector<double> distance, compliance_n, compliance_s, mass;
-  [[nodiscard]] kernels::FaceTable table() const noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
@@ -81,7 +73,7 @@ struct Sides {
   std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
-  std::vector<std::int32_t> master_face, slave_face;  // into Faces
+  std::vector<std::int32_t> master_face, slave_face;  // into World::faces
   std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
   std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
   std::vector<double> size;                           // m, segment size of the master
@@ -166,7 +158,7 @@ struct World {
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19
   Elements elements;
-  Faces faces;
+  std::vector<kernels::Face> faces;  // of all elements, one more for the base
   PointSets points;
   Sides sides;
   Patches patches;

@@ -85,7 +85,7 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
 }  // namespace
 
 PatchResult advance_patch_reference(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
-                                    const Bodies& bodies, const FaceTable& faces, const ContactOptions& o, PatchScratch scratch,
+                                    const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch,
                                     PairWrench* wrench, std::uint8_t* active) noexcept {
   Work w{patch, points, q, candidates, bodies, faces, o, scratch, master_of(patch, bodies), {}};
   std::fill_n(scratch.candidate, points.n, -1);

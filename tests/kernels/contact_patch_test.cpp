@@ -16,24 +16,20 @@ constexpr int kPoints = 27, kPadded = 32;
 
 /// Faces of two bricks 0.2 × 0.1 × 0.1 m and of the base.
 struct Bricks {
-  std::vector<Vec3> normal;
-  std::vector<double> distance, compliance_n, compliance_s, mass;
+  std::vector<kernels::Face> faces;
   Bricks() {
     const double half[3] = {0.1, 0.05, 0.05};
     for (int body = 0; body < 2; ++body) {
       for (int axis = 0; axis < 3; ++axis) {
         for (const double sign : {-1.0, 1.0}) {
-          normal.push_back({axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0});
-          distance.push_back(half[axis]);
+          const Vec3 normal{axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0};
+          const double l = half[axis];
+          faces.push_back({normal, l, l * (1.0 - 0.0625) / 9.8e7, 2.0 * l * 1.25 / 9.8e7, 1800.0 * l});
         }
       }
     }
-    normal.push_back({0, 0, 1}), distance.push_back(0.0);
-    for (const double l : distance) {
-      compliance_n.push_back(l * (1.0 - 0.0625) / 9.8e7), compliance_s.push_back(2.0 * l * 1.25 / 9.8e7), mass.push_back(1800.0 * l);
-    }
+    faces.push_back({.normal = {0, 0, 1}});
   }
-  kernels::FaceTable table() const { return {normal.data(), distance.data(), compliance_n.data(), compliance_s.data(), mass.data()}; }
 };
 
 /// The lower face of brick 0 above brick 1, with its history.
@@ -60,14 +56,14 @@ struct Twin {
   }
   double path[3] = {0.0, 0.0, 0.0};  // m
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
-    static const double zero[3] = {0, 0, 0}, z[3] = {0.1, 0.0, -0.0515}, beta[3] = {50.0, 80.0, 0.0};
-    const kernels::Bodies bodies{b.pose.data(), b.twist.data(), zero, zero, z, beta, path};
+    static const kernels::BodyConstants constants[3] = {{{0, 0, 0.1}, 50.0}, {{0, 0, 0}, 80.0}, {{0, 0, -0.0515}, 0.0}};
+    const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, path};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded), pair_element(kPadded), pair_face(kPadded);
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
-                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching,
-                   candidates, bodies, bricks.table(), o,
-                   {depth.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()}, wrench, on);
+                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching, candidates,
+                   bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()},
+                   wrench, on);
   }
 };
 

@@ -118,7 +118,7 @@ TEST_CASE("internal forces cancel: a floating cluster keeps its momenta to round
     const solver::Elements& e = s.world().elements;
     for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
       const Vec3 p = e.mass[i] * Vec3{e.vx[i], e.vy[i], e.vz[i]};
-      const Vec3 x{e.ref_x[i] + e.ux[i], e.ref_y[i] + e.uy[i], e.ref_z[i] + e.uz[i]};
+      const Vec3 x = e.body[i].ref + Vec3{e.ux[i], e.uy[i], e.uz[i]};
       linear += p, angular += cross(x, p) + Vec3{e.lx[i], e.ly[i], e.lz[i]};
     }
   };
@@ -160,7 +160,7 @@ TEST_CASE("congruent sides share their constants, which fit the place of each") 
   CHECK(2 * s.constants.size() < s.blocks.size());
   const auto centroid = [&](std::int32_t e) {
     const auto i = static_cast<std::size_t>(e);
-    return Vec3{w->elements.ref_x[i], w->elements.ref_y[i], w->elements.ref_z[i]};
+    return w->elements.body[i].ref;
   };
   for (std::int64_t id = 0; id < s.count(); ++id) {
     const auto i = static_cast<std::size_t>(id);

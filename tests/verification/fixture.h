@@ -118,7 +118,7 @@ class Run {
   }
   [[nodiscard]] Vec3 position(std::size_t i) const {
     const solver::Elements& e = sim_->world().elements;
-    return Vec3{e.ref_x[i], e.ref_y[i], e.ref_z[i]} + displacement(i);
+    return e.body[i].ref + displacement(i);
   }
   [[nodiscard]] Quaternion orientation(std::size_t i) const {
     const solver::Elements& e = sim_->world().elements;
