@@ -55,8 +55,9 @@ struct Twin {
     patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;
   }
   double path[3] = {0.0, 0.0, 0.0};  // m
+  double base = -0.0515;             // m, height
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
-    static const kernels::BodyConstants constants[3] = {{{0, 0, 0.1}, 50.0}, {{0, 0, 0}, 80.0}, {{0, 0, -0.0515}, 0.0}};
+    const kernels::BodyConstants constants[3] = {{{0, 0, 0.1}, 50.0}, {{0, 0, 0}, 80.0}, {{0, 0, base}, 0.0}};
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, path};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded), pair_element(kPadded), pair_face(kPadded);
@@ -118,6 +119,38 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
   CHECK(not_looked > 5000);
   MESSAGE("steps in touch " << touching << ", letting go " << letting_go << ", on the base " << on_base << ", without a look "
                             << not_looked);
+}
+
+TEST_CASE("points that one partner lets go find the next in the same step") {
+  const Bricks bricks;
+  Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+  int on_both = 0;
+  for (Twin* t : {&fast, &plain}) t->base = 0.0499;  // 0.1 mm under the other brick's top
+  for (int i = 0; i <= 250; ++i) {                   // pressed 0.2 mm into the other brick, pushed over its edge
+    TwoBodies b;
+    b.place(0, {1e-3 * i, 0.0, -2e-4}, {}), b.move(0, {1e-3 / kStep, 0.0, 0.0}, {});
+    fast.path[0] += 1.001e-3;
+    for (Twin* t : {&fast, &plain}) t->step(b, bricks, {kStep, 1.0, 0.6, false, 2});
+    compare(fast, plain, std::max({1.0, norm(plain.wrench[0].force), norm(plain.wrench[1].force)}));
+    CHECK(fast.last.touching == kPoints);
+    on_both += fast.on[0] && fast.on[1];
+  }
+  CHECK(on_both > 100);
+}
+
+TEST_CASE("a pair that has parted when a search comes lets its points go") {
+  const Bricks bricks;
+  Twin t(kernels::advance_patch);
+  const kernels::ContactOptions o{kStep, 1.0, 0.6, false, 2};
+  TwoBodies b;
+  b.place(0, {0.0, 0.0, -2e-4}, {});
+  t.step(b, bricks, o);
+  CHECK(t.last.touching > 0);
+  b.place(0, {0.0, 0.0, 5e-4}, {});
+  t.candidates = {{1, 6, 6}, {2, 12, 1}};
+  t.candidates[0].until = 5e-4;  // the gap that the search finds
+  t.step(b, bricks, o);
+  CHECK(t.last.touching == 0);
 }
 
 TEST_CASE("points are not looked at only while both bodies together cannot have gone the way that was found") {
