@@ -146,9 +146,9 @@ TEST_CASE("a pair that has parted when a search comes lets its points go") {
   b.place(0, {0.0, 0.0, -2e-4}, {});
   t.step(b, bricks, o);
   CHECK(t.last.touching > 0);
-  b.place(0, {0.0, 0.0, 5e-4}, {});
+  b.place(0, {0.195, 0.0, -2e-4}, {});  // beyond the other brick's end, not up from its top
   t.candidates = {{1, 6, 6}, {2, 12, 1}};
-  t.candidates[0].until = 5e-4;  // the gap that the search finds
+  t.candidates[0].until = 5e-3;  // the gap that the search finds
   t.step(b, bricks, o);
   CHECK(t.last.touching == 0);
 }
