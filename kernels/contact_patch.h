@@ -57,7 +57,8 @@ struct ContactPoints {
 struct Candidate {
   std::int32_t element = 0;
   std::int32_t first_face = 0, face_count = 0;  // into the table of faces
-  // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace: partners are to be listed).
+  // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace, for all of a
+  // patch or none: partners are to be listed).
   std::int32_t face = kUnknownFace, first = 0, last = 0;
   double until = kLookNow;  // m, sum of both bodies' paths below which no point can come in, or leave through another face than `face`
 };

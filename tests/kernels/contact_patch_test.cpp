@@ -159,7 +159,7 @@ TEST_CASE("points are not looked at only while both bodies together cannot have 
   b.place(0, {0.0, 0.0, -2e-4}, {});  // pressed 0.2 mm into the other brick
   const auto touches = [&](double path_of_patch, double path_of_other) {
     Twin t(kernels::advance_patch);
-    t.candidates[0].face = kernels::kNoFace, t.candidates[0].until = 5e-4;
+    for (kernels::Candidate& c : t.candidates) c.face = kernels::kNoFace, c.until = 5e-4;
     t.path[0] = path_of_patch, t.path[1] = path_of_other;
     t.step(b, bricks, {kStep, 1.0, 0.6, false, 2});
     return t.last.touching > 0;
