@@ -55,8 +55,8 @@ Debris debris_of(const Building& building, const ElementShapes& shapes, const st
   Debris debris;
   measure_reach(std::move(distance_and_mass), debris);
   std::ranges::sort(cells);
-  const auto twice = std::ranges::unique(cells);
-  debris.area = static_cast<double>(twice.begin() - cells.begin()) * kCell * kCell;
+  const auto twice = std::unique(cells.begin(), cells.end());
+  debris.area = static_cast<double>(twice - cells.begin()) * kCell * kCell;
   return debris;
 }
 

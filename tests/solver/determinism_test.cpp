@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
 
 #include "solver/field_table.h"
 #include "solver/simulation.h"
@@ -31,7 +31,8 @@ struct Run {
 std::string difference(solver::World& a, solver::World& b) {
   const std::vector<solver::Field> p = solver::fields(a), q = solver::fields(b);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p[i].count != q[i].count || std::memcmp(p[i].data, q[i].data, p[i].bytes()) != 0) return p[i].name;
+    const auto *x = static_cast<const std::byte*>(p[i].data), *y = static_cast<const std::byte*>(q[i].data);
+    if (!std::equal(x, x + p[i].bytes(), y, y + q[i].bytes())) return p[i].name;
   }
   return {};
 }
