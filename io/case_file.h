@@ -56,7 +56,7 @@ struct LoadedCase {
 /// table, or a name that is neither in the catalogue nor a file.
 LoadedCase load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {});
 
-/// Reads a case that is already in memory. \throw CaseFileError as load_case.
+/// Reads a case that is already in memory; what it includes is read from files. \throw FileError, CaseFileError as load_case.
 LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overrides = {});
 
 /// Every key with its value, defaults included, each with unit, allowed values and a sentence as comment; keys without a value stand as
