@@ -101,7 +101,8 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   const Handle type = text_type(doing, H5T_VARIABLE);
   std::vector<const char*> values;
   for (const std::string& t : texts) values.push_back(t.c_str());
-  write_attribute(doing, handle_, name, type, type, simple_space(doing, {values.size()}), values.data());
+  values.push_back(nullptr);  // HDF5 wants a place for no texts too
+  write_attribute(doing, handle_, name, type, type, simple_space(doing, {texts.size()}), values.data());
 }
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {

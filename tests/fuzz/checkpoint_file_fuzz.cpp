@@ -17,13 +17,17 @@ using namespace voussoir;
 
 constexpr std::size_t kHead = 2, kChange = 9;  // bytes: object and fault; place and value
 
+std::size_t count_of_objects() {
+  fuzz::Scribe good(0, fuzz::Fault::none);
+  io::parse_sealed_checkpoint("good", good.write().bytes);
+  return good.objects();
+}
+
 struct Images {
   std::vector<fuzz::Image> all;  // by object, then by fault
 
   Images() {
-    fuzz::Scribe good(0, fuzz::Fault::none);
-    io::parse_sealed_checkpoint("good", good.write().bytes);
-    for (std::size_t object = 0; object < good.objects(); ++object)
+    for (std::size_t object = 0; object < count_of_objects(); ++object)
       for (std::size_t f = 0; f < fuzz::kFaults; ++f) all.push_back(fuzz::Scribe(object, static_cast<fuzz::Fault>(f)).write());
   }
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "io/checkpoint_file.h"
@@ -137,15 +138,19 @@ class Scribe {
   }
 
   Image find_marks() {
-    Image image{file_.image(), {}};
-    const auto find = [&image](const void* what) {
-      for (std::size_t at = 0; at + 8 <= image.bytes.size(); ++at)
-        if (std::memcmp(image.bytes.data() + at, what, 8) == 0) image.places.push_back(at);
+    std::unordered_set<std::uint64_t> wanted;
+    const auto eight_bytes = [](const void* at) {
+      std::uint64_t value = 0;
+      std::memcpy(&value, at, sizeof value);
+      return value;
     };
-    for (const double m : marks_) find(&m);
-    for (const std::string& w : words_) find(w.data());
-    for (const char* w : {"01234567", "89abcdef", "fast\0\0\0"}) find(w);
-    for (std::int64_t rows = 1000; rows < 1000 + static_cast<std::int64_t>(io::kRowTables); ++rows) find(&rows);
+    for (const double m : marks_) wanted.insert(eight_bytes(&m));
+    for (const std::string& w : words_) wanted.insert(eight_bytes(w.data()));
+    for (const char* w : {"01234567", "89abcdef", "fast\0\0\0"}) wanted.insert(eight_bytes(w));
+    for (std::uint64_t rows = 1000; rows < 1000 + io::kRowTables; ++rows) wanted.insert(rows);
+    Image image{file_.image(), {}};
+    for (std::size_t at = 0; at + 8 <= image.bytes.size(); ++at)
+      if (wanted.contains(eight_bytes(image.bytes.data() + at))) image.places.push_back(at);
     return image;
   }
 
