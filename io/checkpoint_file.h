@@ -19,7 +19,7 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 1;
+inline constexpr std::int64_t kCheckpointSchema = 2;
 
 /// Everything but the state.
 struct CheckpointFacts {

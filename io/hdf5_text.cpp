@@ -116,7 +116,8 @@ std::vector<std::string> Hdf5File::attribute_texts(const std::string& object, co
   if (H5Tis_variable_str(type) <= 0) throw FileError(path_, "attribute " + name + " of " + object + " is no text");
   const Handle space = doing.own(H5Aget_space(attribute), H5Sclose);
   std::vector<char*> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  if (!values.empty()) doing.check(H5Aread(attribute, type, values.data()));
+  if (values.empty()) return {};
+  doing.check(H5Aread(attribute, type, values.data()));
   std::vector<std::string> texts;
   for (const char* v : values) texts.emplace_back(v == nullptr ? "" : v);
   doing.check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, values.data()));

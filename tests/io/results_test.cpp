@@ -308,6 +308,14 @@ TEST_CASE("a failed write is told with its path and leaves what was there") {
   CHECK(files_in(dir.path()) == std::set<std::string>{"parts/0000.h5", "run.h5"});
 }
 
+TEST_CASE("a list of no texts is an attribute too") {
+  const TempFolder dir;
+  Hdf5File file = Hdf5File::create(dir.file("a.h5"));
+  file.set_attribute("/", "names", std::vector<std::string>{"a", "b"});
+  file.set_attribute("/", "names", std::vector<std::string>{});
+  CHECK(file.attribute_texts("/", "names").empty());
+}
+
 TEST_CASE("a file that is no HDF5, or lacks an object, is an error that says so") {
   const TempFolder dir;
   CHECK_THROWS_AS(Hdf5File::open(dir.file("none.h5")), FileError);
