@@ -9,8 +9,6 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kRoundOff = 1e-9;  // m, far more than that of any distance
-
 /// Lanes whose entry of `list` is `value`.
 VOUSSOIR_INLINE LaneMask equal(const std::int32_t* list, std::int32_t value) noexcept {
   typedef std::int32_t Ints __attribute__((vector_size(4 * kWidth)));
@@ -136,7 +134,7 @@ void list_partners(Work& w) noexcept {
       ++w.r.touching;
       const auto is_partner = [&](const Candidate& c) { return c.element == w.q.partner[k]; };
       const auto found = std::find_if(w.candidates.begin(), w.candidates.end(), is_partner);
-      if (found == w.candidates.end()) continue;  // of no run
+      if (found == w.candidates.end()) continue;  // only a forged checkpoint has such a point
       Candidate& c = *found;
       if (c.last == 0) c.first = i, c.until = kLookNow;
       c.last = i + kWidth;
@@ -245,7 +243,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
                         const Face* faces, const ContactOptions& o) noexcept {
   const Master m = master_of(patch, bodies);
   const InSlave y = in_slave(m, load_pose(bodies.pose, slave), reference(bodies, slave));
-  return facing(patch, m, y, {slave, 0, 0, 0}, face, bodies, faces, o).depth.at(s, t);
+  return facing(patch, m, y, {.element = slave}, face, bodies, faces, o).depth.at(s, t);
 }
 
 // Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.

@@ -24,6 +24,7 @@ inline constexpr std::int32_t kNoFace = -1;
 inline constexpr std::int32_t kSeveralFaces = -2;
 inline constexpr std::int32_t kUnknownFace = -3;
 inline constexpr double kLookNow = -1e300;  // m, a path that every path exceeds
+inline constexpr double kRoundOff = 1e-9;   // m, far more than that of any distance between a point and a face
 
 /// A face of an element in its body frame, centred at the centroid; the base has one (the plane z = 0 of its row). A cache line: a pair
 /// reads two of them anywhere in the table of all faces.
@@ -90,7 +91,6 @@ struct PatchScratch {
   double* depth = nullptr;
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
-  std::int32_t *pair_element = nullptr, *pair_face = nullptr;
 };
 
 struct PatchResult {
@@ -104,6 +104,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
 /// \param touching  points that have a partner from the last step
+/// \pre  there is a candidate, and since it was new no path has become shorter
 /// \pre  histories of the points are padded to kLanes with points that have no partner
 using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
                                  const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,

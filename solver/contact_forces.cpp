@@ -18,8 +18,8 @@ bool is_quiet(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
   if (w.options.reference_kernels) return false;
   const double path = c.path[static_cast<std::size_t>(c.master[a])];
-  const auto is_quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, path, c.path[static_cast<std::size_t>(k.element)]); };
-  return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], is_quiet);
+  const auto quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, path, c.path[static_cast<std::size_t>(k.element)]); };
+  return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
 }
 
 /// Asks for a patch and its points before they are needed.
@@ -55,7 +55,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
 
 void ContactRoom::fit(std::int32_t points) {
   const auto n = static_cast<std::size_t>(points);
-  depth.resize(n), candidate.resize(n), face.resize(n), pair_element.resize(n), pair_face.resize(n);
+  depth.resize(n), candidate.resize(n), face.resize(n);
 }
 
 void advance_contacts(World& w, ContactRoom& room) {

@@ -7,8 +7,8 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Bounds the way that any point of the elements [first, last) has gone since the last search (Contacts::path), and what it has moved. Returns
-/// the largest of the latter [m]: exact in any order. Call once a step.
+/// Bounds the way that any point of the elements [first, last) has gone since the last search (Contacts::path), and what it has moved.
+/// Returns the largest of the latter [m]: exact in any order. Call once a step.
 double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
 /// True if some element may have moved more than half the skin since the last search; `moved`: the largest of measure_moves.
@@ -21,7 +21,7 @@ void search_contacts(World& w);
 /// An element that a patch may touch, as new.
 [[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
 
-/// Candidates of all slots as new: nothing is known of any pair.
+/// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
 void list_candidates(World& w);
 
 /// Lists for every element the slots that push it. search_contacts does it; so must whoever adds slots in between.
@@ -30,10 +30,8 @@ void build_gather(World& w);
 /// One thread's room for the points of a patch.
 struct ContactRoom {
   std::vector<double> depth;
-  std::vector<std::int32_t> candidate, face, pair_element, pair_face;
-  [[nodiscard]] kernels::PatchScratch view() {
-    return {depth.data(), candidate.data(), face.data(), pair_element.data(), pair_face.data()};
-  }
+  std::vector<std::int32_t> candidate, face;
+  [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
   void fit(std::int32_t points);
 };
 

@@ -129,7 +129,7 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
   if (candidates.empty()) w.patches.stored[p] = 0.0;
 }
 
-/// Strings the candidates of all patches together, patch by patch, and lists for every element the slots that push it.
+/// Strings the candidates of all patches together, patch by patch, each with the gap that was found.
 void build_slots(World& w, const std::vector<Found>& found) {
   Contacts& c = w.contacts;
   c.active.clear();
@@ -149,7 +149,7 @@ void build_slots(World& w, const std::vector<Found>& found) {
   std::size_t slot = 0;
   for (const Found& f : found) {
     for (std::size_t i = 0; i < f.gap.size(); ++i, ++slot) {
-      c.candidate[slot].until = f.gap[i];
+      c.candidate[slot].until = f.gap[i] - kernels::kRoundOff;
       if (w.patches.touching[static_cast<std::size_t>(f.patch[i])] == 0) c.candidate[slot].face = kernels::kNoFace;
     }
   }
@@ -220,7 +220,7 @@ double measure_moves(World& w, std::int64_t first, std::int64_t last) {
     worst = moved > worst ? moved : worst;
     const double speed = std::sqrt(e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k]);
     const double spin = std::sqrt(e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]);
-    c.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);
+    c.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);  // and a little for round-off and what `drift` cuts off
   }
   return worst;
 }

@@ -60,11 +60,10 @@ struct Twin {
     const kernels::BodyConstants constants[3] = {{{0, 0, 0.1}, 50.0}, {{0, 0, 0}, 80.0}, {{0, 0, base}, 0.0}};
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, path};
     std::vector<double> depth(kPadded);
-    std::vector<std::int32_t> candidate(kPadded), new_face(kPadded), pair_element(kPadded), pair_face(kPadded);
+    std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
                    {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching, candidates,
-                   bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data(), pair_element.data(), pair_face.data()},
-                   wrench, on);
+                   bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data()}, wrench, on);
   }
 };
 

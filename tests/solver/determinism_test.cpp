@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "solver/contact_forces.h"
 #include "solver/field_table.h"
 #include "solver/simulation.h"
 #include "tests/solver/small_wall.h"
@@ -85,6 +86,26 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   CHECK(s.damage().tension > 500);
   CHECK(s.world().contacts.searches > 10);
   CHECK(std::any_of(s.world().patches.touching.begin(), s.world().patches.touching.end(), [](int n) { return n > 0; }));
+}
+
+TEST_CASE("what is known of pairs saves looks at points and changes no bit, through cracking, falling and contact") {
+  const cases::Case c = small_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  Run knows(c, m, g, 1), forgets(c, m, g, 1);
+  std::int64_t waiting = 0, touching = 0;
+  for (int i = 0; i < 6000; ++i) {
+    solver::list_candidates(forgets.sim.world());
+    knows.step(false), forgets.step(false);
+    INFO("step " << i);
+    REQUIRE(difference(knows.sim.world(), forgets.sim.world()) == "");
+    for (const kernels::Candidate& k : knows.sim.world().contacts.candidate) {
+      waiting += k.until > 0.0;
+      touching += k.face >= 0;
+    }
+  }
+  CHECK(touching > 10000);
+  CHECK(waiting > 10000);
 }
 
 TEST_CASE("sides that span more than two cells are run serially, with the same bits for any number of threads") {
