@@ -26,8 +26,7 @@ inline constexpr std::int32_t kUnknownFace = -3;
 inline constexpr double kLookNow = -1e300;  // m, a path that every path exceeds
 inline constexpr double kRoundOff = 1e-9;   // m, far more than that of any distance between a point and a face
 
-/// A face of an element in its body frame, centred at the centroid; the base has one (the plane z = 0 of its row). A cache line: a pair
-/// reads two of them anywhere in the table of all faces.
+/// A face of an element in its body frame, centred at the centroid; the base has one (the plane z = 0 of its row). One cache line.
 struct alignas(64) Face {
   Vec3 normal;                                    // outward
   double distance = 0.0;                          // m, ℓ
