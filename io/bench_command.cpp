@@ -37,7 +37,7 @@ struct Row {
 
 /// Sides by what they are now.
 struct Sides {
-  std::int64_t whole = 0, open = 0, damaged = 0, points = 0, contacts = 0;
+  std::int64_t whole = 0, open = 0, damaged = 0, steady = 0, points = 0, contacts = 0;
 };
 Sides sides_now(const solver::World& w) {
   Sides n;
@@ -46,7 +46,8 @@ Sides sides_now(const solver::World& w) {
     const kernels::Quick state = w.sides.quick[id];
     n.whole += state == kernels::Quick::whole;
     n.open += state == kernels::Quick::open;
-    if (state != kernels::Quick::segments) continue;
+    n.steady += state == kernels::Quick::steady;
+    if (state != kernels::Quick::segments && state != kernels::Quick::steady) continue;
     ++n.damaged;
     n.points += w.points.count[static_cast<std::size_t>(w.sides.set[id])];
   }
@@ -133,8 +134,9 @@ void print_subject(const cases::Census& census, const solver::World& w) {
   std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(census.joints + census.base_joints).c_str(),
               w.sides.task_first.size() - 1, w.sides.colour_first.size() - 1);
   std::printf("segment sides            %s\n", format_count(census.joint_sides).c_str());
-  std::printf("joints now               %s whole, %s open, %s damaged with %s segments; %s patches near others\n",
-              format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.points).c_str(),
+  std::printf("joints now               %s whole, %s open, %s damaged (%s of them steady) with %s segments; %s patches near others\n",
+              format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.steady).c_str(),
+              format_count(n.points).c_str(),
               format_count(n.contacts).c_str());
   const solver::MemoryUse use = solver::memory_use(w);
   const auto per = [](std::size_t bytes, std::int64_t count) {

@@ -4,22 +4,13 @@
 
 #include <limits>
 
-#include "kernels/lanes.h"
-#include "kernels/side.h"
+#include "kernels/side_lanes.h"
 
 /// The law of kWidth segments of one side at a time. Only what happens all the time is here: elastic, slipping, touching, open; a chunk of
 /// points in which a bond breaks, first yields or is crushed is left to the literal law (segment_law.h), so each rare event is decided in
 /// one place. Losses are worked out only for chunks in which a point slips, closes or opens: in all others they are zero, exactly.
 namespace voussoir::kernels {
 
-struct LocalLanes {
-  Lanes n, s1, s2;
-};
-VOUSSOIR_INLINE LocalLanes operator+(LocalLanes a, LocalLanes b) noexcept { return {a.n + b.n, a.s1 + b.s1, a.s2 + b.s2}; }
-VOUSSOIR_INLINE LocalLanes operator*(Lanes f, LocalLanes a) noexcept { return {f * a.n, f * a.s1, f * a.s2}; }
-VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {
-  return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
-}
 VOUSSOIR_INLINE Lanes square(Lanes a, Lanes b) noexcept { return a * a + b * b; }
 
 /// What the points of one side share.

@@ -19,15 +19,10 @@ struct alignas(64) FieldTable {
   double value[kFields][3][kWidth];
 };
 
-struct Frames {
-  const Kinematics& k;
-  VecLanes t1, t2;
-};
-
-VOUSSOIR_INLINE void put(FieldTable& f, int field, const Frames& g, VecLanes v) noexcept {
-  store_lanes(f.value[field][0], dot(v, g.k.n));
-  store_lanes(f.value[field][1], dot(v, g.t1));
-  store_lanes(f.value[field][2], dot(v, g.t2));
+VOUSSOIR_INLINE void put(FieldTable& f, int field, LocalLanes v) noexcept {
+  store_lanes(f.value[field][0], v.n);
+  store_lanes(f.value[field][1], v.s1);
+  store_lanes(f.value[field][2], v.s2);
 }
 
 struct TwistLanes {
@@ -42,20 +37,17 @@ VOUSSOIR_INLINE TwistLanes gather_twists(const double* rows, const std::int32_t*
   return t;
 }
 
-VOUSSOIR_INLINE Frames frames(const SideBlock& block, int at, const Kinematics& k, const Rows& rows, FieldTable& fields) noexcept {
-  const VecLanes along = k.es - dot(k.es, k.n) * k.n;
-  Frames f{k, (1.0 / sqrt(dot(along, along))) * along, {}};
-  f.t2 = cross(k.n, f.t1);
-  put(fields, 0, f, f.k.d);
-  put(fields, 1, f, f.k.a);
-  put(fields, 2, f, f.k.b);
+VOUSSOIR_INLINE void put_fields(const SideBlock& block, int at, const Kinematics& k, const FrameLanes& frame, const Rows& rows,
+                                FieldTable& fields) noexcept {
+  put(fields, 0, frame.local(k.d));
+  put(fields, 1, frame.local(k.a));
+  put(fields, 2, frame.local(k.b));
   // Rates at the point of action, the conjugate of the force applied there.
   const TwistLanes a = gather_twists(rows.twist, block.master + at), b = gather_twists(rows.twist, block.slave + at);
   const VecLanes w = b.w - a.w;
-  put(fields, 3, f, (b.v + cross(b.w, f.k.arm_b)) - (a.v + cross(a.w, f.k.arm_a)));
-  put(fields, 4, f, cross(w, f.k.es));
-  put(fields, 5, f, cross(w, f.k.et));
-  return f;
+  put(fields, 3, frame.local((b.v + cross(b.w, k.arm_b)) - (a.v + cross(a.w, k.arm_a))));
+  put(fields, 4, frame.local(cross(w, k.es)));
+  put(fields, 5, frame.local(cross(w, k.et)));
 }
 
 // ---- one side
@@ -155,15 +147,14 @@ VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTabl
 
 // ---- kWidth sides again: from sums to forces on the elements
 
-VOUSSOIR_INLINE SumLanes global_sums(const Frames& f, const SumRows* rows, double (SumRows::*part)[12]) noexcept {
+VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, double (SumRows::*part)[12]) noexcept {
   const auto row = [=](int l) { return rows[l].*part; };
   LocalLanes x[3];
   Lanes unused;
   load_columns(row, 0, x[0].n, x[0].s1, x[0].s2, x[1].n);
   load_columns(row, 4, x[1].s1, x[1].s2, x[2].n, x[2].s1);
   load_columns(row, 8, x[2].s2, unused, unused, unused);
-  const auto global = [&](LocalLanes v) { return v.n * f.k.n + (v.s1 * f.t1 + v.s2 * f.t2); };
-  return {global(x[0]), global(x[1]), global(x[2])};
+  return {f.global(x[0]), f.global(x[1]), f.global(x[2])};
 }
 
 /// How the faces of each lane's side lie to each other.
@@ -177,6 +168,7 @@ void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned
   for (int l = 0; l < kWidth; ++l) {
     if (!(chosen >> l & 1U)) continue;
     result[l].gap = gap[l], result[l].slide2 = slide2[l], result[l].tilt2 = tilt2[l];
+    result[l].u = {field(f, 0, l), field(f, 1, l), field(f, 2, l)};
   }
 }
 
@@ -187,7 +179,8 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
                          EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   FieldTable fields;
-  const Frames f = frames(block, at, k, rows, fields);
+  const FrameLanes f = frame_of(k.n, k.es);
+  put_fields(block, at, k, f, rows, fields);
   SumRows by_lane[kWidth];
   Literal found_literally;
   unsigned touching = 0;

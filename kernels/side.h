@@ -71,6 +71,11 @@ struct SideFrame {
 };
 SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept;
 
+/// An affine field over a side, in its frame: u(s,t) = d + s·ds + t·dt.
+struct AffineField {
+  Local d, ds, dt;
+};
+
 /// Sums of tractions over a side, in its frame: Σ f dA, Σ s f dA, Σ t f dA.
 struct SideSums {
   Local f, sf, tf;
@@ -143,18 +148,35 @@ struct DamagedSide {
   bool touching = false;
   double slide2 = 0.0, tilt2 = 0.0;  // m2, rad2: relative slide of the faces at the centre, and tilt
   double gap = 0.0;                  // m, least opening over the rectangle round the points
+  AffineField u;                     // how the faces stood
 };
 
 /// What is known of a side from the last step, so that most need no look at their segments.
 enum class Quick : std::uint8_t {
   segments = 0,  // look at each
   whole = 1,     // all bonded, none slipped: closed form, if a certificate at the corners proves that no segment yields
-  open = 2       // none bonded, none touched: no force, if the corners prove that none touches now
+  open = 2,      // none bonded, none touched: no force, if the corners prove that none touches now
+  steady = 3     // damaged, some bonded, none touches: closed form, while the side stays near where it was looked at (SteadySides)
+};
+
+/// What is known of the steady sides of a block (THEORY.md (16a), (16b)). Lanes that are not steady hold anything.
+struct alignas(64) SteadySides {
+  // Where each was looked at: u(s,t) = d + s·ds + t·dt in its frame, each (n, 1, 2) [m, -, -].
+  double d[3][kLanes], ds[3][kLanes], dt[3][kLanes];
+  // Over its bonded segments, with the factor of Eq. 11: Σ dA, Σ s dA, Σ t dA, Σ s² dA, Σ s t dA, Σ t² dA [m2, m3, m4].
+  double area[kLanes], as[kLanes], at[kLanes], ass[kLanes], ast[kLanes], att[kLanes];
+  // The same of their plastic slip along 1 and 2: Σ x dA, Σ s x dA, Σ t x dA.
+  double slip[2][kLanes], slip_s[2][kLanes], slip_t[2][kLanes];
+  // How far the nearest segment was from tension, shear and the cap [Pa], and from touching [m].
+  double to_tension[kLanes], to_shear[kLanes], to_cap[kLanes], to_contact[kLanes];
+
+  friend bool operator==(const SteadySides&, const SteadySides&) = default;
 };
 
 /// The sides of a block as they stand.
 struct BlockState {
   const Quick* quick = nullptr;      // kLanes
+  const SteadySides* steady = nullptr;
   const SideParts* parts = nullptr;  // kLanes
   std::int64_t first = 0;            // number of the first side
   unsigned live = 0;                 // bit mask of the lanes that take part
@@ -175,6 +197,14 @@ using AdvanceSides = unsigned(const SideBlock& block, const BlockState& state, c
                               DamagedSide* result, EventSink& sink) noexcept;
 AdvanceSides advance_sides;            // several lanes, or several segments of one, at a time
 AdvanceSides advance_sides_reference;  // the plain twin: all segments of all lanes, one by one
+
+/// Makes a damaged side steady if it can be: some segment holds, none that does not hold touches or is crushed, none is at a limit.
+/// \param u  how its faces stood when its segments were looked at last, in this step
+/// \param farthest  m, that it may slide from there
+/// \param known  of its block; the side's lane is written
+/// \return false if it cannot be; `known` then holds nothing of it
+bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const AffineField& u, double farthest, FailureOptions o,
+                 SteadySides& known) noexcept;
 
 /// Side `lane` of a block, with the rest of its constants.
 Side side_of(const SideBlock& block, int lane, const SideParts& parts) noexcept;

@@ -72,6 +72,29 @@ VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& block, int at, const doub
   return k;
 }
 
+/// Vectors in the frame of each lane's side.
+struct LocalLanes {
+  Lanes n, s1, s2;
+};
+VOUSSOIR_INLINE LocalLanes operator+(LocalLanes a, LocalLanes b) noexcept { return {a.n + b.n, a.s1 + b.s1, a.s2 + b.s2}; }
+VOUSSOIR_INLINE LocalLanes operator*(Lanes f, LocalLanes a) noexcept { return {f * a.n, f * a.s1, f * a.s2}; }
+VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {
+  return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
+}
+
+/// The frame of each lane's side: mean normal and two tangents, orthonormal, global axes.
+struct FrameLanes {
+  VecLanes n, t1, t2;
+  [[nodiscard]] VOUSSOIR_INLINE LocalLanes local(VecLanes v) const noexcept { return {dot(v, n), dot(v, t1), dot(v, t2)}; }
+  [[nodiscard]] VOUSSOIR_INLINE VecLanes global(LocalLanes v) const noexcept { return v.n * n + (v.s1 * t1 + v.s2 * t2); }
+};
+/// \param n  of length 1
+VOUSSOIR_INLINE FrameLanes frame_of(VecLanes n, VecLanes es) noexcept {
+  const VecLanes along = es - dot(es, n) * n;
+  const VecLanes t1 = (1.0 / sqrt(dot(along, along))) * along;
+  return {n, t1, cross(n, t1)};
+}
+
 /// Least u_n = dn + s an + t bn over the rectangles round the points.
 VOUSSOIR_INLINE Lanes least_opening(const SideConstants& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/certificate.h"
 #include "kernels/damaged_sides.h"
+#include "kernels/steady_sides.h"
 
 namespace voussoir::kernels {
 
@@ -9,8 +10,8 @@ namespace {
 
 constexpr unsigned kGroup = (1U << kWidth) - 1U;
 
-unsigned lanes_in(const Quick* quick, Quick state) noexcept {
-  return bits(widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(state));
+VOUSSOIR_INLINE LaneMask lanes_in(const Quick* quick, Quick state) noexcept {
+  return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(state);
 }
 
 /// Notes which lanes left something in the buffer for pairs.
@@ -31,8 +32,10 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     const unsigned live = state.live >> at & kGroup;
     if (live == 0) continue;
     std::uint8_t* on = rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
-    const unsigned whole = live & lanes_in(state.quick + at, Quick::whole);
-    const unsigned open = state.look_closely ? 0U : live & lanes_in(state.quick + at, Quick::open);
+    const unsigned whole = live & bits(lanes_in(state.quick + at, Quick::whole));
+    const unsigned open = state.look_closely ? 0U : live & bits(lanes_in(state.quick + at, Quick::open));
+    const LaneMask is_steady = lanes_in(state.quick + at, Quick::steady);
+    const unsigned steady = live & bits(is_steady);
     Kinematics k = kinematics(block, at, rows.pose);
     const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
     if (still_open == live) {
@@ -46,6 +49,7 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
       certain = whole & bits(certified(constants, at, k, o) & ~turned);
       sums = elastic_sums(constants, at, k);
     }
+    if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, is_steady, sums));
     const unsigned left = live & ~(certain | still_open);
     unsigned touching = 0;
     if (left != 0) {

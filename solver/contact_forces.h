@@ -11,12 +11,21 @@ namespace voussoir::solver {
 /// Returns the largest of the latter [m]: exact in any order. Call once a step.
 double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
-/// True if some element may have moved more than half the skin since the last search; `moved`: the largest of measure_moves.
-/// Call once a step: it also counts down to the search that retired sides ask for.
-bool search_due(World& w, double moved);
+enum class Search : std::uint8_t { none, new_patches, all };
 
-/// Broad phase on the uniform grid, then patch against element by separating planes; rebuilds candidates, slots and gather lists.
+/// All, if some element may have moved more than half the skin since the last search of all; `moved`: the largest of measure_moves.
+/// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
+Search search_due(World& w, double moved);
+
+/// Broad phase on the uniform grid, then patch against element by separating planes; lists candidates and slots anew.
 void search_contacts(World& w);
+
+/// The same for the patches that came since the last search. Those of before keep their candidates: these hold until the next search of
+/// all. \param moved  m, of measure_moves
+void search_new_patches(World& w, double moved);
+
+/// Fills the grid with the elements as they stood at the last search of all.
+void place_grid(World& w);
 
 /// An element that a patch may touch, as new.
 [[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
@@ -24,7 +33,7 @@ void search_contacts(World& w);
 /// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
 void list_candidates(World& w);
 
-/// Lists for every element the slots that push it. search_contacts does it; so must whoever adds slots in between.
+/// Lists for every element the slots that push it. Due where Contacts::gather_stale says so.
 void build_gather(World& w);
 
 /// One thread's room for the points of a patch.

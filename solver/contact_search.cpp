@@ -23,12 +23,19 @@ Body body(const World& w, std::int32_t e) {
   return {w.elements.body[i].ref + p.u, Mat3{} + p.d};
 }
 
+/// As it stood at the last search of all.
+Body body_then(const World& w, std::int32_t e) {
+  const auto i = static_cast<std::size_t>(e);
+  const Contacts& c = w.contacts;
+  return {w.elements.body[i].ref + Vec3{c.at_ux[i], c.at_uy[i], c.at_uz[i]},
+          rotation({c.at_qw[i], c.at_qx[i], c.at_qy[i], c.at_qz[i]})};
+}
+
 Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-/// Box round an element in its current pose.
-geometry::Box3 element_box(const World& w, std::int32_t e) {
+/// Box round an element in that pose.
+geometry::Box3 element_box(const World& w, std::int32_t e, const Body& b) {
   const auto i = static_cast<std::size_t>(e);
-  const Body b = body(w, e);
   const Vec3 h{w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
   const Vec3 half{dot(absolute(b.r.r0), h), dot(absolute(b.r.r1), h), dot(absolute(b.r.r2), h)};
   return {b.x - half, b.x + half};
@@ -70,37 +77,48 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element) {
   return farthest;
 }
 
-/// Candidates of the patches of one element.
+/// Candidates of patches, patch by patch.
 struct Found {
   std::vector<std::int32_t> patch;
   std::vector<std::int32_t> element;
   std::vector<double> gap;  // m
 };
 
-void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const std::vector<geometry::Box3>& boxes,
+/// How far a search looks [m]: pairs with a smaller gap are candidates; elements have moved by no more since the grid was made.
+struct Reach {
+  double gap = 0.0, moved = 0.0;
+};
+
+/// Candidates of some patches of one element.
+void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const Reach& reach,
                     std::vector<std::int32_t>& near, Found& found) {
   near.clear();
-  geometry::Box3 box = boxes[static_cast<std::size_t>(e)];
-  const Vec3 skin{w.contacts.skin, w.contacts.skin, w.contacts.skin};
-  box = {box.low - skin, box.high + skin};
-  w.contacts.grid.query(box, near);
   const Elements& el = w.elements;
-  const bool base = box.low.z <= el.body[static_cast<std::size_t>(el.base)].ref.z && w.has_base;
+  const geometry::Box3 box = element_box(w, e, body(w, e));
+  const auto all_round = [](double x) { return Vec3{x, x, x}; };
+  const Vec3 wide = all_round(reach.gap + reach.moved);
+  w.contacts.grid.query({box.low - wide, box.high + wide}, near);
+  const bool base = w.has_base && !el.fixed[static_cast<std::size_t>(e)] &&
+                    box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
+  const auto cannot_touch = [&](std::int32_t other) {
+    return other == e || (el.fixed[static_cast<std::size_t>(e)] && el.fixed[static_cast<std::size_t>(other)]);
+  };
+  std::erase_if(near, cannot_touch);
+  std::vector<geometry::Box3> boxes;
+  for (const std::int32_t other : near) boxes.push_back(element_box(w, other, body(w, other)));
   for (const std::int32_t p : patches) {
     const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
     const auto consider = [&](std::int32_t other) {
       const double gap = gap_to(w, placed_patch, other);
-      if (gap >= w.contacts.skin) return;
+      if (gap >= reach.gap) return;
       found.patch.push_back(p);
       found.element.push_back(other);
       found.gap.push_back(gap);
     };
-    for (const std::int32_t other : near) {
-      if (other == e || !overlap(placed_patch.box, boxes[static_cast<std::size_t>(other)], w.contacts.skin)) continue;
-      if (el.fixed[static_cast<std::size_t>(e)] && el.fixed[static_cast<std::size_t>(other)]) continue;
-      consider(other);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      if (overlap(placed_patch.box, boxes[k], reach.gap)) consider(near[k]);
     }
-    if (base && !el.fixed[static_cast<std::size_t>(e)]) consider(el.base);
+    if (base) consider(el.base);
   }
 }
 
@@ -110,6 +128,12 @@ void remember_poses(World& w) {
   c.at_ux = e.ux, c.at_uy = e.uy, c.at_uz = e.uz;
   c.at_qw = e.qw, c.at_qx = e.qx, c.at_qy = e.qy, c.at_qz = e.qz;
   c.path.assign(e.ux.size(), 0.0);
+}
+
+/// Of an active patch.
+std::span<const std::int32_t> candidates_of(const Contacts& c, std::size_t active) {
+  const auto first = static_cast<std::size_t>(c.first_slot[active]), last = static_cast<std::size_t>(c.first_slot[active + 1]);
+  return {c.element.data() + first, last - first};
 }
 
 /// Lets go of partners that are no candidates any more: they are farther away than the skin.
@@ -129,30 +153,42 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
   if (candidates.empty()) w.patches.stored[p] = 0.0;
 }
 
-/// Strings the candidates of all patches together, patch by patch, each with the gap that was found.
-void build_slots(World& w, const std::vector<Found>& found) {
+/// Appends candidates to the slots, each with the way that both bodies have to go before it can be touched.
+void append_slots(World& w, const Found& found) {
   Contacts& c = w.contacts;
-  c.active.clear();
-  c.first_slot.clear();
-  c.element.clear();
-  for (const Found& f : found) {
-    for (std::size_t i = 0; i < f.patch.size(); ++i) {
-      if (c.active.empty() || c.active.back() != f.patch[i]) {
-        c.active.push_back(f.patch[i]);
-        c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
-      }
-      c.element.push_back(f.element[i]);
+  for (std::size_t i = 0; i < found.patch.size(); ++i) {
+    const auto p = static_cast<std::size_t>(found.patch[i]);
+    if (i == 0 || found.patch[i] != found.patch[i - 1]) {
+      c.active.push_back(found.patch[i]);
+      c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
     }
+    kernels::Candidate k = candidate_of(w, found.element[i]);
+    const auto master = static_cast<std::size_t>(w.patches.patch[p].element), slave = static_cast<std::size_t>(found.element[i]);
+    k.until = c.path[master] + c.path[slave] + found.gap[i] - kernels::kRoundOff;
+    if (w.patches.touching[p] == 0) k.face = kernels::kNoFace;
+    c.element.push_back(found.element[i]);
+    c.candidate.push_back(k);
   }
+}
+
+/// Leaves the first patches of the list with their slots, and opens it for more.
+void cut_slots(Contacts& c, std::size_t patches) {
+  const std::size_t slots = c.first_slot.empty() ? 0 : static_cast<std::size_t>(c.first_slot[patches]);
+  c.active.resize(patches);
+  c.first_slot.resize(patches);
+  c.element.resize(slots);
+  c.candidate.resize(slots);
+  c.wrench.resize(slots);
+  c.on.resize(slots);
+}
+
+void close_slots(Contacts& c) {
   c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
-  list_candidates(w);
-  std::size_t slot = 0;
-  for (const Found& f : found) {
-    for (std::size_t i = 0; i < f.gap.size(); ++i, ++slot) {
-      c.candidate[slot].until = f.gap[i] - kernels::kRoundOff;
-      if (w.patches.touching[static_cast<std::size_t>(f.patch[i])] == 0) c.candidate[slot].face = kernels::kNoFace;
-    }
-  }
+  c.wrench.resize(c.element.size());
+  c.on.resize(c.element.size(), 0);
+  c.searched = static_cast<std::int64_t>(c.active.size());
+  c.countdown = 0;
+  c.gather_stale = true;
 }
 
 /// Patches by element: first entries (count + 1) and the list.
@@ -225,20 +261,28 @@ double measure_moves(World& w, std::int64_t first, std::int64_t last) {
   return worst;
 }
 
-bool search_due(World& w, double moved) {
+Search search_due(World& w, double moved) {
   Contacts& c = w.contacts;
-  if (c.stale) return true;
-  if (c.countdown > 0 && --c.countdown == 0) return true;
-  return moved > 0.5 * c.skin;
+  const bool new_ones = c.countdown > 0 && --c.countdown == 0;
+  if (c.stale || moved > 0.5 * c.skin) return Search::all;
+  return new_ones ? Search::new_patches : Search::none;
+}
+
+void place_grid(World& w) {
+  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(w.contacts.at_ux.empty() ? 0 : w.elements.count));
+  for (std::size_t e = 0; e < boxes.size(); ++e) {
+    const auto id = static_cast<std::int32_t>(e);
+    boxes[e] = element_box(w, id, body_then(w, id));
+  }
+  w.contacts.grid.build(boxes);
 }
 
 void search_contacts(World& w) {
   Contacts& c = w.contacts;
   sort_patches_if_scattered(w);
+  remember_poses(w);
+  place_grid(w);
   const std::int32_t n = w.elements.count;
-  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(n));
-  for (std::int32_t e = 0; e < n; ++e) boxes[static_cast<std::size_t>(e)] = element_box(w, e);
-  c.grid.build(boxes);
   std::vector<std::int64_t> first;
   std::vector<std::int32_t> list;
   patches_by_element(w, first, list);
@@ -250,25 +294,43 @@ void search_contacts(World& w) {
     for (std::int32_t e = 0; e < n; ++e) {
       const auto i = static_cast<std::size_t>(e);
       const std::span<const std::int32_t> mine(list.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i]));
-      if (!mine.empty()) search_element(w, e, mine, boxes, near, found[i]);
+      if (!mine.empty()) search_element(w, e, mine, {.gap = c.skin}, near, found[i]);
     }
   }
-  build_slots(w, found);
-  build_gather(w);
+  cut_slots(c, 0);
+  for (const Found& f : found) append_slots(w, f);
+  close_slots(c);
   std::vector<std::uint8_t> seen(w.patches.patch.size(), 0);
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    const auto p = static_cast<std::size_t>(c.active[a]);
-    seen[p] = 1;
-    const auto slot = static_cast<std::size_t>(c.first_slot[a]);
-    release_lost(w, p, {c.element.data() + slot, static_cast<std::size_t>(c.first_slot[a + 1]) - slot});
+    seen[static_cast<std::size_t>(c.active[a])] = 1;
+    release_lost(w, static_cast<std::size_t>(c.active[a]), candidates_of(c, a));
   }
   for (std::size_t p = 0; p < seen.size(); ++p) {
     if (!seen[p]) release_lost(w, p, {});
   }
-  remember_poses(w);
   c.stale = false;
-  c.countdown = 0;
   ++c.searches;
+}
+
+void search_new_patches(World& w, double moved) {
+  Contacts& c = w.contacts;
+  const auto known = static_cast<std::size_t>(c.searched);
+  const std::vector<std::int32_t> patches(c.active.begin() + c.searched, c.active.end());
+  std::vector<std::int32_t> near;
+  Found found;
+  // Bodies that have moved since the last search of all may go back and as far again before the next.
+  const Reach reach{.gap = c.skin + 2.0 * moved, .moved = moved};
+  for (const std::int32_t p : patches) {
+    search_element(w, w.patches.patch[static_cast<std::size_t>(p)].element, {&p, 1}, reach, near, found);
+  }
+  cut_slots(c, known);
+  append_slots(w, found);
+  close_slots(c);
+  std::size_t a = known;
+  for (const std::int32_t p : patches) {
+    const bool listed = a < c.active.size() && c.active[a] == p;
+    release_lost(w, static_cast<std::size_t>(p), listed ? candidates_of(c, a++) : std::span<const std::int32_t>{});
+  }
 }
 
 }  // namespace voussoir::solver

@@ -82,12 +82,13 @@ void add_elements(Table& t, Elements& e) {
 }
 
 void add_sides(Table& t, Sides& s) {
-  t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 2), field("side_retired", "-", "side", s.retired, 0, 1),
+  t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 3), field("side_retired", "-", "side", s.retired, 0, 1),
                      field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
                      field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
                      field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),
                      field("segment_first_time", "s", "segment", s.first_time), field("segment_slip1", "m", "segment", s.slip1),
                      field("segment_slip2", "m", "segment", s.slip2), field("segment_closure", "m", "segment", s.closure)});
+  t.push_back(rows<double>("side_steady", "SI", "block of sides", s.steady, sizeof(kernels::SteadySides) / sizeof(double)));
 }
 
 // What a patch of a retired side is made of follows from the side: see restore().
@@ -114,6 +115,7 @@ void add_search(Table& t, World& w) {
             field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
             field("searched_qz", "-", shape, c.at_qz), value("search_due", c.stale, 0, 1),
             value("search_countdown", c.countdown, 0, std::numeric_limits<std::int32_t>::max()), value("searches", "-", c.searches),
+            value("searched_patches", c.searched, 0, static_cast<std::int64_t>(c.active.size())),
             field("active_patch", "-", "active patch", c.active, 0, patches - 1),
             field("active_first_slot", "-", "active patch", c.first_slot, 0, slots)});
   t.push_back(field("slot_element", "-", "slot", c.element, 0, elements - 1));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace voussoir::solver {
 
@@ -15,7 +16,8 @@ namespace {
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;              // rad, relative rotation
 constexpr double kSlideShare = 0.5;         // of a segment
-constexpr std::int64_t kOpenInterval = 16;  // steps between two looks at sides that are open all over
+constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
+constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
 
 bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) {
   const double slide = kSlideShare * w.sides.size[id];
@@ -23,15 +25,51 @@ bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) 
   return r.held == 0 && (r.tilt2 > kTilt * kTilt || r.gap > w.contacts.skin);
 }
 
+/// A side that has just been looked at, and in which nothing happens, may need no look for a while.
+bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
+  if (w.options.reference_kernels || r.held == 0 || r.touching || r.events != 0) return false;
+  const std::size_t block = id / kernels::kLanes;
+  const double left = kSlideShare * w.sides.size[id] - std::sqrt(r.slide2);
+  return kernels::make_steady(w.sides.blocks[block], static_cast<int>(id % kernels::kLanes), w.sides.parts[id], r.u, left, w.failure,
+                              w.sides.steady[block]);
+}
+
 /// Books what became of one side whose segments were looked at.
-void book(World& w, std::size_t id, const kernels::DamagedSide& r, JointFindings& found) {
+void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool try_steady, JointFindings& found) {
   Sides& s = w.sides;
   s.held[id] = r.held;
   s.friction[id] += r.friction, s.impact[id] += r.impact, s.fracture[id] += r.fracture;
   // A whole side that failed its certificate, but in which nothing happened, is still whole.
   if (s.quick[id] == kernels::Quick::whole && r.events == 0) return;
   s.quick[id] = r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
-  if (comes_apart(w, id, r)) found.coming_apart.push_back(static_cast<std::int32_t>(id));
+  if (comes_apart(w, id, r)) {
+    found.coming_apart.push_back(static_cast<std::int32_t>(id));
+  } else if (try_steady && found_steady(w, id, r)) {
+    s.quick[id] = kernels::Quick::steady;
+  }
+}
+
+/// Asks for what is known of a block's sides.
+void fetch_sides(const Sides& s, std::int32_t number) {
+  const auto block = static_cast<std::size_t>(number);
+  const std::size_t first = block * kernels::kLanes;
+  unsigned steady = 0, damaged = 0;
+  for (std::size_t l = 0; l < kernels::kLanes; ++l) {
+    steady |= s.quick[first + l] == kernels::Quick::steady;
+    damaged |= static_cast<unsigned>(s.quick[first + l] == kernels::Quick::segments) << l;
+  }
+  if (steady != 0) {
+    const char* known = reinterpret_cast<const char*>(&s.steady[block]);
+    for (std::size_t line = 0; line < sizeof(kernels::SteadySides); line += 64) __builtin_prefetch(known + line);
+  }
+  for (unsigned rest = damaged & s.live_lanes[block]; rest != 0; rest &= rest - 1) {
+    const kernels::SegmentsView& q = s.parts[first + static_cast<std::size_t>(std::countr_zero(rest))].segments;
+    __builtin_prefetch(q.bond);
+    __builtin_prefetch(q.slip1, 1);
+    __builtin_prefetch(q.slip1 + 8, 1);
+    __builtin_prefetch(q.slip2, 1);
+    __builtin_prefetch(q.slip2 + 8, 1);
+  }
 }
 
 /// Asks for the rows of a block's elements before they are needed: they lie all over memory, where no hardware foresees them.
@@ -47,7 +85,7 @@ void fetch_rows(const kernels::SideBlock& b, const kernels::Rows& rows) {
   }
 }
 
-void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, kernels::StepClock clock, bool look_closely,
+void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, kernels::StepClock clock, std::int64_t step,
                    JointFindings& found) {
   const Sides& s = w.sides;
   const auto block = static_cast<std::size_t>(number);
@@ -57,16 +95,18 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
   const unsigned looked_at = advance(s.blocks[block],
                                      {.quick = s.quick.data() + first,
+                                      .steady = &s.steady[block],
                                       .parts = s.parts.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block],
-                                      .look_closely = look_closely},
+                                      .look_closely = step % kOpenInterval == 0},
                                      rows, clock, w.failure, result, sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
+  const bool try_steady = (step + number) % kSteadyInterval == 0;  // not all in one step
   for (unsigned rest = looked_at; rest != 0; rest &= rest - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(rest));
-    book(w, first + l, result[l], found);
+    book(w, first + l, result[l], try_steady, found);
   }
 }
 
@@ -76,11 +116,11 @@ void advance_joints(World& w, double time, std::int64_t step, JointFindings& fou
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
-  const bool look_closely = step % kOpenInterval == 0;
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
     for (std::int32_t i = first; i < last; ++i) {
       if (i + kAhead < last) fetch_rows(s.blocks[static_cast<std::size_t>(s.live[static_cast<std::size_t>(i + kAhead)])], rows);
-      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, look_closely, found);
+      if (i + 1 < last) fetch_sides(s, s.live[static_cast<std::size_t>(i + 1)]);
+      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, step, found);
     }
   };
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));

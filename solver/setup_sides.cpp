@@ -121,6 +121,7 @@ kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dr
 void size_side_arrays(Sides& s, std::size_t blocks) {
   const std::size_t n = blocks * kernels::kLanes;
   s.blocks.assign(blocks, kernels::SideBlock{});
+  s.steady.assign_zeros(blocks);
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   s.size.assign(n, 0.0);
   for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);

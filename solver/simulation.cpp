@@ -244,9 +244,9 @@ void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
   place_supports();
-  if (search_due(w, moved_)) {
+  if (const Search due_now = search_due(w, moved_); due_now != Search::none) {
     const StageTimer timer(times_, Stage::search);
-    search_contacts(w);
+    due_now == Search::all ? search_contacts(w) : search_new_patches(w, moved_);
   }
   {
     const StageTimer timer(times_, Stage::forces);

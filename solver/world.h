@@ -81,6 +81,7 @@ struct Sides {
   Array<double> pair_wrench, pair_dashpot;
   std::vector<std::uint8_t> pair_on;
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
+  ZeroArray<kernels::SteadySides> steady;  // State by block: of its steady sides
   // State by side.
   Array<kernels::Quick> quick;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -132,7 +133,8 @@ struct Contacts {
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
-  std::int64_t searches = 0;
+  std::int64_t searched = 0;               // active patches whose candidates a search found; the others are new (state)
+  std::int64_t searches = 0;               // of all
 };
 
 /// Loads and supports that act on single elements.

@@ -114,7 +114,8 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
                  .touching = r.touching,
                  .slide2 = f.d.s1 * f.d.s1 + f.d.s2 * f.d.s2,
                  .tilt2 = dot(f.ds, f.ds) + dot(f.dt, f.dt),
-                 .gap = least_opening(*block.constants, l, f)};
+                 .gap = least_opening(*block.constants, l, f),
+                 .u = {f.d, f.ds, f.dt}};
   }
   return state.live;
 }

@@ -259,7 +259,7 @@ TEST_CASE("summary, provenance and a long case") {
                                                {"worst_residual", 1e-7},
                                                {"end_time", 10},
                                                {"finished", 1}};
-  for (const auto& [name, value] : expected) CHECK_MESSAGE(file.attribute_double("/summary", name) == value, name);
+  for (const auto& entry : expected) CHECK_MESSAGE(file.attribute_double("/summary", entry.first) == entry.second, entry.first);
   CHECK(file.attribute_int("/provenance", "threads") == 3);
   CHECK(file.attribute_text("/provenance", "started").size() == 20);
   CHECK(file.attribute_text("/provenance", "ended") >= file.attribute_text("/provenance", "started"));

@@ -47,6 +47,7 @@ struct TwoBodies {
 struct SideUnderTest {
   kernels::Side side;
   kernels::SideConstants constants{};  // of the last block()
+  kernels::SteadySides steady{};       // of a block with the side in lane kLane
   std::vector<double> s, t, area;
   std::vector<kernels::Bond> bond;
   std::vector<kernels::Mode> first_mode;
@@ -80,6 +81,8 @@ struct SideUnderTest {
     return {bond.data(), first_mode.data(), first_time.data(), slip1.data(), slip2.data(), closure.data()};
   }
 
+  kernels::SideParts parts() { return {7, side.factor, side.k.cn, side.k.cs, points(), segments()}; }
+
   /// The side in a lane of a block; the other lanes rest. The constants are this object's.
   kernels::SideBlock block(int lane) {
     kernels::SideConstants& c = constants = {};
@@ -111,6 +114,9 @@ struct SideUnderTest {
   }
 };
 
+/// The lane that a side under test is put into.
+inline constexpr int kLane = 5;
+
 /// One step of a side under test on its own block: what it did, and the forces it left on the rows of both bodies.
 struct SideStep {
   bool looked_at = false;       // at its segments
@@ -121,18 +127,17 @@ struct SideStep {
 inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const TwoBodies& b, double step, double time,
                         kernels::FailureOptions o, std::vector<kernels::SegmentEvent>& events,
                         kernels::Quick state = kernels::Quick::segments) {
-  constexpr int kLane = 5;
   SideStep s;
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {};
   kernels::SideParts parts[kernels::kLanes];
-  parts[kLane] = {7, u.side.factor, u.side.k.cn, u.side.k.cs, u.points(), u.segments()};
+  parts[kLane] = u.parts();
   kernels::DamagedSide result[kernels::kLanes];
   kernels::Quick quick[kernels::kLanes] = {};
   quick[kLane] = state;
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  const kernels::BlockState block{.quick = quick, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
+  const kernels::BlockState block{.quick = quick, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));
@@ -144,6 +149,11 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   s.force_a = row(0, 0), s.torque_a = row(0, 3), s.dash_a = row(0, kernels::kDashpotColumn), s.force_b = row(1, 0), s.torque_b = row(1, 3);
   s.force_base = row(2, 0);
   return s;
+}
+
+/// Makes the side steady where it was looked at last, if it can be.
+inline bool make_steady(SideUnderTest& u, const SideStep& looked_at, double farthest, kernels::FailureOptions o) {
+  return kernels::make_steady(u.block(kLane), kLane, u.parts(), looked_at.result.u, farthest, o, u.steady);
 }
 
 /// Elastic energy in the segments of a side under test.

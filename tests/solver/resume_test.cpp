@@ -188,7 +188,7 @@ TEST_CASE("a state of another model, or with numbers that cannot be, is refused 
     return [=](solver::SavedField& f) { std::memcpy(f.bytes.data() + at * sizeof value, &value, sizeof value); };
   };
   CHECK(refusal("ux", put(std::numeric_limits<double>::quiet_NaN(), 3)).find("ux") != std::string::npos);
-  CHECK(refusal("side_quick", put(std::uint8_t{3}, 0)).find("side_quick") != std::string::npos);
+  CHECK(refusal("side_quick", put(std::uint8_t{4}, 0)).find("side_quick") != std::string::npos);
   CHECK(refusal("segment_bond", put(std::uint8_t{255}, 1)).find("allowed: 0 to 3") != std::string::npos);
   CHECK(refusal("point_partner", put(std::int32_t{1 << 20}, 0)).find("point_partner") != std::string::npos);
   CHECK(refusal("point_face", put(std::int32_t{0}, 0)).find("point_face") != std::string::npos);
