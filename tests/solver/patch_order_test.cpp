@@ -62,7 +62,7 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
   const solver::SavedState saved = solver::save(sim, plan);
   solver::Simulation again(c, m, {}, {});
   solver::restore(again, plan_again, saved);
-  for (const auto& [name, field] : solver::save(again, plan_again)) CHECK_MESSAGE(field.bytes == saved.at(name).bytes, name);
+  for (const auto& entry : solver::save(again, plan_again)) CHECK_MESSAGE(entry.second.bytes == saved.at(entry.first).bytes, entry.first);
   for (std::size_t i = 0; i < count; ++i) {
     CHECK(again.world().patches.patch[i].element == p.patch[i].element);
     CHECK(again.world().patches.patch[i].face == p.patch[i].face);
