@@ -51,9 +51,7 @@ struct PlacedPatch {
   Vec3 centre, es, et;  // of its rectangle; half edges
   geometry::Box3 box;
 };
-PlacedPatch placed(const World& w, std::size_t p) {
-  const kernels::Patch& k = w.patches.patch[p];
-  const Body b = body(w, k.element);
+PlacedPatch placed(const kernels::Patch& k, const Body& b) {
   const Vec3 middle = k.centre + 0.5 * (k.s_low + k.s_high) * k.es + 0.5 * (k.t_low + k.t_high) * k.et;
   PlacedPatch r;
   r.centre = b.x + b.r * middle;
@@ -65,14 +63,15 @@ PlacedPatch placed(const World& w, std::size_t p) {
 }
 
 /// Distance [m] that one face of the element, the best, keeps between it and the whole patch.
-double gap_to(const World& w, const PlacedPatch& p, std::int32_t element) {
+double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const Body& b) {
   const auto i = static_cast<std::size_t>(element);
-  const Body b = body(w, element);
+  const Mat3 back = transposed(b.r);
+  const Vec3 centre = back * (p.centre - b.x), es = back * p.es, et = back * p.et;
   double farthest = -1e300;
   for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
     const kernels::Face& face = w.faces[static_cast<std::size_t>(f)];
-    const Vec3 n = b.r * face.normal;
-    farthest = std::max(farthest, dot(n, p.centre - b.x) - face.distance - std::abs(dot(n, p.es)) - std::abs(dot(n, p.et)));
+    const double reach = std::abs(dot(face.normal, es)) + std::abs(dot(face.normal, et));
+    farthest = std::max(farthest, dot(face.normal, centre) - face.distance - reach);
   }
   return farthest;
 }
@@ -89,36 +88,48 @@ struct Reach {
   double gap = 0.0, moved = 0.0;
 };
 
+/// Elements near another one, as they stand.
+struct Neighbours {
+  std::vector<std::int32_t> element;
+  std::vector<Body> body;
+  std::vector<geometry::Box3> box;
+};
+
+void find_neighbours(const World& w, std::int32_t e, const geometry::Box3& box, const Reach& reach, Neighbours& near) {
+  near.element.clear(), near.body.clear(), near.box.clear();
+  const double d = reach.gap + reach.moved;
+  const Vec3 wide{d, d, d};
+  w.contacts.grid.query({box.low - wide, box.high + wide}, near.element);
+  const auto is_fixed = [&](std::int32_t k) { return w.elements.fixed[static_cast<std::size_t>(k)] != 0; };
+  std::erase_if(near.element, [&](std::int32_t other) { return other == e || (is_fixed(e) && is_fixed(other)); });
+  for (const std::int32_t other : near.element) {
+    near.body.push_back(body(w, other));
+    near.box.push_back(element_box(w, other, near.body.back()));
+  }
+}
+
 /// Candidates of some patches of one element.
-void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const Reach& reach,
-                    std::vector<std::int32_t>& near, Found& found) {
-  near.clear();
+void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const Reach& reach, Neighbours& near,
+                    Found& found) {
   const Elements& el = w.elements;
-  const geometry::Box3 box = element_box(w, e, body(w, e));
-  const auto all_round = [](double x) { return Vec3{x, x, x}; };
-  const Vec3 wide = all_round(reach.gap + reach.moved);
-  w.contacts.grid.query({box.low - wide, box.high + wide}, near);
-  const bool base = w.has_base && !el.fixed[static_cast<std::size_t>(e)] &&
-                    box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
-  const auto cannot_touch = [&](std::int32_t other) {
-    return other == e || (el.fixed[static_cast<std::size_t>(e)] && el.fixed[static_cast<std::size_t>(other)]);
-  };
-  std::erase_if(near, cannot_touch);
-  std::vector<geometry::Box3> boxes;
-  for (const std::int32_t other : near) boxes.push_back(element_box(w, other, body(w, other)));
+  const Body here = body(w, e), base = body(w, el.base);
+  const geometry::Box3 box = element_box(w, e, here);
+  find_neighbours(w, e, box, reach, near);
+  const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(e)] &&
+                         box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
   for (const std::int32_t p : patches) {
-    const PlacedPatch placed_patch = placed(w, static_cast<std::size_t>(p));
-    const auto consider = [&](std::int32_t other) {
-      const double gap = gap_to(w, placed_patch, other);
+    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here);
+    const auto consider = [&](std::int32_t other, const Body& b) {
+      const double gap = gap_to(w, patch, other, b);
       if (gap >= reach.gap) return;
       found.patch.push_back(p);
       found.element.push_back(other);
       found.gap.push_back(gap);
     };
-    for (std::size_t k = 0; k < near.size(); ++k) {
-      if (overlap(placed_patch.box, boxes[k], reach.gap)) consider(near[k]);
+    for (std::size_t k = 0; k < near.element.size(); ++k) {
+      if (overlap(patch.box, near.box[k], reach.gap)) consider(near.element[k], near.body[k]);
     }
-    if (base) consider(el.base);
+    if (over_base) consider(el.base, base);
   }
 }
 
@@ -289,7 +300,7 @@ void search_contacts(World& w) {
   std::vector<Found> found(static_cast<std::size_t>(n));
 #pragma omp parallel
   {
-    std::vector<std::int32_t> near;
+    Neighbours near;
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t e = 0; e < n; ++e) {
       const auto i = static_cast<std::size_t>(e);
@@ -316,7 +327,7 @@ void search_new_patches(World& w, double moved) {
   Contacts& c = w.contacts;
   const auto known = static_cast<std::size_t>(c.searched);
   const std::vector<std::int32_t> patches(c.active.begin() + c.searched, c.active.end());
-  std::vector<std::int32_t> near;
+  Neighbours near;
   Found found;
   // Bodies that have moved since the last search of all may go back and as far again before the next.
   const Reach reach{.gap = c.skin + 2.0 * moved, .moved = moved};
