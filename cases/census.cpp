@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace voussoir::cases {
@@ -20,9 +21,17 @@ std::string group_name(const Model& model, const Block& block) {
   return numbered ? block.tag.substr(0, last) : block.tag;
 }
 
+/// Houses part by part as they are built, then free blocks.
+std::vector<std::size_t> as_built(const std::vector<Block>& blocks) {
+  std::vector<std::size_t> order(blocks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return static_cast<std::uint32_t>(blocks[i].built); });  // −1: last
+  return order;
+}
+
 void count_blocks(const Model& model, Census& result) {
   std::map<std::string, std::size_t> index;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+  for (const std::size_t i : as_built(model.blocks)) {
     const Block& block = model.blocks[i];
     const std::string name = group_name(model, block);
     const auto [at, added] = index.emplace(name, result.groups.size());

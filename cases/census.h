@@ -41,7 +41,7 @@ struct Census {
   double joint_area = 0.0;          // m2, with the base
   double volume = 0.0, mass = 0.0;  // m3, kg; without fixed blocks
   double fixed_mass = 0.0;          // kg
-  std::vector<CensusGroup> groups;  // in order of their first element
+  std::vector<CensusGroup> groups;  // in order of their first block as built
   std::vector<BillLine> bill;       // by kind, material, whole before cut, then the larger before the smaller
 
   double step_bound = 0.0;  // s, Eq. 19: least l / sqrt(E / (1 - nu^2) / rho) of all faces of elements that move; infinite if none does

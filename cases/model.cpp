@@ -9,10 +9,13 @@
 #include "cases/house.h"
 #include "cases/joint_rules.h"
 #include "cases/names.h"
+#include "cases/numbering.h"
 #include "cases/scatter.h"
 
 namespace voussoir::cases {
 namespace {
+
+constexpr double kCellLengths = 3.0;  // bricks; of a Flat20N 2, 3 and 4 lengths are alike, 1.5 and 6 worse
 
 void name_materials_and_laws(const Case& c, Model& model) {
   for (const auto& [name, value] : c.materials) {
@@ -42,6 +45,7 @@ void add_house(const Case& c, Model& model) {
   if (!c.base && !on_fixed_block)
     throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
   model.blocks = build_house(*c.house, model.materials);
+  number_along_plan(model.blocks, kCellLengths * c.house->brick[0]);
   const double z = c.base ? c.base->z : 0.0;
   if (z == 0.0) return;
   for (Block& block : model.blocks) {

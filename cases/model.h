@@ -27,6 +27,7 @@ struct Block {
   PartKind kind = PartKind::block;
   std::int32_t house = -1;   // copy number of the house, −1: a free block
   std::int32_t member = -1;  // timber member in its house (elements of one beam share it), −1: none
+  std::int32_t built = -1;   // its place in the order in which the house was built, −1: a free block
   bool whole = true;         // false: a cut brick
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;   // initial, m/s and rad/s
@@ -63,7 +64,7 @@ struct Model {
   std::vector<double> joint_strength;   // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
-/// Builds blocks (house first, then free blocks), assembles them and picks the law of every joint.
+/// Builds blocks (house first, numbered along its plan, then free blocks), assembles them and picks the law of every joint.
 /// A house stands on the base, so its walls begin at Case::base's height (0 without one, on fixed blocks).
 /// Motions of supports given as files stay empty, with the file's name: io reads them.
 /// The law: the first that applies of the house's own keys, joints.between, joints.default.

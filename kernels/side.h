@@ -175,7 +175,7 @@ struct alignas(64) SteadySides {
 
 /// The sides of a block as they stand.
 struct BlockState {
-  const Quick* quick = nullptr;      // kLanes
+  const Quick* quick = nullptr;  // kLanes
   const SteadySides* steady = nullptr;
   const SideParts* parts = nullptr;  // kLanes
   std::int64_t first = 0;            // number of the first side

@@ -4,10 +4,10 @@
 
 #include "kernels/certificate.h"
 
-/// Damaged sides in which nothing happens, kWidth at a time (THEORY.md (16a), (16b)): nine in ten of a cracked house, in most steps. Their bonded
-/// segments are elastic, each from its own plastic slip, and the others are open, so the sums of tractions have a closed form over the
-/// bonded ones. That no segment changes is certain while the side has not moved, since its segments were looked at, by more than takes the
-/// nearest of them to its limit.
+/// Damaged sides in which nothing happens, kWidth at a time (THEORY.md (16a), (16b)): nine in ten of a cracked house, in most steps. Their
+/// bonded segments are elastic, each from its own plastic slip, and the others are open, so the sums of tractions have a closed form over
+/// the bonded ones. That no segment changes is certain while the side has not moved, since its segments were looked at, by more than takes
+/// the nearest of them to its limit.
 namespace voussoir::kernels {
 
 /// How far faces have moved since, over the rectangle round the points [m].
@@ -45,10 +45,9 @@ VOUSSOIR_INLINE LaneMask stay_steady(const SideConstants& s, const SteadySides& 
   const MovedLanes m = moved_since(s, at, d - load_local(known.d, at), ds - load_local(known.ds, at), dt - load_local(known.dt, at));
   // |τ| grows by no more than k_s·slide, and the limit falls by no more than tan φ times the growth of σ; √(σ² + C_s τ²) is a norm.
   const Lanes sigma = kn * m.apart, tau = ks * m.slide, most = max(sigma, kn * m.together), to_cap = load_lanes(known.to_cap + at);
-  const LaneMask stays = (sigma <= load_lanes(known.to_tension + at)) &
-                         (tau + load_lanes(s.tan_phi + at) * sigma <= load_lanes(known.to_shear + at)) &
-                         (most * most + load_lanes(s.cap + at) * (tau * tau) <= to_cap * to_cap) &
-                         (m.together <= load_lanes(known.to_contact + at));
+  const LaneMask stays =
+      (sigma <= load_lanes(known.to_tension + at)) & (tau + load_lanes(s.tan_phi + at) * sigma <= load_lanes(known.to_shear + at)) &
+      (most * most + load_lanes(s.cap + at) * (tau * tau) <= to_cap * to_cap) & (m.together <= load_lanes(known.to_contact + at));
   const auto over = [&](const double* one, const double* by_s, const double* by_t, const double(&p)[2][kLanes]) {
     const LocalLanes v = load_lanes(one + at) * d + (load_lanes(by_s + at) * ds + load_lanes(by_t + at) * dt);
     return frame.global({kn * v.n, ks * (v.s1 - load_lanes(p[0] + at)), ks * (v.s2 - load_lanes(p[1] + at))});

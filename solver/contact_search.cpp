@@ -27,8 +27,7 @@ Body body(const World& w, std::int32_t e) {
 Body body_then(const World& w, std::int32_t e) {
   const auto i = static_cast<std::size_t>(e);
   const Contacts& c = w.contacts;
-  return {w.elements.body[i].ref + Vec3{c.at_ux[i], c.at_uy[i], c.at_uz[i]},
-          rotation({c.at_qw[i], c.at_qx[i], c.at_qy[i], c.at_qz[i]})};
+  return {w.elements.body[i].ref + Vec3{c.at_ux[i], c.at_uy[i], c.at_uz[i]}, rotation({c.at_qw[i], c.at_qx[i], c.at_qy[i], c.at_qz[i]})};
 }
 
 Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
@@ -115,8 +114,8 @@ void search_element(const World& w, std::int32_t e, std::span<const std::int32_t
   const Body here = body(w, e), base = body(w, el.base);
   const geometry::Box3 box = element_box(w, e, here);
   find_neighbours(w, e, box, reach, near);
-  const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(e)] &&
-                         box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
+  const bool over_base =
+      w.has_base && !el.fixed[static_cast<std::size_t>(e)] && box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
   for (const std::int32_t p : patches) {
     const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here);
     const auto consider = [&](std::int32_t other, const Body& b) {

@@ -14,8 +14,8 @@ namespace {
 
 // Beyond these the mean frame of a joint no longer describes two faces that face each other; its segments go on as free patches. A joint
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
-constexpr double kTilt = 0.15;              // rad, relative rotation
-constexpr double kSlideShare = 0.5;         // of a segment
+constexpr double kTilt = 0.15;               // rad, relative rotation
+constexpr double kSlideShare = 0.5;          // of a segment
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
 

@@ -137,7 +137,8 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  const kernels::BlockState block{.quick = quick, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
+  const kernels::BlockState block{
+      .quick = quick, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "cases/model.h"
+
+namespace voussoir::cases {
+
+/// Puts the blocks of houses into the order in which elements are numbered: house by house, then cell by cell of the plan along a Morton
+/// curve, from the bottom up in each. What touches then lies close in memory; course by course round the house, a step over an intact
+/// house takes a tenth longer, over sixteen houses a seventh (perf/README.md).
+/// \param cell  edge of the cells [m]
+void number_along_plan(std::vector<Block>& blocks, double cell);
+
+}  // namespace voussoir::cases
