@@ -3,10 +3,13 @@
 #include "io/building.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "io/case_tree.h"
@@ -80,27 +83,37 @@ std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std
   return kinds;
 }
 
-/// Walls with their boxes, in order of their first bricks; says of each brick which wall it is in.
+/// House, place round it, side.
+using WallKey = std::tuple<std::int32_t, std::ptrdiff_t, std::string>;
+WallKey wall_key(std::int32_t house, const std::string& side) {
+  constexpr std::array<std::string_view, 4> kRound{"front", "right", "rear", "left"};
+  return {house, std::ranges::find(kRound, side) - kRound.begin(), side};
+}
+
+/// Walls with their boxes, house by house and round each; says of each brick which wall it is in.
 void find_walls(const Elements& elements, Building& b) {
   const bool several = std::set<std::int32_t>(elements.house.begin(), elements.house.end()).size() > 1;
-  std::map<std::pair<std::int32_t, std::string>, std::int32_t> numbers;
+  std::map<WallKey, std::int32_t> numbers;
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
-    const std::int32_t house = elements.house[e];
     const std::string side = side_of(elements.tag[e], " wall");
-    if (house < 0 || side.empty()) continue;
-    const auto [at, is_new] = numbers.emplace(std::pair(house, side), static_cast<std::int32_t>(b.walls.size()));
-    if (is_new) {
-      b.walls.emplace_back();
-      b.walls.back().name = side + " wall" + (several ? " of house " + std::to_string(house) : "");
-      b.walls.back().house = house;
-      b.walls.back().box = Box::empty();
-    }
-    b.wall[e] = at->second;
-    b.walls[static_cast<std::size_t>(at->second)].box.include(b.box[e]);
+    if (elements.house[e] >= 0 && !side.empty()) numbers.emplace(wall_key(elements.house[e], side), 0);
+  }
+  for (auto& [key, number] : numbers) {
+    const auto& [house, place, side] = key;
+    number = static_cast<std::int32_t>(b.walls.size());
+    Wall& wall = b.walls.emplace_back();
+    wall.name = side + " wall" + (several ? " of house " + std::to_string(house) : "");
+    wall.house = house;
+    wall.box = Box::empty();
   }
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
-    const auto wall = numbers.find({elements.house[e], side_of(elements.tag[e], " gable")});
-    if (wall != numbers.end()) b.wall[e] = wall->second;
+    if (const auto wall = numbers.find(wall_key(elements.house[e], side_of(elements.tag[e], " wall"))); wall != numbers.end()) {
+      b.wall[e] = wall->second;
+      b.walls[static_cast<std::size_t>(wall->second)].box.include(b.box[e]);
+    }
+    if (const auto wall = numbers.find(wall_key(elements.house[e], side_of(elements.tag[e], " gable"))); wall != numbers.end()) {
+      b.wall[e] = wall->second;
+    }
   }
 }
 

@@ -68,7 +68,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   const VecLanes before = carried - dot(carried, g.n) * g.n, du = lanes(g.step) * vt;
   VecLanes x = before + du;
   const Lanes dn = min(f.k.cn * vn, -f.k.kn * xn);
-  const Lanes limit = -(f.k.kn * xn + dn) * f.tan_phi, limit2 = limit * limit;
+  const Lanes limit = max(-(f.k.kn * xn + dn) * f.tan_phi, zero), limit2 = limit * limit;
   Lanes spring2 = f.k.ks * f.k.ks * dot(x, x);
   const LaneMask cut = closed & (spring2 > limit2);
   if (bits(cut) != 0) {

@@ -92,7 +92,7 @@ inline double dashpot_share(double pp, double pd, double dd, double limit2) noex
 inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, SegmentStep& out) noexcept {
   // The normal total never pulls: the dashpot may at most cancel the spring.
   const double dn = std::min(k.cn * rate.n, -k.kn * x.n);
-  const double limit = -(k.kn * x.n + dn) * tan_phi;
+  const double limit = std::max(0.0, -(k.kn * x.n + dn) * tan_phi);  // fused, their sum may be a hair above 0
   const double spring = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
   if (spring > limit) x.s1 *= limit / spring, x.s2 *= limit / spring;
   const double p1 = k.ks * x.s1, p2 = k.ks * x.s2, d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;

@@ -169,8 +169,6 @@ struct alignas(64) SteadySides {
   double slip[2][kLanes], slip_s[2][kLanes], slip_t[2][kLanes];
   // How far the nearest segment was from tension, shear and the cap [Pa], and from touching [m].
   double to_tension[kLanes], to_shear[kLanes], to_cap[kLanes], to_contact[kLanes];
-
-  friend bool operator==(const SteadySides&, const SteadySides&) = default;
 };
 
 /// The sides of a block as they stand.
@@ -188,8 +186,8 @@ struct StepClock {
   double dt = 0.0, time = 0.0;  // s
 };
 
-/// One step of the live sides of a block: histories, events, forces on the elements' rows. A side that is whole and certified, or open and
-/// certain to stay so, is done in closed form; of the others each segment is looked at.
+/// One step of the live sides of a block: histories, events, forces on the elements' rows. A side that is whole and certified, or open or
+/// steady and certain to stay so, is done in closed form; of the others each segment is looked at.
 /// \param result  by lane, written for the lanes that are returned
 /// \pre  sink has room for all points of the live lanes
 /// \return bit mask of the lanes whose segments were looked at

@@ -8,7 +8,8 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kFar = 1e150;  // no limit; it has a square, and a checkpoint holds finite numbers alone
+constexpr double kTiny = 1e-13;  // m, far more than the round-off of any displacement: what a limit of zero has for a margin
+constexpr double kFar = 1e150;   // no limit; it has a square, and a checkpoint holds finite numbers alone
 
 /// Distances to the limits, of the nearest segment so far.
 struct Distances {
@@ -23,11 +24,13 @@ double safe_shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
   return sigma < 0.0 || o.in_tension == ShearInTension::coulomb ? c - sigma * s.tan_phi : c;
 }
 
+/// By an elongation x, with round-off on the safe side.
 void approach(Distances& least, Local x, Stiffness k, Strength s, FailureOptions o) noexcept {
+  const double tiny = (k.kn + k.ks) * kTiny;
   const double sigma = k.kn * x.n, tau = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
-  least.tension = std::min(least.tension, kMargin * s.tension - sigma);
-  least.shear = std::min(least.shear, safe_shear_limit(sigma, s, o) - tau);
-  least.cap = std::min(least.cap, kMargin * s.compression - std::sqrt(sigma * sigma + s.cap * tau * tau));
+  least.tension = std::min(least.tension, kMargin * s.tension - sigma - tiny);
+  least.shear = std::min(least.shear, safe_shear_limit(sigma, s, o) - tau - tiny);
+  least.cap = std::min(least.cap, kMargin * s.compression - std::sqrt(sigma * sigma + s.cap * tau * tau) - tiny);
 }
 
 void write(SteadySides& known, int l, const AffineField& u, const Distances& to) noexcept {
@@ -67,7 +70,7 @@ bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const
       add_bond(known, lane, side.factor * p.area[i], p.s[i], p.t[i], q.slip1[i], q.slip2[i]);
     } else {
       if (q.bond[i] == Bond::crushed) return false;
-      to.contact = std::min(to.contact, x.n - q.closure[i]);
+      to.contact = std::min(to.contact, x.n - q.closure[i] - kTiny);
     }
     if (!to.positive()) return false;
   }

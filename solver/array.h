@@ -72,13 +72,14 @@ class ZeroArray {
   [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
   /// Bytes of the pages in which something other than zero stands.
   [[nodiscard]] std::size_t in_use() const {
-    constexpr std::size_t kPage = 4096 / sizeof(T);
+    constexpr std::size_t kPage = 4096;
+    const auto* bytes = reinterpret_cast<const unsigned char*>(data_);
     std::size_t pages = 0;
-    for (std::size_t at = 0; at < size_; at += kPage) {
-      const T *from = data_ + at, *to = data_ + std::min(size_, at + kPage);
-      pages += std::any_of(from, to, [](const T& x) { return x != T{}; });
+    for (std::size_t at = 0; at < size_ * sizeof(T); at += kPage) {
+      const auto *from = bytes + at, *to = bytes + std::min(size_ * sizeof(T), at + kPage);
+      pages += std::any_of(from, to, [](unsigned char x) { return x != 0; });
     }
-    return pages * kPage * sizeof(T);
+    return pages * kPage;
   }
   T& operator[](std::size_t i) noexcept { return data_[i]; }
   const T& operator[](std::size_t i) const noexcept { return data_[i]; }

@@ -80,8 +80,7 @@ kernels::FailureOptions failure_options(const cases::Failure& f) {
   return o;
 }
 
-/// Under half the smallest segment, so that coplanar neighbours in an intact wall, whose points lie half a segment apart, are never
-/// candidates.
+/// Under half the smallest segment: coplanar neighbours in an intact wall, whose points lie half a segment apart, are no candidates then.
 double choose_skin(const cases::Model& m) {
   double smallest = 1e300;
   for (const cases::Block& b : m.blocks) smallest = std::min(smallest, b.segment_size);

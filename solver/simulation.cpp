@@ -110,7 +110,9 @@ void Simulation::place_supports() {
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 u = displacement_at(*s.history, t);
-    world_->contacts.path[i] += norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
+    const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
+    world_->contacts.path[i] += jump;
+    moved_ += jump;
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
     kernels::store_displacement(e.pose.data(), s.element, u);
   }

@@ -15,7 +15,7 @@
 #include "solver/array.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
-/// by setup.h, or rebuilt from the state (rows, candidates).
+/// by setup.h, or rebuilt from the state (candidates, the grid).
 namespace voussoir::solver {
 
 /// How a run is computed; does not change what is computed, but for `merge_sides` (a test of physics.md's merging).
@@ -114,7 +114,7 @@ struct Patches {
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };
 
-/// Possible contacts since the last search: for each active patch a few candidates, each with a slot for its wrench; every element gathers
+/// Possible contacts: for each active patch a few candidates, each with a slot for its wrench; every element gathers
 /// its slots in a fixed order, so no two threads ever add to one row.
 struct Contacts {
   geometry::UniformGrid grid;
@@ -122,7 +122,7 @@ struct Contacts {
   bool stale = true;                                              // a search is due at once
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
-  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search (state)
+  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search of all (state)
   Array<double> path;                                             // m, bound on the way of any point of each element since (derived)
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries

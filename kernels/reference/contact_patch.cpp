@@ -24,7 +24,7 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   Vec3 x = before + step * vt;
   const double da = f.factor * area;
   const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
-  const double limit = -(f.k.kn * xn + dn) * f.tan_phi;
+  const double limit = std::max(0.0, -(f.k.kn * xn + dn) * f.tan_phi);
   const double spring = f.k.ks * norm(x);
   if (spring > limit) x *= limit / spring;
   const Vec3 p = f.k.ks * x, all = f.k.cs * vt;

@@ -110,3 +110,16 @@ TEST_CASE("the springs of a side give back no more than they took, whatever path
     }
   }
 }
+
+TEST_CASE("a contact whose dashpot takes all of its spring carries nothing, and is never out of numbers") {
+  Noise noise(6);
+  for (int i = 0; i < 20000; ++i) {
+    kernels::SegmentState q{.bond = i % 2 ? kernels::Bond::contact : kernels::Bond::crushed, .closure = -1e-4 * (1.0 + noise())};
+    const kernels::Stiffness k{1e9 * (2.0 + noise()), 4e8, 4e5 * (2.0 + noise()), 2e5};
+    const kernels::Local u{q.closure - 1e-8 * (1.0 + noise()), 0.0, 0.0}, rate{10.0, 0.0, 0.0};
+    const kernels::SegmentStep s = kernels::advance_segment(q, u, rate, kStep, k, {1e5, 3e4, 0.6, 4.9e5, 9.0}, {});
+    REQUIRE(std::abs(s.traction.n) < 1e-9);
+    REQUIRE(s.traction.s1 == 0.0);
+    REQUIRE(q.slip1 == 0.0);
+  }
+}
