@@ -100,7 +100,7 @@ cases::Case on_supports(const Arch& arch) {
   cases::Case c = load("arch_spreads").value;
   arch.shape(c);
   for (const auto& [name, side] : {std::pair{"right support", 1.0}, std::pair{"left support", -1.0}}) {
-    const auto block = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const cases::BlockSpec& b) { return b.name == name; });
+    const auto block = std::ranges::find(c.blocks, name, &cases::BlockSpec::name);
     const double middle = side * arch.radius, half = 0.5 * arch.thickness;
     block->box = {{{0.0, middle - half, -0.2}, {0.2, middle + half, 0.0}}};
     REQUIRE(norm(*block->motion->velocity - Vec3{0.0, 0.5 * side * kSpeed, 0.0}) == 0.0);
