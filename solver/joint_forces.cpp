@@ -5,8 +5,10 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace voussoir::solver {
 
@@ -49,10 +51,16 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool try_stea
   }
 }
 
-/// Asks for what is known of a block's sides.
+/// Asks for what is known of a block's sides, where it takes more than its constants.
 void fetch_sides(const Sides& s, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
+  constexpr std::array kAllWhole = [] {
+    std::array<kernels::Quick, kernels::kLanes> all{};
+    all.fill(kernels::Quick::whole);
+    return all;
+  }();
+  if (std::memcmp(&s.quick[first], kAllWhole.data(), sizeof kAllWhole) == 0) return;
   unsigned steady = 0, damaged = 0;
   for (std::size_t l = 0; l < kernels::kLanes; ++l) {
     steady |= s.quick[first + l] == kernels::Quick::steady;
