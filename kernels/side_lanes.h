@@ -77,7 +77,11 @@ struct LocalLanes {
   Lanes n, s1, s2;
 };
 VOUSSOIR_INLINE LocalLanes operator+(LocalLanes a, LocalLanes b) noexcept { return {a.n + b.n, a.s1 + b.s1, a.s2 + b.s2}; }
+VOUSSOIR_INLINE LocalLanes operator-(LocalLanes a, LocalLanes b) noexcept { return {a.n - b.n, a.s1 - b.s1, a.s2 - b.s2}; }
 VOUSSOIR_INLINE LocalLanes operator*(Lanes f, LocalLanes a) noexcept { return {f * a.n, f * a.s1, f * a.s2}; }
+VOUSSOIR_INLINE LocalLanes load_local(const double v[3][kLanes], int at) noexcept {
+  return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
+}
 VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexcept {
   return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
 }

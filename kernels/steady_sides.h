@@ -30,11 +30,6 @@ VOUSSOIR_INLINE MovedLanes moved_since(const SideConstants& s, int at, LocalLane
   return m;
 }
 
-VOUSSOIR_INLINE LocalLanes load_local(const double v[3][kLanes], int at) noexcept {
-  return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
-}
-VOUSSOIR_INLINE LocalLanes operator-(LocalLanes a, LocalLanes b) noexcept { return {a.n - b.n, a.s1 - b.s1, a.s2 - b.s2}; }
-
 /// Sums of tractions of the chosen lanes, put into `sums`; others keep theirs.
 /// \return lanes in which certainly no segment changes
 VOUSSOIR_INLINE LaneMask stay_steady(const SideConstants& s, const SteadySides& known, int at, const Kinematics& k, LaneMask chosen,

@@ -98,3 +98,22 @@ TEST_CASE("a search of new patches lists whoever can come near before the next s
   solver::search_new_patches(w, 0.4 * skin);
   CHECK(between() == 0);
 }
+
+TEST_CASE("a support that begins elsewhere than it settled is looked for in its first step") {
+  cases::Case c = small_wall(1, 1);
+  c.gravity.settle = true;
+  c.blocks.push_back(brick(0, 1, 0.5, 0.7));
+  c.blocks.back().fixed = true;
+  cases::Model m = cases::build_model(c);
+  cases::SupportHistory& elsewhere = m.support_motions.emplace_back();
+  elsewhere.time = {-1.0, 1.0}, elsewhere.displacement = {{-0.3, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
+  m.blocks[1].support_motion = 0;
+  solver::Simulation sim(c, m, {}, {});
+  for (int i = 0; i < 3; ++i) sim.step({});
+  const solver::Contacts& contacts = sim.world().contacts;
+  REQUIRE(contacts.searches == 1);
+  sim.start_shaking();
+  sim.step({});
+  CHECK(contacts.searches == 2);
+  CHECK(std::ranges::count(contacts.element, 1) > 0);  // it now stands at the other's end
+}
