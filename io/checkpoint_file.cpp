@@ -70,7 +70,8 @@ void write_supports(Hdf5File& file, const std::vector<cases::SupportHistory>& su
 void write_state(Hdf5File& file, std::span<const solver::Field> state) {
   for (const solver::Field& f : state) {
     const Shape shape = f.columns == 1 ? Shape{f.count} : Shape{f.count, f.columns};
-    file.write_dataset(std::string("/state/") + f.name, hdf5_type(f.type), shape, f.data, {},
+    const std::vector<std::byte> values = f.stride != 0 ? packed(f) : std::vector<std::byte>{};
+    file.write_dataset(std::string("/state/") + f.name, hdf5_type(f.type), shape, f.stride != 0 ? values.data() : f.data, {},
                        {f.unit, std::string("one entry each: ") + f.shape});
   }
 }

@@ -57,13 +57,14 @@ VOUSSOIR_INLINE FacingLanes facing_lanes(const Facing& f, const Mat3& d, double 
 /// are inside but not down on their offset carry nothing and lose their slip.
 VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine,
                            Touching& sum) noexcept {
+  PointSprings& k = q.springs_at(i);
   const Lanes zero{}, one = lanes(1.0), s = load_lanes(p.s + i), t = load_lanes(p.t + i), da = f.factor * load_lanes(p.area + i);
-  const Lanes xn = f.depth.g0 + s * f.depth.gs + t * f.depth.gt - load_lanes(q.closure + i);
+  const Lanes xn = f.depth.g0 + s * f.depth.gs + t * f.depth.gt - load_lanes(k.closure);
   const LaneMask closed = mine & (xn < 0.0);
   const VecLanes v = g.v0 + (s * g.vs + t * g.vt);
   const Lanes vn = dot(v, g.n);
   const VecLanes vt = v - vn * g.n;
-  const VecLanes body{load_lanes(q.slip_x + i), load_lanes(q.slip_y + i), load_lanes(q.slip_z + i)};
+  const VecLanes body{load_lanes(k.slip_x), load_lanes(k.slip_y), load_lanes(k.slip_z)};
   const VecLanes carried = body + g.d * body;
   const VecLanes before = carried - dot(carried, g.n) * g.n, du = lanes(g.step) * vt;
   VecLanes x = before + du;
@@ -88,7 +89,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   sum.total.add(da * (springs + dash), s, t);
   sum.dash.add(da * dash, s, t);
   const VecLanes now = select3(closed, x, none), kept = select3(mine, now + g.d_transposed * now, body);
-  store_lanes(q.slip_x + i, kept.x), store_lanes(q.slip_y + i, kept.y), store_lanes(q.slip_z + i, kept.z);
+  store_lanes(k.slip_x, kept.x), store_lanes(k.slip_y, kept.y), store_lanes(k.slip_z, kept.z);
   const Lanes n_now = select(closed, xn, zero);
   sum.stored += da * (0.5 * f.k.kn * (n_now * n_now) + 0.5 * f.k.ks * dot(now, now));
   // A point that was closed, stays closed and does not slip loses nothing.

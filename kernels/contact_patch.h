@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "kernels/lanes.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
 #include "kernels/side.h"
@@ -45,12 +46,31 @@ struct Patch {
   double origin_kn = 0.0, origin_ks = 0.0;              // Pa/m, stiffness of the joint it comes from
 };
 
+/// Springs of kWidth points of a patch, which go through the kernel side by side: whole cache lines, so that a few points that touch cost
+/// few.
+struct alignas(64) PointSprings {
+  double slip_x[kWidth] = {}, slip_y[kWidth] = {}, slip_z[kWidth] = {};  // m, elongation of the shear spring in A's body frame
+  double closure[kWidth] = {};  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
+};
+
 /// History of the points of a patch.
 struct ContactPoints {
   std::int32_t* partner = nullptr;  // element, kNobody: free
   std::int32_t* face = nullptr;     // of the partner, in the table of faces; kNoFace: inside but carries no force
-  double *slip_x = nullptr, *slip_y = nullptr, *slip_z = nullptr;  // m, elongation of the shear spring in A's body frame
-  double* closure = nullptr;  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
+  PointSprings* springs = nullptr;
+
+  [[nodiscard]] PointSprings& springs_at(int i) const noexcept { return springs[i / kWidth]; }
+  [[nodiscard]] double& closure(int i) const noexcept { return springs_at(i).closure[i % kWidth]; }
+  [[nodiscard]] Vec3 slip(int i) const noexcept {
+    const PointSprings& k = springs_at(i);
+    const int l = i % kWidth;
+    return {k.slip_x[l], k.slip_y[l], k.slip_z[l]};
+  }
+  void set_slip(int i, Vec3 x) const noexcept {
+    PointSprings& k = springs_at(i);
+    const int l = i % kWidth;
+    k.slip_x[l] = x.x, k.slip_y[l] = x.y, k.slip_z[l] = x.z;
+  }
 };
 
 /// An element that a patch may touch, and what is known of the pair, so that most steps need no look at its points.

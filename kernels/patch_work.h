@@ -96,8 +96,8 @@ inline std::int32_t entry_face(double s, double t, const InSlave& y, const Plane
 inline void release(ContactPoints q, int i) noexcept {
   q.partner[i] = kNobody;
   q.face[i] = kNoFace;
-  q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
-  q.closure[i] = 0.0;
+  q.set_slip(i, {});
+  q.closure(i) = 0.0;
 }
 
 /// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
@@ -152,11 +152,11 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
 /// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
 inline void book_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
                          PatchResult& r) noexcept {
-  const double un = f.depth.at(s, t) - q.closure[i];
+  const double un = f.depth.at(s, t) - q.closure(i);
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
   const double vn = dot(v, f.n);
   const double before = std::min(0.0, un - step * vn);
-  const Vec3 slip = apply(master, {q.slip_x[i], q.slip_y[i], q.slip_z[i]});
+  const Vec3 slip = apply(master, q.slip(i));
   const double da = f.factor * area;
   r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
   r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
@@ -222,7 +222,7 @@ inline void take_partners(Work& w) noexcept {
     const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
     const double s = w.points.s[i], t = w.points.t[i];
     const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
-    w.q.closure[i] = std::min(0.0, f.depth.at(s, t) - taken);
+    w.q.closure(i) = std::min(0.0, f.depth.at(s, t) - taken);
   }
 }
 

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 
+#include "kernels/fetch.h"
+
 namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kRun = 16;  // patches that a thread takes at a time
+constexpr std::int64_t kRun = 64;                         // patches that a thread takes at a time
+constexpr std::size_t kPointsAhead = 2, kPatchAhead = 4;  // patches, when their memory is asked for
+constexpr std::int64_t kElementsAhead = 2;
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
 /// reads lists alone: the patches themselves lie all over memory.
@@ -22,17 +26,35 @@ bool is_quiet(const World& w, std::size_t a) {
   return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
 }
 
-/// Asks for a patch and its points before they are needed.
-void fetch(const World& w, std::size_t a) {
-  const auto i = static_cast<std::size_t>(w.contacts.active[a]);
-  const char* patch = reinterpret_cast<const char*>(&w.patches.patch[i]);
-  for (std::size_t line = 0; line < sizeof(kernels::Patch); line += 64) __builtin_prefetch(patch + line);
-  const auto at = static_cast<std::size_t>(w.patches.first_point[i]);
-  __builtin_prefetch(&w.patches.partner[at]);
-  __builtin_prefetch(&w.patches.face[at]);
-  for (const Array<double>* column : {&w.patches.slip_x, &w.patches.slip_y, &w.patches.slip_z, &w.patches.closure}) {
-    __builtin_prefetch(column->data() + at, 1);
-    __builtin_prefetch(column->data() + at + 8, 1);
+const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
+
+void fetch_body(const Elements& e, std::int32_t element) {
+  const auto i = static_cast<std::size_t>(element);
+  kernels::fetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
+  kernels::fetch(&e.twist[i * kernels::kTwistStride], kernels::kTwistStride * sizeof(double));
+  kernels::fetch(&e.body[i], sizeof e.body[i]);
+}
+
+void fetch_patch(const World& w, std::size_t a) {
+  kernels::fetch(&patch_at(w, a), sizeof(FreePatch));
+  fetch_body(w.elements, w.contacts.master[a]);
+}
+
+/// Once the patch is there, asks for its points that touch and for whom they touch.
+void fetch_points(const World& w, std::size_t a) {
+  const Contacts& c = w.contacts;
+  const Patches& p = w.patches;
+  const FreePatch& patch = patch_at(w, a);
+  kernels::fetch(&w.faces[static_cast<std::size_t>(patch.face)], sizeof(kernels::Face));
+  for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
+    const kernels::Candidate& k = c.candidate[slot];
+    if (k.first >= k.last) continue;
+    fetch_body(w.elements, k.element);
+    if (k.face >= 0) kernels::fetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
+    const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
+    kernels::fetch(&p.partner[first], points * sizeof p.partner[0]);
+    kernels::fetch(&p.face[first], points * sizeof p.face[0]);
+    kernels::fetch(&p.springs[first / kernels::kWidth], points / kernels::kWidth * sizeof p.springs[0]);
   }
 }
 
@@ -40,15 +62,24 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   Contacts& c = w.contacts;
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
+  FreePatch& patch = p.patch[i];
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
   const kernels::PatchResult r =
-      advance(p.patch[i], w.points.view(p.set[i]), p.points(static_cast<std::int64_t>(i)), p.touching[i],
-              {c.candidate.data() + first, count}, bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, c.on.data() + first);
-  p.touching[i] = r.touching;
-  p.stored[i] = r.stored;
-  p.friction[i] += r.friction;
-  p.impact[i] += r.impact;
+      advance(patch, w.points.view(patch.set), p.points(static_cast<std::int64_t>(i)), patch.touching, {c.candidate.data() + first, count},
+              bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, c.on.data() + first);
+  patch.touching = r.touching;
+  patch.stored = r.stored;
+  patch.friction += r.friction;
+  patch.impact += r.impact;
+}
+
+/// Asks for what the slots of an element hold.
+void fetch_slots(const Contacts& c, std::size_t element) {
+  for (auto g = static_cast<std::size_t>(c.first_gather[element]); g < static_cast<std::size_t>(c.first_gather[element + 1]); ++g) {
+    const auto slot = static_cast<std::size_t>(c.gather[g] / 2);
+    if (c.on[slot]) kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]);
+  }
 }
 
 }  // namespace
@@ -69,9 +100,15 @@ void advance_contacts(World& w, ContactRoom& room) {
     std::size_t count = 0;
     for (std::int64_t a = from; a < std::min(from + kRun, patches); ++a) {
       const auto i = static_cast<std::size_t>(a);
-      if (!is_quiet(w, i)) fetch(w, near[count++] = i);
+      if (!is_quiet(w, i)) near[count++] = i;
     }
-    for (std::size_t k = 0; k < count; ++k) advance_one(w, near[k], bodies, faces, room);
+    for (std::size_t k = 0; k < std::min(count, kPatchAhead); ++k) fetch_patch(w, near[k]);
+    for (std::size_t k = 0; k < std::min(count, kPointsAhead); ++k) fetch_points(w, near[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k + kPatchAhead < count) fetch_patch(w, near[k + kPatchAhead]);
+      if (k + kPointsAhead < count) fetch_points(w, near[k + kPointsAhead]);
+      advance_one(w, near[k], bodies, faces, room);
+    }
   }
 }
 
@@ -79,6 +116,7 @@ void gather_contacts(World& w, std::int64_t first, std::int64_t last) {
   const Contacts& c = w.contacts;
   double* rows = w.elements.wrench.data();
   for (std::int64_t e = first; e < last; ++e) {
+    if (e + kElementsAhead < last) fetch_slots(c, static_cast<std::size_t>(e + kElementsAhead));
     const auto i = static_cast<std::size_t>(e);
     for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
       const std::int64_t code = c.gather[static_cast<std::size_t>(g)];

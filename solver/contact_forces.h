@@ -7,8 +7,8 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Bounds the way that any point of the elements [first, last) has gone since the last search of all (Contacts::path), and what it has moved.
-/// Returns the largest of the latter [m]: exact in any order. Call once a step.
+/// Bounds the way that any point of the elements [first, last) has gone since the last search of all (Contacts::path), and what it has
+/// moved. Returns the largest of the latter [m]: exact in any order. Call once a step.
 double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
 enum class Search : std::uint8_t { none, new_patches, all };

@@ -148,19 +148,21 @@ std::span<const std::int32_t> candidates_of(const Contacts& c, std::size_t activ
 
 /// Lets go of partners that are no candidates any more: they are farther away than the skin.
 void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candidates) {
-  if (w.patches.touching[p] == 0) return;
+  FreePatch& patch = w.patches.patch[p];
+  if (patch.touching == 0) return;
   const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
-  const int n = w.points.count[static_cast<std::size_t>(w.patches.set[p])];
+  const int n = w.points.count[static_cast<std::size_t>(patch.set)];
   for (int i = 0; i < n; ++i) {
     const std::int32_t partner = q.partner[i];
     if (partner == kernels::kNobody) continue;
     if (std::ranges::find(candidates, partner) != candidates.end()) continue;
     q.partner[i] = kernels::kNobody;
     q.face[i] = kernels::kNoFace;
-    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = q.closure[i] = 0.0;
-    --w.patches.touching[p];
+    q.set_slip(i, {});
+    q.closure(i) = 0.0;
+    --patch.touching;
   }
-  if (candidates.empty()) w.patches.stored[p] = 0.0;
+  if (candidates.empty()) patch.stored = 0.0;
 }
 
 /// Appends candidates to the slots, each with the way that both bodies have to go before it can be touched.
@@ -175,7 +177,7 @@ void append_slots(World& w, const Found& found) {
     kernels::Candidate k = candidate_of(w, found.element[i]);
     const auto master = static_cast<std::size_t>(w.patches.patch[p].element), slave = static_cast<std::size_t>(found.element[i]);
     k.until = c.path[master] + c.path[slave] + found.gap[i] - kernels::kRoundOff;
-    if (w.patches.touching[p] == 0) k.face = kernels::kNoFace;
+    if (w.patches.patch[p].touching == 0) k.face = kernels::kNoFace;
     c.element.push_back(found.element[i]);
     c.candidate.push_back(k);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/field_table.h"
 
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 
@@ -52,6 +53,19 @@ Field rows(const char* name, const char* unit, const char* shape, Column& a, std
   return {name, unit, shape, type_of<V>(), a.data(), values / columns, columns};
 }
 
+/// A member of the entries of an array, or of those that lie together in each: `together` of them from `first` on.
+template <class T, class Column>
+Field member(const char* name, const char* unit, const char* shape, Column& a, T* first, std::size_t together = 1) {
+  return {.name = name,
+          .unit = unit,
+          .shape = shape,
+          .type = type_of<T>(),
+          .data = first,
+          .count = a.size() * together,
+          .together = together,
+          .stride = sizeof(typename Column::value_type)};
+}
+
 void add_elements(Table& t, Elements& e) {
   const char* shape = "element";
   t.insert(t.end(), {field("ux", "m", shape, e.ux),
@@ -95,13 +109,19 @@ void add_sides(Table& t, Sides& s) {
 void add_patches(Table& t, World& w) {
   Patches& p = w.patches;
   const std::int64_t sides = w.sides.count(), elements = w.elements.base + 1, faces = static_cast<std::int64_t>(w.faces.size());
+  FreePatch nobody;
+  kernels::PointSprings none;
+  FreePatch& first = p.patch.empty() ? nobody : p.patch.front();
+  kernels::PointSprings& springs = p.springs.empty() ? none : p.springs.front();
+  const auto of_patch = [&](const char* name, const char* unit, auto* at) { return member(name, unit, "patch", p.patch, at); };
+  const auto of_points = [&](const char* name, double* at) { return member(name, "m", "point", p.springs, at, kernels::kWidth); };
   t.insert(t.end(),
            {field("patch_from_side", "-", "patch", p.from_side, -1, sides - 1), field("patch_mastered", "-", "patch", p.mastered, 0, 1),
-            field("patch_touching", "-", "patch", p.touching), field("patch_stored", "J", "patch", p.stored),
-            field("patch_friction", "J", "patch", p.friction), field("patch_impact", "J", "patch", p.impact),
+            of_patch("patch_touching", "-", &first.touching), of_patch("patch_stored", "J", &first.stored),
+            of_patch("patch_friction", "J", &first.friction), of_patch("patch_impact", "J", &first.impact),
             field("point_partner", "-", "point", p.partner, -1, elements - 1), field("point_face", "-", "point", p.face, -1, faces - 1),
-            field("point_slip_x", "m", "point", p.slip_x), field("point_slip_y", "m", "point", p.slip_y),
-            field("point_slip_z", "m", "point", p.slip_z), field("point_closure", "m", "point", p.closure)});
+            of_points("point_slip_x", springs.slip_x), of_points("point_slip_y", springs.slip_y), of_points("point_slip_z", springs.slip_z),
+            of_points("point_closure", springs.closure)});
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
@@ -152,6 +172,31 @@ std::size_t size_of(FieldType type) noexcept {
   return type == FieldType::f64 || type == FieldType::i64 ? 8U : type == FieldType::i32 ? 4U : 1U;
 }
 
+namespace {
+
+/// Calls use(in memory, among the packed values, bytes) for every piece of a field that lies together.
+template <class Use>
+void each_piece(const Field& f, Use&& use) {
+  constexpr std::size_t kPage = 4096;
+  auto* data = static_cast<std::byte*>(f.data);
+  const std::size_t piece = f.stride == 0 ? kPage : f.together * f.columns * size_of(f.type), stride = f.stride == 0 ? kPage : f.stride;
+  for (std::size_t at = 0; at < f.bytes(); at += piece, data += stride) use(data, at, std::min(piece, f.bytes() - at));
+}
+
+}  // namespace
+
+std::vector<std::byte> packed(const Field& f) {
+  std::vector<std::byte> values(f.bytes());
+  each_piece(f, [&](const std::byte* from, std::size_t at, std::size_t n) { std::memcpy(values.data() + at, from, n); });
+  return values;
+}
+
+void unpack(std::span<const std::byte> values, const Field& f) {
+  each_piece(f, [&](std::byte* to, std::size_t at, std::size_t n) {
+    if (std::memcmp(to, values.data() + at, n) != 0) std::memcpy(to, values.data() + at, n);
+  });
+}
+
 std::vector<Field> fields(World& w) {
   Table table;
   add_elements(table, w.elements);
@@ -174,7 +219,7 @@ std::uint64_t state_hash(World& w) {
   Hash hash;
   for (const Field& f : fields(w)) {
     hash.add(f.name, std::strlen(f.name));
-    hash.add(f.data, f.bytes());
+    each_piece(f, [&](const std::byte* from, std::size_t, std::size_t n) { hash.add(from, n); });
   }
   return hash.value();
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "solver/simulation.h"
@@ -32,8 +33,17 @@ struct Field {
   // Of integers: what the program can work with. Numbers of other things (elements, faces) must exist.
   std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
 
+  // Where entries do not follow one another in memory: how many lie together, and bytes from there to where the next do; 0: they follow.
+  std::size_t together = 1, stride = 0;
+
   [[nodiscard]] std::size_t bytes() const noexcept { return count * columns * size_of(type); }
 };
+
+/// The values of a field one after another.
+std::vector<std::byte> packed(const Field& f);
+/// Puts them back. Writes only where something differs: memory that was never written to stays with the system (ZeroArray).
+/// \pre  as many as the field has
+void unpack(std::span<const std::byte> values, const Field& f);
 
 /// Fields of a world, in a fixed order. Pointers are valid until a side retires (patches and points grow) or contacts are searched.
 std::vector<Field> fields(World& w);

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "kernels/fetch.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -18,6 +20,8 @@ namespace {
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
+constexpr std::size_t kManyBlocks = 10000;   // a model whose whole joints find their rows in no cache near the core
+constexpr std::int32_t kBlockAhead = 2;      // blocks, when their memory is asked for
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
 
@@ -51,45 +55,56 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool try_stea
   }
 }
 
-/// Asks for what is known of a block's sides, where it takes more than its constants.
-void fetch_sides(const Sides& s, std::int32_t number) {
-  const auto block = static_cast<std::size_t>(number);
-  const std::size_t first = block * kernels::kLanes;
+/// True if nothing has happened in a block: then its constants are all there is to it.
+bool is_whole(const Sides& s, std::size_t block) {
   constexpr std::array kAllWhole = [] {
     std::array<kernels::Quick, kernels::kLanes> all{};
     all.fill(kernels::Quick::whole);
     return all;
   }();
-  if (std::memcmp(&s.quick[first], kAllWhole.data(), sizeof kAllWhole) == 0) return;
-  unsigned steady = 0, damaged = 0;
+  return std::memcmp(&s.quick[block * kernels::kLanes], kAllWhole.data(), sizeof kAllWhole) == 0;
+}
+
+/// Lanes of a block that are as named.
+unsigned lanes_that_are(const Sides& s, std::size_t block, kernels::Quick quick) {
+  unsigned lanes = 0;
   for (std::size_t l = 0; l < kernels::kLanes; ++l) {
-    steady |= s.quick[first + l] == kernels::Quick::steady;
-    damaged |= static_cast<unsigned>(s.quick[first + l] == kernels::Quick::segments) << l;
+    lanes |= static_cast<unsigned>(s.quick[block * kernels::kLanes + l] == quick) << l;
   }
-  if (steady != 0) {
-    const char* known = reinterpret_cast<const char*>(&s.steady[block]);
-    for (std::size_t line = 0; line < sizeof(kernels::SteadySides); line += 64) __builtin_prefetch(known + line);
+  return lanes & s.live_lanes[block];
+}
+
+/// Asks for what a block's sides take: the rows of their elements, constants, and of those whose segments are looked at where these lie.
+void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number) {
+  const auto block = static_cast<std::size_t>(number);
+  const bool whole = is_whole(s, block);
+  if (whole && s.blocks.size() < kManyBlocks) return;
+  const kernels::SideBlock& b = s.blocks[block];
+  for (const std::int32_t* elements : {b.master, b.slave}) {
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      const auto e = static_cast<std::int64_t>(elements[l]);
+      kernels::fetch(rows.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
+      kernels::fetch(rows.wrench + e * kernels::kWrenchStride, kernels::kDashpotColumn * sizeof(double));
+    }
   }
-  for (unsigned rest = damaged & s.live_lanes[block]; rest != 0; rest &= rest - 1) {
-    const kernels::SegmentsView& q = s.parts[first + static_cast<std::size_t>(std::countr_zero(rest))].segments;
-    __builtin_prefetch(q.bond);
-    __builtin_prefetch(q.slip1, 1);
-    __builtin_prefetch(q.slip1 + 8, 1);
-    __builtin_prefetch(q.slip2, 1);
-    __builtin_prefetch(q.slip2 + 8, 1);
+  if (whole) return;
+  kernels::fetch(b.constants, sizeof *b.constants);
+  for (unsigned rest = lanes_that_are(s, block, kernels::Quick::segments); rest != 0; rest &= rest - 1) {
+    kernels::fetch(&s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))], sizeof(kernels::SideParts));
   }
 }
 
-/// Asks for the rows of a block's elements before they are needed: they lie all over memory, where no hardware foresees them.
-constexpr std::int32_t kAhead = 2;  // blocks
-void fetch_rows(const kernels::SideBlock& b, const kernels::Rows& rows) {
-  for (const std::int32_t* elements : {b.master, b.slave}) {
-    for (int l = 0; l < kernels::kLanes; ++l) {
-      const double* pose = rows.pose + static_cast<std::int64_t>(elements[l]) * kernels::kPoseStride;
-      __builtin_prefetch(pose);
-      __builtin_prefetch(pose + 8);
-      __builtin_prefetch(rows.wrench + static_cast<std::int64_t>(elements[l]) * kernels::kWrenchStride, 1);
-    }
+/// Then for what has happened in them.
+void fetch_histories(const Sides& s, std::int32_t number) {
+  const auto block = static_cast<std::size_t>(number);
+  if (is_whole(s, block)) return;
+  if (lanes_that_are(s, block, kernels::Quick::steady) != 0) kernels::fetch(&s.steady[block], sizeof s.steady[block]);
+  for (unsigned rest = lanes_that_are(s, block, kernels::Quick::segments); rest != 0; rest &= rest - 1) {
+    const kernels::SideParts& parts = s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))];
+    const auto n = static_cast<std::size_t>(parts.points.n);
+    kernels::fetch(parts.segments.bond, n * sizeof(kernels::Bond));
+    for (const double* column : {parts.segments.slip1, parts.segments.slip2, parts.segments.closure})
+      kernels::fetch(column, n * sizeof(double));
   }
 }
 
@@ -126,8 +141,8 @@ void advance_joints(World& w, double time, std::int64_t step, JointFindings& fou
   const kernels::StepClock clock{w.dt, time};
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
     for (std::int32_t i = first; i < last; ++i) {
-      if (i + kAhead < last) fetch_rows(s.blocks[static_cast<std::size_t>(s.live[static_cast<std::size_t>(i + kAhead)])], rows);
-      if (i + 1 < last) fetch_sides(s, s.live[static_cast<std::size_t>(i + 1)]);
+      if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
+      if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
       advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, step, found);
     }
   };

@@ -20,14 +20,19 @@ double total(const Range& values) {
   return sum;
 }
 
+double total(const Patches& patches, double FreePatch::*value) {
+  double sum = 0.0;
+  for (const FreePatch& p : patches.patch) sum += p.*value;
+  return sum;
+}
+
 }  // namespace
 
 void Ledger::restart(World& w) {
   Elements& e = w.elements;
   for (auto* column : {&e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot}) std::fill(column->begin(), column->end(), 0.0);
-  for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture, &w.patches.friction, &w.patches.impact}) {
-    std::fill(column->begin(), column->end(), 0.0);
-  }
+  for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
+  for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
   *this = Ledger(w);
 }
 
@@ -55,7 +60,7 @@ void Ledger::before_kick(World& w) {
     std::copy_n(e.wrench.data() + i * kernels::kWrenchStride + 6, 6, dash_.data() + 6 * i);
   }
   stored_ = joint_energy(w);
-  patches_ = total(w.patches.stored);
+  patches_ = total(w.patches, &FreePatch::stored);
 }
 
 double Ledger::kinetic(const World& w) const {
@@ -79,8 +84,8 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
     dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e.loss_damping) - damping_ahead;
-  row.dashpot = total(e.loss_dashpot) - dashpot_ahead + total(w.sides.impact) + total(w.patches.impact);
-  row.friction = total(w.sides.friction) + total(w.patches.friction);
+  row.dashpot = total(e.loss_dashpot) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact);
+  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction);
   row.fracture = total(w.sides.fracture);
 }
 

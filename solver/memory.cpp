@@ -34,8 +34,7 @@ MemoryUse memory_use(const World& w) {
       bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
   use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.slip1, s.slip2, s.closure);
   use.patches =
-      bytes(p.patch, p.set, p.first_point, p.from_side, p.mastered, p.touching, p.stored, p.friction, p.impact) +
-      bytes(p.partner, p.face, p.slip_x, p.slip_y, p.slip_z, p.closure) +
+      bytes(p.patch, p.from_side, p.mastered, p.partner, p.face, p.springs) +
       bytes(c.at_ux, c.at_uy, c.at_uz, c.at_qw, c.at_qx, c.at_qy, c.at_qz, c.path, c.active, c.first_slot, c.element, c.candidate) +
       bytes(c.wrench, c.on, c.first_gather, c.gather);
   return use;

@@ -23,28 +23,30 @@ void reorder(Column& column, const std::vector<std::size_t>& order) {
 
 /// Where the points of each patch begin, and where the last end.
 std::vector<std::int64_t> ends_of_points(const Patches& p) {
-  std::vector<std::int64_t> ends = p.first_point;
+  std::vector<std::int64_t> ends;
+  ends.reserve(p.patch.size() + 1);
+  for (const FreePatch& patch : p.patch) ends.push_back(patch.first_point);
   ends.push_back(static_cast<std::int64_t>(p.partner.size()));
   return ends;
 }
 
+/// \param together  points of an entry of the column
 template <class Column>
-void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
+void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, int together = 1) {
   Column sorted;
   sorted.reserve(column.size());
-  for (const std::size_t i : order) sorted.insert(sorted.end(), column.begin() + ends[i], column.begin() + ends[i + 1]);
+  for (const std::size_t i : order) {
+    sorted.insert(sorted.end(), column.begin() + ends[i] / together, column.begin() + ends[i + 1] / together);
+  }
   column = std::move(sorted);
 }
 
-std::vector<std::int64_t> first_points(const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
-  std::vector<std::int64_t> first;
-  first.reserve(order.size());
+void place_points(Patches& p, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
   std::int64_t at = 0;
-  for (const std::size_t i : order) {
-    first.push_back(at);
-    at += ends[i + 1] - ends[i];
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    p.patch[k].first_point = at;
+    at += ends[order[k] + 1] - ends[order[k]];
   }
-  return first;
 }
 
 }  // namespace
@@ -56,18 +58,15 @@ void sort_patches(World& w) {
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return by_element(p.patch[a], p.patch[b]); });
   const std::vector<std::int64_t> ends = ends_of_points(p);
   for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order);
-  for (auto* column : {&p.slip_x, &p.slip_y, &p.slip_z, &p.closure}) reorder_points(*column, ends, order);
-  p.first_point = first_points(ends, order);
+  reorder_points(p.springs, ends, order, kernels::kWidth);
   reorder(p.patch, order);
-  reorder(p.set, order);
   reorder(p.from_side, order);
   reorder(p.mastered, order);
-  reorder(p.touching, order);
-  for (auto* column : {&p.stored, &p.friction, &p.impact}) reorder(*column, order);
+  place_points(p, ends, order);
 }
 
 void sort_patches_if_scattered(World& w) {
-  const std::vector<kernels::Patch>& all = w.patches.patch;
+  const Array<FreePatch>& all = w.patches.patch;
   if (all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered) sort_patches(w);
 }
 

@@ -53,10 +53,11 @@ void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const ke
 void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
   const std::size_t p = w.patches.patch.size() - 1;
+  FreePatch& patch = w.patches.patch[p];
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
   const kernels::ContactPoints to = w.patches.points(static_cast<std::int64_t>(p));
-  const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), w.patches.patch[p].element);
+  const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
     if (u.n - q.closure[k] >= 0.0) continue;
@@ -67,13 +68,13 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     const Vec3 body = x + transposed(pose.d) * x;
     to.partner[k] = mirrored ? s.master : s.slave;
     to.face[k] = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
-    to.slip_x[k] = body.x, to.slip_y[k] = body.y, to.slip_z[k] = body.z;
-    const double depth = kernels::depth_under_face(w.patches.patch[p], points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(),
-                                                   w.faces.data(), w.contact);
-    to.closure[k] = depth - (u.n - q.closure[k]);
+    to.set_slip(k, body);
+    const double depth =
+        kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
+    to.closure(k) = depth - (u.n - q.closure[k]);
     const double n = u.n - q.closure[k], da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
-    w.patches.stored[p] += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));
-    ++w.patches.touching[p];
+    patch.stored += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));
+    ++patch.touching;
   }
 }
 

@@ -43,7 +43,7 @@ void grow_patches(World& w, const SavedState& from) {
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(w.sides.count()), 0);  // 1: the master's, 2: the slave's
   for (std::size_t p = 0; p < sides.size(); ++p) {
     if (sides[p] == -1 && next < never_joined.patch.size()) {
-      append_patch(w, never_joined.patch[next], never_joined.set[next], -1, true);
+      append_patch(w, never_joined.patch[next], never_joined.patch[next].set, -1, true);
       ++next;
       continue;
     }
@@ -101,15 +101,6 @@ void check_values(const Field& f, const SavedField& saved) {
   }
 }
 
-/// Writes only where something differs: memory that was never written to stays with the system (ZeroArray).
-void copy_differences(std::byte* to, std::span<const std::byte> from) {
-  constexpr std::size_t kPage = 4096;
-  for (std::size_t at = 0; at < from.size(); at += kPage) {
-    const std::size_t n = std::min(kPage, from.size() - at);
-    if (std::memcmp(to + at, from.data() + at, n) != 0) std::memcpy(to + at, from.data() + at, n);
-  }
-}
-
 void copy_in(const Field& f, const SavedState& from) {
   const SavedField& saved = find(from, f.name);
   if (saved.type != f.type || saved.count != f.count || saved.columns != f.columns || saved.bytes.size() != f.bytes()) {
@@ -117,7 +108,7 @@ void copy_in(const Field& f, const SavedState& from) {
                      std::to_string(saved.columns) + "; this model has " + std::to_string(f.count) + " of " + std::to_string(f.columns));
   }
   check_values(f, saved);
-  copy_differences(static_cast<std::byte*>(f.data), saved.bytes);
+  unpack(saved.bytes, f);
 }
 
 bool is_face_of(const World& w, std::int32_t face, std::int32_t element) {
@@ -148,8 +139,7 @@ void check_contacts(const World& w) {
 SavedState save(Simulation& sim, RunState& plan) {
   SavedState state;
   for (const Field& f : fields(sim, plan)) {
-    const auto* bytes = static_cast<const std::byte*>(f.data);
-    state[f.name] = {f.type, f.count, f.columns, {bytes, bytes + f.bytes()}};
+    state[f.name] = {f.type, f.count, f.columns, packed(f)};
   }
   return state;
 }

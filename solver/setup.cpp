@@ -16,17 +16,13 @@ namespace voussoir::solver {
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered) {
   Patches& p = w.patches;
   const auto n = static_cast<std::size_t>(w.points.count[static_cast<std::size_t>(set)]);
-  p.patch.push_back(patch);
-  p.set.push_back(set);
-  p.first_point.push_back(static_cast<std::int64_t>(p.partner.size()));
+  p.patch.push_back({patch, set, 0, static_cast<std::int64_t>(p.partner.size())});
   p.from_side.push_back(from_side);
   p.mastered.push_back(mastered ? 1 : 0);
-  p.touching.push_back(0);
-  for (auto* column : {&p.stored, &p.friction, &p.impact}) column->push_back(0.0);
   const std::size_t end = p.partner.size() + static_cast<std::size_t>(round_up(static_cast<std::int64_t>(n), kernels::kLanes));
   p.partner.resize(end, kernels::kNobody);
   p.face.resize(end, kernels::kNoFace);
-  for (auto* column : {&p.slip_x, &p.slip_y, &p.slip_z, &p.closure}) column->resize(end, 0.0);
+  p.springs.resize(end / kernels::kWidth);
 }
 
 void set_up_patches(World& w) {

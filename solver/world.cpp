@@ -58,8 +58,8 @@ kernels::Side Sides::side(std::int64_t id) const noexcept {
 }
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
-  const auto at = static_cast<std::size_t>(first_point[static_cast<std::size_t>(p)]);
-  return {partner.data() + at, face.data() + at, slip_x.data() + at, slip_y.data() + at, slip_z.data() + at, closure.data() + at};
+  const auto at = static_cast<std::size_t>(patch[static_cast<std::size_t>(p)].first_point);
+  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth};
 }
 
 }  // namespace voussoir::solver

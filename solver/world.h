@@ -81,7 +81,7 @@ struct Sides {
   Array<double> pair_wrench, pair_dashpot;
   std::vector<std::uint8_t> pair_on;
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
-  ZeroArray<kernels::SteadySides> steady;  // State by block: of its steady sides
+  ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
   // State by side.
   Array<kernels::Quick> quick;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -97,19 +97,24 @@ struct Sides {
   [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
 };
 
+/// A free patch and what it has been through: three cache lines, all of which a patch needs that is pushed.
+struct alignas(64) FreePatch : kernels::Patch {
+  std::int32_t set = 0;                               // of its points in World::points
+  std::int32_t touching = 0;                          // points with a partner (state)
+  std::int64_t first_point = 0;                       // into the arrays by point, a multiple of kLanes
+  double stored = 0.0, friction = 0.0, impact = 0.0;  // J (state)
+};
+static_assert(sizeof(FreePatch) == 192);
+
 /// Free patches: segments in no joint, or whose joint has come apart. Grows as sides retire.
 struct Patches {
-  std::vector<kernels::Patch> patch;
-  std::vector<std::int32_t> set;
-  std::vector<std::int64_t> first_point;  // into the point arrays
+  Array<FreePatch> patch;
   // State by patch.
-  Array<std::int32_t> from_side;           // the side it comes from, −1: never joined
-  Array<std::uint8_t> mastered;            // 1: its element was the master of from_side
-  Array<std::int32_t> touching;            // points with a partner
-  Array<double> stored, friction, impact;  // J
+  Array<std::int32_t> from_side;  // the side it comes from, −1: never joined
+  Array<std::uint8_t> mastered;   // 1: its element was the master of from_side
   // State by point.
   Array<std::int32_t> partner, face;
-  Array<double> slip_x, slip_y, slip_z, closure;
+  Array<kernels::PointSprings> springs;  // of kWidth points each
 
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };
@@ -128,8 +133,8 @@ struct Contacts {
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
   std::vector<std::int32_t> master;                               // by active patch: its element (derived)
   Array<std::int32_t> element;                                    // by slot: who may be touched (state)
-  std::vector<kernels::Candidate> candidate;                      // by slot: the same, and what is known of the pair (derived)
-  std::vector<kernels::PairWrench> wrench;
+  Array<kernels::Candidate> candidate;                            // by slot: the same, and what is known of the pair (derived)
+  Array<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending

@@ -9,17 +9,16 @@ namespace {
 /// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
 void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
            GlobalSums& dash, PatchResult& r) noexcept {
-  const double xn = f.depth.at(s, t) - q.closure[i];
+  const double xn = f.depth.at(s, t) - q.closure(i);
   if (xn >= 0.0) {  // inside, but not down on its offset
     book_opening(f, master, s, t, area, q, i, step, r);
-    q.slip_x[i] = q.slip_y[i] = q.slip_z[i] = 0.0;
+    q.set_slip(i, {});
     return;
   }
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
   const double vn = dot(v, f.n);
   const Vec3 vt = v - vn * f.n;
-  const Vec3 body{q.slip_x[i], q.slip_y[i], q.slip_z[i]};
-  const Vec3 carried = apply(master, body);
+  const Vec3 carried = apply(master, q.slip(i));
   const Vec3 before = carried - dot(carried, f.n) * f.n;
   Vec3 x = before + step * vt;
   const double da = f.factor * area;
@@ -31,8 +30,7 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   const Vec3 d = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit) * all;
   total.add(da * (p + d + (f.k.kn * xn + dn) * f.n), s, t);
   dash.add(da * (d + dn * f.n), s, t);
-  const Vec3 kept = apply_transposed(master, x);
-  q.slip_x[i] = kept.x, q.slip_y[i] = kept.y, q.slip_z[i] = kept.z;
+  q.set_slip(i, apply_transposed(master, x));
   const double xn_before = std::min(0.0, xn - step * vn);
   r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
   r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));

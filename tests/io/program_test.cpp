@@ -21,8 +21,7 @@ struct Outcome {
   std::string text;  // both streams
 };
 
-Outcome voussoir(const std::string& words) {
-  const std::string command = std::string(VOUSSOIR_PROGRAM) + " " + words + " 2>&1";
+Outcome run(const std::string& command) {
   FILE* pipe = popen(command.c_str(), "r");
   Outcome o;
   std::array<char, 4096> buffer{};
@@ -31,6 +30,8 @@ Outcome voussoir(const std::string& words) {
   o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   return o;
 }
+
+Outcome voussoir(const std::string& words) { return run(std::string(VOUSSOIR_PROGRAM) + " " + words + " 2>&1"); }
 
 constexpr const char* kHead = R"(title = "test"
 [gravity]
@@ -211,3 +212,12 @@ TEST_CASE("SIGTERM stops a run after its step, with the results so far and exit 
   CHECK(says(o, {"code 143", "run.h5"}));
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
 }
+
+#if defined(__x86_64__)
+TEST_CASE("memory is asked for ahead of its use: compilers may take that for nothing and leave it out (kernels/fetch.h)") {
+  const Outcome o =
+      run(std::string("objdump -d --no-show-raw-insn ") + VOUSSOIR_PROGRAM + " | awk '/>:$/{ours = /voussoir/} ours && /prefetch/'");
+  CHECK(o.code == 0);
+  CHECK(o.text.find("prefetch") != std::string::npos);
+}
+#endif

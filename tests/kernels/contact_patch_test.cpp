@@ -35,7 +35,8 @@ struct Bricks {
 /// The lower face of brick 0 above brick 1, with its history.
 struct Twin {
   kernels::AdvancePatch& advance;
-  std::vector<double> s = std::vector<double>(kPadded), t = s, area = s, slip_x = s, slip_y = s, slip_z = s, closure = s;
+  std::vector<double> s = std::vector<double>(kPadded), t = s, area = s;
+  std::vector<kernels::PointSprings> springs = std::vector<kernels::PointSprings>(kPadded / kernels::kWidth);
   std::vector<std::int32_t> partner = std::vector<std::int32_t>(kPadded, kernels::kNobody),
                             face = std::vector<std::int32_t>(kPadded, kernels::kNoFace);
   kernels::Patch patch;
@@ -61,9 +62,8 @@ struct Twin {
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, path};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
-    last = advance(patch, {s.data(), t.data(), area.data(), kPoints},
-                   {partner.data(), face.data(), slip_x.data(), slip_y.data(), slip_z.data(), closure.data()}, last.touching, candidates,
-                   bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data()}, wrench, on);
+    last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, {partner.data(), face.data(), springs.data()}, last.touching,
+                   candidates, bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data()}, wrench, on);
   }
 };
 

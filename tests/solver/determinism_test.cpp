@@ -32,8 +32,7 @@ struct Run {
 std::string difference(solver::World& a, solver::World& b) {
   const std::vector<solver::Field> p = solver::fields(a), q = solver::fields(b);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto *x = static_cast<const std::byte*>(p[i].data), *y = static_cast<const std::byte*>(q[i].data);
-    if (!std::equal(x, x + p[i].bytes(), y, y + q[i].bytes())) return p[i].name;
+    if (solver::packed(p[i]) != solver::packed(q[i])) return p[i].name;
   }
   return {};
 }
@@ -85,7 +84,7 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   const solver::Simulation& s = runs[0]->sim;
   CHECK(s.damage().tension > 500);
   CHECK(s.world().contacts.searches > 10);
-  CHECK(std::any_of(s.world().patches.touching.begin(), s.world().patches.touching.end(), [](int n) { return n > 0; }));
+  CHECK(std::any_of(s.world().patches.patch.begin(), s.world().patches.patch.end(), [](const auto& p) { return p.touching > 0; }));
 }
 
 TEST_CASE("what is known of pairs saves looks at points and changes no bit, through cracking, falling and contact") {

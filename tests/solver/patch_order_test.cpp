@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "solver/patch_order.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "solver/contact_forces.h"
-#include "solver/patch_order.h"
 #include "solver/run.h"
 #include "solver/saved_state.h"
 #include "tests/solver/small_wall.h"
@@ -45,17 +46,17 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
   solver::Patches& p = w.patches;
   const std::size_t count = p.patch.size();
   for (std::size_t i = 0; i < count; ++i) {
-    p.stored[i] = stamp(p, i);
-    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.set[i])]; ++k)
-      p.points(static_cast<std::int64_t>(i)).slip_x[k] = stamp(p, i) + k;
+    p.patch[i].stored = stamp(p, i);
+    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
+      p.points(static_cast<std::int64_t>(i)).set_slip(k, {stamp(p, i) + k, 0.0, 0.0});
   }
   solver::sort_patches(w);
   REQUIRE(p.patch.size() == count);
   CHECK(in_order(p));
   for (std::size_t i = 0; i < count; ++i) {
-    CHECK(p.stored[i] == stamp(p, i));
-    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.set[i])]; ++k)
-      CHECK(p.points(static_cast<std::int64_t>(i)).slip_x[k] == stamp(p, i) + k);
+    CHECK(p.patch[i].stored == stamp(p, i));
+    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
+      CHECK(p.points(static_cast<std::int64_t>(i)).slip(k).x == stamp(p, i) + k);
   }
   solver::search_contacts(w);
   solver::RunState plan, plan_again;
@@ -66,6 +67,6 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
   for (std::size_t i = 0; i < count; ++i) {
     CHECK(again.world().patches.patch[i].element == p.patch[i].element);
     CHECK(again.world().patches.patch[i].face == p.patch[i].face);
-    CHECK(again.world().patches.set[i] == p.set[i]);
+    CHECK(again.world().patches.patch[i].set == p.patch[i].set);
   }
 }

@@ -80,7 +80,7 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
             r.summary,
             std::count(w.sides.retired.begin(), w.sides.retired.end(), 1),
             w.contacts.searches,
-            std::count_if(w.patches.touching.begin(), w.patches.touching.end(), [](int n) { return n > 0; })};
+            std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; })};
   }
 }
 
