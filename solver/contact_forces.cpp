@@ -13,8 +13,8 @@ namespace voussoir::solver {
 namespace {
 
 constexpr std::int64_t kRun = 64;                         // patches that a thread takes at a time
-constexpr std::size_t kPointsAhead = 2, kPatchAhead = 4;  // patches, when their memory is asked for
-constexpr std::int64_t kElementsAhead = 2;
+constexpr std::size_t kPointsAhead = 3, kPatchAhead = 6;  // patches, when their memory is asked for
+constexpr std::int32_t kElementsAhead = 8;
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
 /// reads lists alone: the patches themselves lie all over memory.
@@ -112,24 +112,22 @@ void advance_contacts(World& w, ContactRoom& room) {
   }
 }
 
-void gather_contacts(World& w, std::int64_t first, std::int64_t last) {
+void gather_contacts(World& w, std::int32_t element) {
   const Contacts& c = w.contacts;
+  if (element + kElementsAhead < w.elements.count) fetch_slots(c, static_cast<std::size_t>(element + kElementsAhead));
   double* rows = w.elements.wrench.data();
-  for (std::int64_t e = first; e < last; ++e) {
-    if (e + kElementsAhead < last) fetch_slots(c, static_cast<std::size_t>(e + kElementsAhead));
-    const auto i = static_cast<std::size_t>(e);
-    for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
-      const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
-      const auto slot = static_cast<std::size_t>(code / 2);
-      if (!c.on[slot]) continue;
-      const kernels::PairWrench& x = c.wrench[slot];
-      if (code % 2 == 0) {
-        kernels::add_wrench(rows, e, x.force, x.torque_a);
-        kernels::add_dashpot(rows, e, x.dash_force, x.dash_torque_a);
-      } else {
-        kernels::add_wrench(rows, e, -x.force, x.torque_b);
-        kernels::add_dashpot(rows, e, -x.dash_force, x.dash_torque_b);
-      }
+  const auto i = static_cast<std::size_t>(element);
+  for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
+    const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
+    const auto slot = static_cast<std::size_t>(code / 2);
+    if (!c.on[slot]) continue;
+    const kernels::PairWrench& x = c.wrench[slot];
+    if (code % 2 == 0) {
+      kernels::add_wrench(rows, element, x.force, x.torque_a);
+      kernels::add_dashpot(rows, element, x.dash_force, x.dash_torque_a);
+    } else {
+      kernels::add_wrench(rows, element, -x.force, x.torque_b);
+      kernels::add_dashpot(rows, element, -x.dash_force, x.dash_torque_b);
     }
   }
 }

@@ -47,8 +47,8 @@ struct ContactRoom {
 /// Forces of all active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
 void advance_contacts(World& w, ContactRoom& room);
 
-/// Adds to the rows of elements [first, last) what their slots hold, in slot order.
-void gather_contacts(World& w, std::int64_t first, std::int64_t last);
+/// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
+void gather_contacts(World& w, std::int32_t element);
 
 /// Turns a side that has come apart into free patches of its two elements. Points that touch keep their partner, slip and closure.
 void retire_side(World& w, std::int32_t side);

@@ -21,7 +21,7 @@ void gather(World& w) {
       const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
       kernels::gather_sides({s.gather.data() + first, last - first}, pairs, w.elements.wrench.data() + i * kernels::kWrenchStride);
     }
-    if (contacts) gather_contacts(w, e, e + 1);
+    if (contacts) gather_contacts(w, e);
   }
 }
 
