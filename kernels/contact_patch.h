@@ -102,7 +102,7 @@ struct Bodies {
   const double* pose = nullptr;   // rows
   const double* twist = nullptr;  // rows
   const BodyConstants* constants = nullptr;
-  const double* path = nullptr;  // m, bound on the way that any point of each body has gone since the last search of all
+  const double* path = nullptr;  // m, bound on the way that any point of each body has gone since it was searched last
 };
 
 struct PatchScratch {

@@ -7,25 +7,21 @@
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Bounds the way that any point of the elements [first, last) has gone since the last search of all (Contacts::path), and what it has
+/// Bounds the way that any point of the elements [first, last) has gone since they were searched last (Contacts::path), and what it has
 /// moved. Returns the largest of the latter [m]: exact in any order. Call once a step.
 double measure_moves(World& w, std::int64_t first, std::int64_t last);
 
-enum class Search : std::uint8_t { none, new_patches, all };
-
-/// All, if some element may have moved more than half the skin since the last search of all; `moved`: the largest of measure_moves.
+/// True if some element may have moved more than half the skin since it was searched; `moved`: the largest of measure_moves.
 /// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
-Search search_due(World& w, double moved);
+bool search_due(World& w, double moved);
 
-/// Broad phase on the uniform grid, then patch against element by separating planes; lists candidates and slots anew.
+/// Broad phase on the uniform grid, then patch against element by separating planes: finds anew the candidates of elements that have moved
+/// by more than a quarter of the skin since they were searched last, as patches and as partners, and of patches that came since. Others
+/// keep theirs. In a collapse few elements fly, but these ask for a search every ten steps.
 void search_contacts(World& w);
 
-/// The same for the patches that came since the last search. Those of before keep their candidates: these hold until the next search of
-/// all. \param moved  m, of measure_moves
-void search_new_patches(World& w, double moved);
-
-/// Fills the grid with the elements as they stood at the last search of all.
-void place_grid(World& w);
+/// The same for all elements.
+void search_all(World& w);
 
 /// An element that a patch may touch, as new.
 [[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/contact_forces.h"
+#include "solver/contact_lists.h"
 #include "solver/patch_order.h"
 
 namespace voussoir::solver {
@@ -23,7 +24,7 @@ Body body(const World& w, std::int32_t e) {
   return {w.elements.body[i].ref + p.u, Mat3{} + p.d};
 }
 
-/// As it stood at the last search of all.
+/// As it stood when it was searched last.
 Body body_then(const World& w, std::int32_t e) {
   const auto i = static_cast<std::size_t>(e);
   const Contacts& c = w.contacts;
@@ -75,14 +76,7 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const 
   return farthest;
 }
 
-/// Candidates of patches, patch by patch.
-struct Found {
-  std::vector<std::int32_t> patch;
-  std::vector<std::int32_t> element;
-  std::vector<double> gap;  // m
-};
-
-/// How far a search looks [m]: pairs with a smaller gap are candidates; elements have moved by no more since the grid was made.
+/// How far a search looks [m]: pairs with a smaller gap are candidates; elements have moved by no more from where the grid has them.
 struct Reach {
   double gap = 0.0, moved = 0.0;
 };
@@ -107,181 +101,112 @@ void find_neighbours(const World& w, std::int32_t e, const geometry::Box3& box, 
   }
 }
 
-/// Candidates of some patches of one element.
-void search_element(const World& w, std::int32_t e, std::span<const std::int32_t> patches, const Reach& reach, Neighbours& near,
-                    Found& found) {
+/// Patches of every element.
+struct PatchesOfElements {
+  std::vector<std::int64_t> first;
+  std::vector<std::int32_t> list;
+  [[nodiscard]] std::span<const std::int32_t> of(std::int32_t e) const {
+    const auto i = static_cast<std::size_t>(e);
+    return {list.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
+  }
+};
+
+PatchesOfElements patches_of_elements(const World& w) {
+  PatchesOfElements r;
+  r.first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  for (const FreePatch& p : w.patches.patch) ++r.first[static_cast<std::size_t>(p.element) + 1];
+  for (std::size_t e = 1; e < r.first.size(); ++e) r.first[e] += r.first[e - 1];
+  r.list.resize(w.patches.patch.size());
+  std::vector<std::int64_t> at(r.first.begin(), r.first.end() - 1);
+  for (std::size_t p = 0; p < r.list.size(); ++p) {
+    r.list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
+  }
+  return r;
+}
+
+/// One search: what it looks for, and how far.
+struct Task {
+  const World& w;
+  const Anew& anew;
+  const PatchesOfElements& patches;
+  double skin = 0.0, moved = 0.0;  // m; that elements which are not looked for anew have moved at most since they were searched
+  [[nodiscard]] bool is_anew(std::int32_t e) const { return anew.element[static_cast<std::size_t>(e)] != 0; }
+};
+
+void consider(const World& w, std::int32_t p, const PlacedPatch& patch, std::int32_t element, const Body& b, double gap_at_most,
+              Found& found) {
+  const double gap = gap_to(w, patch, element, b);
+  if (gap >= gap_at_most) return;
+  found.patch.push_back(p);
+  found.element.push_back(element);
+  found.gap.push_back(gap);
+}
+
+/// An element in its pose.
+struct Here {
+  std::int32_t element = 0;
+  Body body;
+  geometry::Box3 box;
+};
+
+/// Candidates of the patches of an element that are looked for anew.
+void search_own_patches(const Task& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+  const World& w = t.w;
   const Elements& el = w.elements;
-  const Body here = body(w, e), base = body(w, el.base);
-  const geometry::Box3 box = element_box(w, e, here);
-  find_neighbours(w, e, box, reach, near);
-  const bool over_base =
-      w.has_base && !el.fixed[static_cast<std::size_t>(e)] && box.low.z - reach.gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
-  for (const std::int32_t p : patches) {
-    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here);
-    const auto consider = [&](std::int32_t other, const Body& b) {
-      const double gap = gap_to(w, patch, other, b);
-      if (gap >= reach.gap) return;
-      found.patch.push_back(p);
-      found.element.push_back(other);
-      found.gap.push_back(gap);
-    };
+  const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(here.element)] &&
+                         here.box.low.z - gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
+  for (const std::int32_t p : t.patches.of(here.element)) {
+    if (t.anew.patch[static_cast<std::size_t>(p)] == 0) continue;
+    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here.body);
     for (std::size_t k = 0; k < near.element.size(); ++k) {
-      if (overlap(patch.box, near.box[k], reach.gap)) consider(near.element[k], near.body[k]);
+      if (overlap(patch.box, near.box[k], gap)) consider(w, p, patch, near.element[k], near.body[k], gap, found);
     }
-    if (over_base) consider(el.base, base);
+    if (over_base) consider(w, p, patch, el.base, body(w, el.base), gap, found);
   }
 }
 
-void remember_poses(World& w) {
-  Contacts& c = w.contacts;
-  const Elements& e = w.elements;
-  c.at_ux = e.ux, c.at_uy = e.uy, c.at_uz = e.uz;
-  c.at_qw = e.qw, c.at_qx = e.qx, c.at_qy = e.qy, c.at_qz = e.qz;
-  c.path.assign(e.ux.size(), 0.0);
-}
-
-/// Of an active patch.
-std::span<const std::int32_t> candidates_of(const Contacts& c, std::size_t active) {
-  const auto first = static_cast<std::size_t>(c.first_slot[active]), last = static_cast<std::size_t>(c.first_slot[active + 1]);
-  return {c.element.data() + first, last - first};
-}
-
-/// Lets go of partners that are no candidates any more: they are farther away than the skin.
-void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candidates) {
-  FreePatch& patch = w.patches.patch[p];
-  if (patch.touching == 0) return;
-  const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
-  const int n = w.points.count[static_cast<std::size_t>(patch.set)];
-  for (int i = 0; i < n; ++i) {
-    const std::int32_t partner = q.partner[i];
-    if (partner == kernels::kNobody) continue;
-    if (std::ranges::find(candidates, partner) != candidates.end()) continue;
-    q.partner[i] = kernels::kNobody;
-    q.face[i] = kernels::kNoFace;
-    q.set_slip(i, {});
-    q.closure(i) = 0.0;
-    --patch.touching;
-  }
-  if (candidates.empty()) patch.stored = 0.0;
-}
-
-/// Appends candidates to the slots, each with the way that both bodies have to go before it can be touched.
-void append_slots(World& w, const Found& found) {
-  Contacts& c = w.contacts;
-  for (std::size_t i = 0; i < found.patch.size(); ++i) {
-    const auto p = static_cast<std::size_t>(found.patch[i]);
-    if (i == 0 || found.patch[i] != found.patch[i - 1]) {
-      c.active.push_back(found.patch[i]);
-      c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
+/// Patches of its neighbours that are not looked for anew themselves, against the element.
+void search_patches_around(const Task& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+  const World& w = t.w;
+  for (std::size_t k = 0; k < near.element.size(); ++k) {
+    if (t.is_anew(near.element[k])) continue;
+    for (const std::int32_t p : t.patches.of(near.element[k])) {
+      if (t.anew.patch[static_cast<std::size_t>(p)] != 0) continue;
+      const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], near.body[k]);
+      if (overlap(patch.box, here.box, gap)) consider(w, p, patch, here.element, here.body, gap, found);
     }
-    kernels::Candidate k = candidate_of(w, found.element[i]);
-    const auto master = static_cast<std::size_t>(w.patches.patch[p].element), slave = static_cast<std::size_t>(found.element[i]);
-    k.until = c.path[master] + c.path[slave] + found.gap[i] - kernels::kRoundOff;
-    if (w.patches.patch[p].touching == 0) k.face = kernels::kNoFace;
-    c.element.push_back(found.element[i]);
-    c.candidate.push_back(k);
   }
 }
 
-/// Leaves the first patches of the list with their slots, and opens it for more.
-void cut_slots(Contacts& c, std::size_t patches) {
-  const std::size_t slots = c.first_slot.empty() ? 0 : static_cast<std::size_t>(c.first_slot[patches]);
-  c.active.resize(patches);
-  c.first_slot.resize(patches);
-  c.element.resize(slots);
-  c.candidate.resize(slots);
-  c.wrench.resize(slots);
-  c.on.resize(slots);
+/// A pair stays listed until one of its two is searched again, when it has moved by half the skin at most from where it was searched last.
+/// One that is searched now goes by half the skin from here; one that was searched before may come back from where it has moved, and go by
+/// half the skin from there.
+void search_element(const Task& t, std::int32_t e, Neighbours& near, Found& found) {
+  const bool anew = t.is_anew(e);
+  const Body b = body(t.w, e);
+  const Here here{e, b, element_box(t.w, e, b)};
+  const double gap = t.skin + (anew ? 1.0 : 2.0) * t.moved;
+  find_neighbours(t.w, e, here.box, {.gap = gap, .moved = t.moved}, near);
+  search_own_patches(t, here, near, gap, found);
+  if (anew) search_patches_around(t, here, near, gap, found);
 }
 
-void close_slots(Contacts& c) {
-  c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
-  c.wrench.resize(c.element.size());
-  c.on.resize(c.element.size(), 0);
-  c.searched = static_cast<std::int64_t>(c.active.size());
-  c.countdown = 0;
-  c.gather_stale = true;
-}
-
-/// Patches by element: first entries (count + 1) and the list.
-void patches_by_element(const World& w, std::vector<std::int64_t>& first, std::vector<std::int32_t>& list) {
-  first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
-  for (const kernels::Patch& p : w.patches.patch) ++first[static_cast<std::size_t>(p.element) + 1];
-  for (std::size_t e = 1; e < first.size(); ++e) first[e] += first[e - 1];
-  list.resize(w.patches.patch.size());
-  std::vector<std::int64_t> at(first.begin(), first.end() - 1);
-  for (std::size_t p = 0; p < list.size(); ++p) {
-    list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
+/// Elements that have something looked for anew.
+std::vector<std::int32_t> elements_of(const World& w, const Anew& anew) {
+  std::vector<std::uint8_t> wanted = anew.element;
+  for (std::size_t p = 0; p < anew.patch.size(); ++p) {
+    if (anew.patch[p] != 0) wanted[static_cast<std::size_t>(w.patches.patch[p].element)] = 1;
   }
-}
-
-}  // namespace
-
-kernels::Candidate candidate_of(const World& w, std::int32_t element) {
-  const auto e = static_cast<std::size_t>(element);
-  kernels::Candidate c;
-  c.element = element, c.first_face = w.elements.first_face[e], c.face_count = w.elements.face_count[e];
-  return c;
-}
-
-void list_candidates(World& w) {
-  Contacts& c = w.contacts;
-  c.candidate.clear();
-  for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
-  c.wrench.assign(c.element.size(), {});
-  c.on.assign(c.element.size(), 0);
-}
-
-void build_gather(World& w) {
-  Contacts& c = w.contacts;
-  const auto n = static_cast<std::size_t>(w.elements.count);
-  const auto each = [&](auto&& use) {
-    for (std::size_t a = 0; a < c.active.size(); ++a) {
-      for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-        use(static_cast<std::size_t>(c.master[a]), 2 * slot);
-        const std::int32_t slave = c.element[static_cast<std::size_t>(slot)];
-        if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
-      }
-    }
-  };
-  c.master.resize(c.active.size());
-  for (std::size_t a = 0; a < c.active.size(); ++a) c.master[a] = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
-  c.first_gather.assign(n + 1, 0);
-  each([&](std::size_t e, std::int64_t) { ++c.first_gather[e + 1]; });
-  for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
-  c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
-  std::vector<std::int64_t> at = c.first_gather;
-  each([&](std::size_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(at[e]++)] = code; });
-  c.gather_stale = false;
-}
-
-double measure_moves(World& w, std::int64_t first, std::int64_t last) {
-  Contacts& c = w.contacts;
-  const Elements& e = w.elements;
-  double worst = 0.0;
-  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
-    const double dx = e.ux[k] - c.at_ux[k], dy = e.uy[k] - c.at_uy[k], dz = e.uz[k] - c.at_uz[k];
-    const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
-    // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
-    const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
-    const double moved = std::sqrt(2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2));
-    worst = moved > worst ? moved : worst;
-    const double speed = std::sqrt(e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k]);
-    const double spin = std::sqrt(e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]);
-    c.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);  // and a little for round-off and what `drift` cuts off
+  std::vector<std::int32_t> list;
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    if (wanted[static_cast<std::size_t>(e)] != 0) list.push_back(e);
   }
-  return worst;
+  return list;
 }
 
-Search search_due(World& w, double moved) {
-  Contacts& c = w.contacts;
-  const bool new_ones = c.countdown > 0 && --c.countdown == 0;
-  if (c.stale || moved > 0.5 * c.skin) return Search::all;
-  return new_ones ? Search::new_patches : Search::none;
-}
-
+/// Fills the grid with the elements as they stood when they were searched last.
 void place_grid(World& w) {
-  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(w.contacts.at_ux.empty() ? 0 : w.elements.count));
+  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(w.elements.count));
   for (std::size_t e = 0; e < boxes.size(); ++e) {
     const auto id = static_cast<std::int32_t>(e);
     boxes[e] = element_box(w, id, body_then(w, id));
@@ -289,60 +214,105 @@ void place_grid(World& w) {
   w.contacts.grid.build(boxes);
 }
 
-void search_contacts(World& w) {
-  Contacts& c = w.contacts;
-  sort_patches_if_scattered(w);
-  remember_poses(w);
+/// \param moved  m, that elements which are not looked for anew have moved at most since they were searched
+void search(World& w, const Anew& anew, double moved) {
   place_grid(w);
-  const std::int32_t n = w.elements.count;
-  std::vector<std::int64_t> first;
-  std::vector<std::int32_t> list;
-  patches_by_element(w, first, list);
-  std::vector<Found> found(static_cast<std::size_t>(n));
+  const PatchesOfElements patches = patches_of_elements(w);
+  const Task task{w, anew, patches, w.contacts.skin, moved};
+  const std::vector<std::int32_t> elements = elements_of(w, anew);
+  std::vector<Found> found(elements.size());
 #pragma omp parallel
   {
     Neighbours near;
 #pragma omp for schedule(dynamic, 64)
-    for (std::int32_t e = 0; e < n; ++e) {
-      const auto i = static_cast<std::size_t>(e);
-      const std::span<const std::int32_t> mine(list.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i]));
-      if (!mine.empty()) search_element(w, e, mine, {.gap = c.skin}, near, found[i]);
-    }
+    for (std::size_t k = 0; k < elements.size(); ++k) search_element(task, elements[k], near, found[k]);
   }
-  cut_slots(c, 0);
-  for (const Found& f : found) append_slots(w, f);
-  close_slots(c);
-  std::vector<std::uint8_t> seen(w.patches.patch.size(), 0);
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    seen[static_cast<std::size_t>(c.active[a])] = 1;
-    release_lost(w, static_cast<std::size_t>(c.active[a]), candidates_of(c, a));
-  }
-  for (std::size_t p = 0; p < seen.size(); ++p) {
-    if (!seen[p]) release_lost(w, p, {});
-  }
-  c.stale = false;
-  ++c.searches;
+  replace_candidates(w, anew, found);
+  ++w.contacts.searches;
 }
 
-void search_new_patches(World& w, double moved) {
+/// From here on the element counts as searched where it stands.
+void remember_pose(World& w, std::size_t e) {
   Contacts& c = w.contacts;
-  const auto known = static_cast<std::size_t>(c.searched);
-  const std::vector<std::int32_t> patches(c.active.begin() + c.searched, c.active.end());
-  Neighbours near;
-  Found found;
-  // Bodies that have moved since the last search of all may go back and as far again before the next.
-  const Reach reach{.gap = c.skin + 2.0 * moved, .moved = moved};
-  for (const std::int32_t p : patches) {
-    search_element(w, w.patches.patch[static_cast<std::size_t>(p)].element, {&p, 1}, reach, near, found);
+  const Elements& el = w.elements;
+  c.at_ux[e] = el.ux[e], c.at_uy[e] = el.uy[e], c.at_uz[e] = el.uz[e];
+  c.at_qw[e] = el.qw[e], c.at_qx[e] = el.qx[e], c.at_qy[e] = el.qy[e], c.at_qz[e] = el.qz[e];
+  c.path[e] = 0.0;
+}
+
+/// What any point of an element has moved since it was searched last [m], or a little more.
+double move_of(const World& w, std::size_t k) {
+  const Contacts& c = w.contacts;
+  const Elements& e = w.elements;
+  const double dx = e.ux[k] - c.at_ux[k], dy = e.uy[k] - c.at_uy[k], dz = e.uz[k] - c.at_uz[k];
+  const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
+  // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
+  const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
+  return std::sqrt(2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2));
+}
+
+/// Patches that came after the last search.
+void mark_new_patches(const Contacts& c, Anew& anew) {
+  for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) anew.patch[static_cast<std::size_t>(c.active[a])] = 1;
+}
+
+/// Elements that have moved farther than that, and their patches. Returns how far the others have moved at most [m].
+double mark_moved(const World& w, double farther_than, Anew& anew) {
+  double moved = 0.0;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
+    const double m = move_of(w, e);
+    anew.element[e] = m > farther_than ? 1 : 0;
+    if (anew.element[e] == 0) moved = std::max(moved, m);
   }
-  cut_slots(c, known);
-  append_slots(w, found);
-  close_slots(c);
-  std::size_t a = known;
-  for (const std::int32_t p : patches) {
-    const bool listed = a < c.active.size() && c.active[a] == p;
-    release_lost(w, static_cast<std::size_t>(p), listed ? candidates_of(c, a++) : std::span<const std::int32_t>{});
+  for (std::size_t p = 0; p < anew.patch.size(); ++p) anew.patch[p] |= anew.element[static_cast<std::size_t>(w.patches.patch[p].element)];
+  return moved;
+}
+
+}  // namespace
+
+double measure_moves(World& w, std::int64_t first, std::int64_t last) {
+  const Elements& e = w.elements;
+  double worst = 0.0;
+  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+    const double moved = move_of(w, k);
+    worst = moved > worst ? moved : worst;
+    const double speed = std::sqrt(e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k]);
+    const double spin = std::sqrt(e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]);
+    w.contacts.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);  // and a little for round-off and what `drift` cuts off
   }
+  return worst;
+}
+
+bool search_due(World& w, double moved) {
+  Contacts& c = w.contacts;
+  const bool new_patches = c.countdown > 0 && --c.countdown == 0;
+  return c.stale || new_patches || moved > 0.5 * c.skin;
+}
+
+void search_all(World& w) {
+  Contacts& c = w.contacts;
+  c.active.clear(), c.first_slot.clear();  // nothing of them stays, and sorting gives the patches other numbers
+  if (patches_are_scattered(w)) sort_patches(w);
+  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.path}) column->resize(w.elements.ux.size());
+  for (std::size_t e = 0; e < w.elements.ux.size(); ++e) remember_pose(w, e);
+  Anew anew{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
+            std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
+  search(w, anew, 0.0);
+  c.stale = false;
+}
+
+void search_contacts(World& w) {
+  Contacts& c = w.contacts;
+  if (c.stale || patches_are_scattered(w)) return search_all(w);
+  Anew anew{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
+            std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
+  mark_new_patches(c, anew);
+  // Not only those for which it is time: others would be due a few steps later.
+  const double moved = mark_moved(w, 0.25 * c.skin, anew);
+  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
+    if (anew.element[e] != 0) remember_pose(w, e);
+  }
+  search(w, anew, moved);
 }
 
 }  // namespace voussoir::solver

@@ -65,9 +65,9 @@ void sort_patches(World& w) {
   place_points(p, ends, order);
 }
 
-void sort_patches_if_scattered(World& w) {
+bool patches_are_scattered(const World& w) {
   const Array<FreePatch>& all = w.patches.patch;
-  if (all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered) sort_patches(w);
+  return all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered;
 }
 
 }  // namespace voussoir::solver

@@ -10,7 +10,7 @@ namespace voussoir::solver {
 /// other in memory. Lists of patches (Contacts::active) do not hold any more.
 void sort_patches(World& w);
 
-/// The same where it is worth its time: sides retire in any order, and their patches are appended. Follows from the state alone.
-void sort_patches_if_scattered(World& w);
+/// True where that is worth its time: sides retire in any order, and their patches are appended. Follows from the state alone.
+bool patches_are_scattered(const World& w);
 
 }  // namespace voussoir::solver

@@ -150,7 +150,6 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   size_search(w, from);
   for (const Field& f : fields(sim, plan)) copy_in(f, from);
   check_contacts(w);
-  place_grid(w);
   list_candidates(w);
   list_live_blocks(w);
 }

@@ -246,9 +246,9 @@ void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
   place_supports();
-  if (const Search due_now = search_due(w, moved_); due_now != Search::none) {
+  if (search_due(w, moved_)) {
     const StageTimer timer(times_, Stage::search);
-    due_now == Search::all ? search_contacts(w) : search_new_patches(w, moved_);
+    search_contacts(w);
   }
   {
     const StageTimer timer(times_, Stage::forces);

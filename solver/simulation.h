@@ -94,7 +94,7 @@ class Simulation {
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;
-  double moved_ = 0.0;  // m, largest since the last search of all (or more)
+  double moved_ = 0.0;  // m, largest of any element since it was searched (or more)
   StageTimes times_{};
   Damage damage_;
   Ledger ledger_;

@@ -127,7 +127,7 @@ struct Contacts {
   bool stale = true;                                              // a search is due at once
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
-  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses at the last search of all (state)
+  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
   Array<double> path;                                             // m, bound on the way of any point of each element since (derived)
   std::vector<std::int32_t> active;                               // patches with candidates
   std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
@@ -139,7 +139,7 @@ struct Contacts {
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::int64_t searched = 0;               // active patches whose candidates a search found; the others are new (state)
-  std::int64_t searches = 0;               // of all
+  std::int64_t searches = 0;
 };
 
 /// Loads and supports that act on single elements.

@@ -58,7 +58,7 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
     for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
       CHECK(p.points(static_cast<std::int64_t>(i)).slip(k).x == stamp(p, i) + k);
   }
-  solver::search_contacts(w);
+  solver::search_all(w);
   solver::RunState plan, plan_again;
   const solver::SavedState saved = solver::save(sim, plan);
   solver::Simulation again(c, m, {}, {});
