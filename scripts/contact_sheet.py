@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Moments of several runs side by side in one picture: a row for each run, a column for each time.
 
-usage: scripts/contact_sheet.py DIR... --times T ... [--view front] [-o sheet.png] [--voussoir PROGRAM]
+usage: scripts/contact_sheet.py DIR... --times T ... [--view front] [--dpi 150] [-o sheet.png] [--voussoir PROGRAM]
 Each picture is a still of `voussoir report DIR --stills` (needs Chromium); those that are there and not older than the run are used as they are.
 Needs what `scripts/setup plots` installs.
 """
@@ -20,7 +20,6 @@ import matplotlib.pyplot as plt
 from PIL import Image
 
 WIDTH = 3.2  # of a picture, inches
-DPI = 150
 
 
 def stills(folder, view, times, program):
@@ -36,7 +35,7 @@ def stills(folder, view, times, program):
     return paths
 
 
-def sheet(rows, names, times, output):
+def sheet(rows, names, times, output, dpi=150):
     """Draws the pictures of `rows`, each a list of paths in the order of `times`."""
     with Image.open(rows[0][0]) as first:
         height = WIDTH * first.height / first.width
@@ -47,7 +46,7 @@ def sheet(rows, names, times, output):
             axes.imshow(Image.open(path), interpolation="antialiased")
             axes.set_axis_off()
             axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=8, loc="left")
-    figure.savefig(output, dpi=DPI)
+    figure.savefig(output, dpi=dpi)
 
 
 def main():
@@ -55,11 +54,12 @@ def main():
     p.add_argument("folders", nargs="+", metavar="DIR")
     p.add_argument("--times", type=float, nargs="+", required=True, help="s")
     p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
+    p.add_argument("--dpi", type=int, default=150, help="pictures are 3.2 inches wide")
     p.add_argument("-o", "--output", default="sheet.png")
     p.add_argument("--voussoir", default="build/release/io/voussoir", metavar="PROGRAM")
     a = p.parse_args()
     names = [os.path.basename(os.path.normpath(f)) for f in a.folders]
-    sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output)
+    sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output, a.dpi)
 
 
 if __name__ == "__main__":

@@ -76,11 +76,6 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const 
   return farthest;
 }
 
-/// How far a search looks [m]: pairs with a smaller gap are candidates; elements have moved by no more from where the grid has them.
-struct Reach {
-  double gap = 0.0, moved = 0.0;
-};
-
 /// Elements near another one, as they stand.
 struct Neighbours {
   std::vector<std::int32_t> element;
@@ -88,10 +83,10 @@ struct Neighbours {
   std::vector<geometry::Box3> box;
 };
 
-void find_neighbours(const World& w, std::int32_t e, const geometry::Box3& box, const Reach& reach, Neighbours& near) {
+/// \param reach  m, from its box to where the grid has another one
+void find_neighbours(const World& w, std::int32_t e, const geometry::Box3& box, double reach, Neighbours& near) {
   near.element.clear(), near.body.clear(), near.box.clear();
-  const double d = reach.gap + reach.moved;
-  const Vec3 wide{d, d, d};
+  const Vec3 wide{reach, reach, reach};
   w.contacts.grid.query({box.low - wide, box.high + wide}, near.element);
   const auto is_fixed = [&](std::int32_t k) { return w.elements.fixed[static_cast<std::size_t>(k)] != 0; };
   std::erase_if(near.element, [&](std::int32_t other) { return other == e || (is_fixed(e) && is_fixed(other)); });
@@ -186,7 +181,7 @@ void search_element(const Task& t, std::int32_t e, Neighbours& near, Found& foun
   const Body b = body(t.w, e);
   const Here here{e, b, element_box(t.w, e, b)};
   const double gap = t.skin + (anew ? 1.0 : 2.0) * t.moved;
-  find_neighbours(t.w, e, here.box, {.gap = gap, .moved = t.moved}, near);
+  find_neighbours(t.w, e, here.box, gap + t.moved, near);
   search_own_patches(t, here, near, gap, found);
   if (anew) search_patches_around(t, here, near, gap, found);
 }
