@@ -242,14 +242,21 @@ int dispatch(const CLI::App& app, Words& w) {
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
 
-/// Lets waiting threads sleep almost at once, unless the user has chosen otherwise. By default they spin for milliseconds, which is
-/// harmless on a quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one.
+/// True if nothing has kept the machine busy in the last minute.
+bool machine_is_quiet() {
+  double load = 0.0;
+  return getloadavg(&load, 1) == 1 && load < 0.3;
+}
+
+/// Lets waiting threads sleep soon, unless the user has chosen otherwise. By default they spin for milliseconds, which is harmless on a
+/// quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one. Some
+/// microseconds are right for a quiet one, where waits are short; on a busy one they sleep at once.
 /// The OpenMP runtime reads this before main, so the program starts itself anew.
 void let_threads_sleep(char** argv) {
   for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"}) {
     if (std::getenv(name) != nullptr) return;
   }
-  setenv("GOMP_SPINCOUNT", "100", 1);
+  setenv("GOMP_SPINCOUNT", machine_is_quiet() ? "1000" : "100", 1);
   setenv("KMP_BLOCKTIME", "0", 1);
   std::error_code none;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();
