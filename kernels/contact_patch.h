@@ -13,12 +13,14 @@
 /// Contact between a free patch (segments of one face that are in no joint) and other elements: paper 2.5, THEORY.md (17)-(21).
 ///
 /// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the
-/// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5). A point that came in through a side,
-/// or deeper than kDeepest, carries no force until it has left.
+/// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5, or where no face of A does, as at a
+/// corner sharper than a brick's, that which opposes most). A point that came in through a side, or deeper than kDeepest, carries no force
+/// until it has left.
 namespace voussoir::kernels {
 
 inline constexpr double kDeepest = 3e-3;   // m, a point found deeper than this was not stopped by a face: it came in through a side
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
+inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
 inline constexpr int kMostFaces = 64;      // of one element
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
@@ -38,7 +40,8 @@ struct alignas(64) Face {
 /// Constants of a free patch. Reference axes, from the centroid of its element.
 struct Patch {
   std::int32_t element = 0, face = 0;
-  std::int32_t origin = kNobody;  // the element it was joined to, if it comes from a broken joint
+  std::int32_t origin = kNobody;                 // the element it was joined to, if it comes from a broken joint
+  std::uint8_t face_number = 0, face_count = 0;  // of `face` among those of its element, which lie together; how many these are
   Vec3 centre, es, et;
   double normal_sign = 1.0;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
   double s_low = 0, s_high = 0, t_low = 0, t_high = 0;  // m, rectangle round its points

@@ -77,15 +77,26 @@ inline PlaneFields plane_fields(const InSlave& y, const Face* faces, const Candi
   return p;
 }
 
+/// True if the patch opposes a face of another element: if its normals face each other well enough, or if no face of the element does so
+/// more. Without the latter a corner sharper than a brick's would find no hold, and sink.
+inline bool opposes(const Patch& p, const Master& m, const InSlave& y, const Pose& slave, std::int32_t face, const Face* faces) noexcept {
+  const double own = dot(y.normal, faces[face].normal);
+  if (own < kOpposing) return true;
+  if (own >= 0.0) return false;
+  const Vec3 other = apply_transposed(m.pose, apply(slave, faces[face].normal));
+  double least = own;
+  for (int k = 0; k < p.face_count; ++k) least = std::min(least, dot(faces[p.face - p.face_number + k].normal, other));
+  return least >= kOpposing && own <= least + kAsMuch;
+}
+
 /// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
-inline std::int32_t entry_face(double s, double t, const InSlave& y, const PlaneFields& planes, const Face* faces, const Candidate& c,
-                               double& depth) noexcept {
+inline std::int32_t entry_face(double s, double t, const Patch& p, const Master& m, const InSlave& y, const Pose& slave,
+                               const PlaneFields& planes, const Face* faces, const Candidate& c, double& depth) noexcept {
   std::int32_t best = kNoFace;
   depth = 1e300;
   for (int f = 0; f < planes.count; ++f) {
-    if (dot(y.normal, faces[c.first_face + f].normal) >= kOpposing) continue;
     const double d = -planes.g[f].at(s, t);
-    if (d < depth) {
+    if (d < depth && opposes(p, m, y, slave, c.first_face + f, faces)) {
       depth = d;
       best = c.first_face + f;
     }
@@ -198,7 +209,7 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
     w.changed = true;
   } else if (in) {
     double depth = 0.0;
-    const std::int32_t face = entry_face(s, t, y, planes, w.faces, c, depth);
+    const std::int32_t face = entry_face(s, t, w.patch, w.m, y, load_pose(w.bodies.pose, c.element), planes, w.faces, c, depth);
     if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) return;
     w.scratch.candidate[i] = k;
     w.scratch.face[i] = face;

@@ -50,7 +50,7 @@ struct Twin {
       const double k = static_cast<double>(i < kPoints ? i : kPoints - 1);
       s[i] = -0.09 + 0.02 * std::fmod(k, 9.0), t[i] = -0.04 + 0.04 * std::floor(k / 9.0), area[i] = i < kPoints ? 0.0008 : 0.0;
     }
-    patch.element = 0, patch.face = 4, patch.centre = {0, 0, -0.05};
+    patch.element = 0, patch.face = 4, patch.face_number = 4, patch.face_count = 6, patch.centre = {0, 0, -0.05};
     patch.es = {0, 1, 0}, patch.et = {1, 0, 0};
     std::swap(s, t);
     patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;

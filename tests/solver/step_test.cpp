@@ -230,3 +230,35 @@ TEST_CASE("a block with more faces than a contact can hold is refused") {
   const cases::GroundMotion still;
   CHECK_THROWS_AS(solver::Simulation(c, m, still, {}), cases::InputError);
 }
+
+TEST_CASE("a wedge that falls on its sharpest corner finds hold") {
+  // None of the faces at that corner opposes the base by more than half: those that do most must carry it.
+  cases::Case c = small_wall(1, 1);
+  cases::BlockSpec& wedge = c.blocks.front();
+  wedge.box.reset();
+  wedge.polygon = {{0.0, 0.1}, {0.05, 0.2}, {-0.05, 0.2}};  // 53 degrees
+  wedge.extrude = {{0.0, 0.2}};
+  wedge.rotate = cases::Rotation{{0.0, 1.0, 0.0}, 25.0, {0.0, 0.0, 0.02}};
+  wedge.free = true;
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, {});
+  const solver::Elements& e = sim.world().elements;
+  const auto lowest = [&] {
+    const kernels::Pose pose = kernels::load_pose(e.pose.data(), 0);
+    double z = 1e300;
+    for (const Vec3& v : m.blocks[0].shape.vertices) {
+      const Vec3 r = v - e.body[0].ref;
+      z = std::min(z, (v + pose.u + pose.d * r).z);
+    }
+    return z;
+  };
+  double least = 0.0;
+  for (double t = 0.0; t < 0.8; t += sim.dt()) {
+    sim.step({});
+    least = std::min(least, lowest());
+  }
+  CHECK(least > -0.02);  // points lie half a segment from the edge
+  CHECK(least < 0.0);
+  CHECK(std::abs(e.uz[0]) < 0.1);
+  MESSAGE("the lowest corner sank by " << -1e3 * least << " mm");
+}
