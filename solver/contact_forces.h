@@ -23,15 +23,6 @@ void search_contacts(World& w);
 /// The same for all elements.
 void search_all(World& w);
 
-/// An element that a patch may touch, as new.
-[[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
-
-/// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
-void list_candidates(World& w);
-
-/// Lists for every element the slots that push it. Due where Contacts::gather_stale says so.
-void build_gather(World& w);
-
 /// One thread's room for the points of a patch.
 struct ContactRoom {
   std::vector<double> depth;

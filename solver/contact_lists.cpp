@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "solver/contact_forces.h"
-
 namespace voussoir::solver {
 
 namespace {

@@ -26,4 +26,13 @@ struct Found {
 /// that stayed, then those found, in the order of `found`. Points whose partner is no candidate any more are free.
 void replace_candidates(World& w, const Anew& anew, std::span<const Found> found);
 
+/// An element that a patch may touch, as new.
+[[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
+
+/// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
+void list_candidates(World& w);
+
+/// Lists for every element the slots that push it. Due where Contacts::gather_stale says so.
+void build_gather(World& w);
+
 }  // namespace voussoir::solver

@@ -4,6 +4,8 @@
 
 #include <omp.h>
 
+#include "solver/contact_lists.h"
+
 namespace voussoir::solver {
 
 namespace {

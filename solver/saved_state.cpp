@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "solver/contact_forces.h"
+#include "solver/contact_lists.h"
 #include "solver/errors.h"
 #include "solver/hash.h"
 #include "solver/run.h"

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "solver/contact_forces.h"
+#include "solver/contact_lists.h"
 #include "solver/field_table.h"
 #include "solver/simulation.h"
 #include "tests/solver/small_wall.h"

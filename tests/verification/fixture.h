@@ -17,6 +17,7 @@
 #include "io/motion_files.h"
 #include "kernels/integrate.h"
 #include "solver/contact_forces.h"
+#include "solver/contact_lists.h"
 #include "solver/simulation.h"
 #include "tests/verification/manual.h"
 
