@@ -249,14 +249,15 @@ bool machine_is_quiet() {
 }
 
 /// Lets waiting threads sleep soon, unless the user has chosen otherwise. By default they spin for milliseconds, which is harmless on a
-/// quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one. Some
-/// microseconds are right for a quiet one, where waits are short; on a busy one they sleep at once.
+/// quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one. A
+/// tenth of a millisecond is right for a quiet one: it covers what a step does on one thread, and waking takes nearly as long. On a busy
+/// one they sleep at once.
 /// The OpenMP runtime reads this before main, so the program starts itself anew.
 void let_threads_sleep(char** argv) {
   for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"}) {
     if (std::getenv(name) != nullptr) return;
   }
-  setenv("GOMP_SPINCOUNT", machine_is_quiet() ? "1000" : "100", 1);
+  setenv("GOMP_SPINCOUNT", machine_is_quiet() ? "10000" : "100", 1);
   setenv("KMP_BLOCKTIME", "0", 1);
   std::error_code none;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();

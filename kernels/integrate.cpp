@@ -98,7 +98,7 @@ VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, VecLanes w, 
   load_columns([=](int r) { return wrench + (i + r) * kWrenchStride; }, 8, unused, dash.x, dash.y, dash.z);
   store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - half * dot(dash, old + w));
   write_rows(pose, twist, i, u, rotation_minus_identity(next), v, w);
-  __builtin_memset(wrench + i * kWrenchStride, 0, sizeof(double) * kWrenchStride * kWidth);
+  for (int k = 0; k < kWrenchStride; ++k) store_lanes(wrench + i * kWrenchStride + k * kWidth, Lanes{});
 }
 
 }  // namespace

@@ -89,16 +89,17 @@ void ContactRoom::fit(std::int32_t points) {
   depth.resize(n), candidate.resize(n), face.resize(n);
 }
 
-void advance_contacts(World& w, ContactRoom& room) {
+void advance_contacts(World& w, int share, int shares, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
+  const std::int64_t first = patches * share / shares, last = patches * (share + 1) / shares;
   room.fit(w.points.largest);
-#pragma omp for schedule(dynamic) nowait
-  for (std::int64_t from = 0; from < patches; from += kRun) {
+#pragma omp for schedule(dynamic)
+  for (std::int64_t from = first; from < last; from += kRun) {
     std::size_t near[kRun];
     std::size_t count = 0;
-    for (std::int64_t a = from; a < std::min(from + kRun, patches); ++a) {
+    for (std::int64_t a = from; a < std::min(from + kRun, last); ++a) {
       const auto i = static_cast<std::size_t>(a);
       if (!is_quiet(w, i)) near[count++] = i;
     }

@@ -31,8 +31,9 @@ struct ContactRoom {
   void fit(std::int32_t points);
 };
 
-/// Forces of all active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
-void advance_contacts(World& w, ContactRoom& room);
+/// Forces of active patches into their slots: of one of so many equal shares. To be called by every thread of a team; none leaves before
+/// all have done.
+void advance_contacts(World& w, int share, int shares, ContactRoom& room);
 
 /// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
 void gather_contacts(World& w, std::int32_t element);

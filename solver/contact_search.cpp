@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/moves.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
 #include "solver/patch_order.h"
@@ -235,15 +236,10 @@ void remember_pose(World& w, std::size_t e) {
   c.path[e] = 0.0;
 }
 
-/// What any point of an element has moved since it was searched last [m], or a little more.
-double move_of(const World& w, std::size_t k) {
+kernels::SearchedPoses searched_poses(const World& w) {
   const Contacts& c = w.contacts;
-  const Elements& e = w.elements;
-  const double dx = e.ux[k] - c.at_ux[k], dy = e.uy[k] - c.at_uy[k], dz = e.uz[k] - c.at_uz[k];
-  const double qw = e.qw[k] - c.at_qw[k], qx = e.qx[k] - c.at_qx[k], qy = e.qy[k] - c.at_qy[k], qz = e.qz[k] - c.at_qz[k];
-  // A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares.
-  const double turn2 = 4.0 * e.radius[k] * e.radius[k] * (qw * qw + qx * qx + qy * qy + qz * qz);
-  return std::sqrt(2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2));
+  return {c.at_ux.data(), c.at_uy.data(), c.at_uz.data(), c.at_qw.data(),
+          c.at_qx.data(), c.at_qy.data(), c.at_qz.data(), w.elements.radius.data()};
 }
 
 /// Patches that came after the last search.
@@ -252,10 +248,12 @@ void mark_new_patches(const Contacts& c, Anew& anew) {
 }
 
 /// Elements that have moved farther than that, and their patches. Returns how far the others have moved at most [m].
-double mark_moved(const World& w, double farther_than, Anew& anew) {
+double mark_moved(World& w, double farther_than, Anew& anew) {
+  const kernels::ElementsView now = w.elements.view();
+  const kernels::SearchedPoses then = searched_poses(w);
   double moved = 0.0;
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    const double m = move_of(w, e);
+    const double m = kernels::move_of(now, then, static_cast<std::int64_t>(e));
     anew.element[e] = m > farther_than ? 1 : 0;
     if (anew.element[e] == 0) moved = std::max(moved, m);
   }
@@ -266,16 +264,7 @@ double mark_moved(const World& w, double farther_than, Anew& anew) {
 }  // namespace
 
 double measure_moves(World& w, std::int64_t first, std::int64_t last) {
-  const Elements& e = w.elements;
-  double worst = 0.0;
-  for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
-    const double moved = move_of(w, k);
-    worst = moved > worst ? moved : worst;
-    const double speed = std::sqrt(e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k]);
-    const double spin = std::sqrt(e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]);
-    w.contacts.path[k] += 1.001 * w.dt * (speed + spin * e.radius[k]);  // and a little for round-off and what `drift` cuts off
-  }
-  return worst;
+  return kernels::measure_moves(w.elements.view(), searched_poses(w), w.dt, w.contacts.path.data(), first, last);
 }
 
 bool search_due(World& w, double moved) {

@@ -21,8 +21,8 @@ struct ForceStage {
   std::vector<ThreadRoom> by_thread;
 };
 
-/// One team of threads from the first side to the last slot: contacts and joints need nothing of each other, so only colours, and the
-/// gather behind them, wait.
+/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has no joints
+/// left in a colour goes on with a share of the contacts, where others still work on theirs.
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

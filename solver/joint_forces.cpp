@@ -135,7 +135,12 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
 
 }  // namespace
 
-void advance_joints(World& w, double time, std::int64_t step, JointFindings& found) {
+int joint_rounds(const World& w) {
+  const auto colours = static_cast<int>(w.sides.colour_first.size()) - 1;
+  return w.options.gather ? 1 : std::max(1, colours);
+}
+
+void advance_joints(World& w, double time, std::int64_t step, int round, JointFindings& found) {
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
@@ -150,18 +155,15 @@ void advance_joints(World& w, double time, std::int64_t step, JointFindings& fou
   if (w.options.gather) {
     constexpr std::int32_t kRun = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.live.size());
-#pragma omp for schedule(dynamic)
+#pragma omp for schedule(dynamic) nowait
     for (std::int32_t i = 0; i < n; i += kRun) blocks(i, std::min(i + kRun, n));
     return;
   }
-  if (s.colour_first.size() <= 1) {  // no joint: others still count on having been waited for
-#pragma omp barrier
-  }
-  for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
-#pragma omp for schedule(dynamic)
-    for (std::int32_t t = s.colour_first[c]; t < s.colour_first[c + 1]; ++t) {
-      blocks(s.live_first[static_cast<std::size_t>(t)], s.live_first[static_cast<std::size_t>(t) + 1]);
-    }
+  const auto c = static_cast<std::size_t>(round);
+  if (c + 1 >= s.colour_first.size()) return;  // no joint
+#pragma omp for schedule(dynamic) nowait
+  for (std::int32_t t = s.colour_first[c]; t < s.colour_first[c + 1]; ++t) {
+    blocks(s.live_first[static_cast<std::size_t>(t)], s.live_first[static_cast<std::size_t>(t) + 1]);
   }
 }
 

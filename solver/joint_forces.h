@@ -23,8 +23,12 @@ struct JointEvents {
   std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
 };
 
-/// All joints, colour by colour, or all at once into the buffer for pairs. To be called by every thread of a team, each with its findings.
-void advance_joints(World& w, double time, std::int64_t step, JointFindings& found);
+/// Rounds in which the joints are done: colours, which wait for each other, or one, into the buffer for pairs. At least 1.
+int joint_rounds(const World& w);
+
+/// The joints of one round. To be called by every thread of a team, each with its findings; they may leave it before all is done, and
+/// must all have left it before the next round begins.
+void advance_joints(World& w, double time, std::int64_t step, int round, JointFindings& found);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/moves.h"
+
+#include <cmath>
+
+#include "kernels/lanes.h"
+
+namespace voussoir::kernels {
+
+namespace {
+
+/// A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares. 1.1: what lies beyond first
+/// order, for turns that a search waits for.
+template <class Real>
+VOUSSOIR_INLINE Real squared_move(Real dx, Real dy, Real dz, Real dw, Real da, Real db, Real dc, Real radius) noexcept {
+  const Real turn2 = 4.0 * radius * radius * (dw * dw + da * da + db * db + dc * dc);
+  return 2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2);
+}
+
+VOUSSOIR_INLINE Lanes difference(const double* a, const double* b, std::int64_t i) noexcept {
+  return load_lanes(a + i) - load_lanes(b + i);
+}
+VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, std::int64_t i) noexcept {
+  const VecLanes v{load_lanes(x + i), load_lanes(y + i), load_lanes(z + i)};
+  return sqrt(dot(v, v));
+}
+
+}  // namespace
+
+double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
+  return std::sqrt(squared_move(e.ux[i] - at.ux[i], e.uy[i] - at.uy[i], e.uz[i] - at.uz[i], e.qw[i] - at.qw[i], e.qx[i] - at.qx[i],
+                                e.qy[i] - at.qy[i], e.qz[i] - at.qz[i], at.radius[i]));
+}
+
+double measure_moves(const ElementsView& e, const SearchedPoses& at, double dt, double* path, std::int64_t first,
+                     std::int64_t last) noexcept {
+  const Lanes step = lanes(1.001 * dt);  // a little more for round-off and what `drift` cuts off
+  Lanes farthest{};
+  for (std::int64_t i = first; i < last; i += kWidth) {
+    const Lanes radius = load_lanes(at.radius + i);
+    farthest = max(farthest, squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i),
+                                          difference(e.qw, at.qw, i), difference(e.qx, at.qx, i), difference(e.qy, at.qy, i),
+                                          difference(e.qz, at.qz, i), radius));
+    const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
+    store_lanes(path + i, load_lanes(path + i) + step * (speed + spin * radius));
+  }
+  double most = 0.0;
+  for (int l = 0; l < kWidth; ++l) most = farthest[l] > most ? farthest[l] : most;
+  return std::sqrt(most);
+}
+
+}  // namespace voussoir::kernels
