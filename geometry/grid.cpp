@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostCells = 512.0;
 
 /// Cell edge over the median extent of a box. Measured on walls of 4 000 and 70 000 bricks: 1.25 to 2 are alike, 0.6 takes three times as
-/// long. slower.
+/// long.
 constexpr double kCellFactor = 1.25;
 
 bool intersect(const Box3& a, const Box3& b) {

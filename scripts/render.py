@@ -90,6 +90,12 @@ def draw(axes, run, frame, axis, light=np.array([0.35, -0.55, 0.76])):
     axes.set_title(f"{run.time[frame]:.2f} s", fontsize=9)
 
 
+def window(places, at_first):
+    """From where to where a picture goes: over all that stood, and all but the last few pieces, one of which may fly anywhere."""
+    low, high = np.quantile(places, [0.002, 0.998])
+    return min(low, at_first.min()) - 0.3, max(high, at_first.max()) + 0.3
+
+
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("folder")
@@ -106,11 +112,12 @@ def main():
     figure, grid = plt.subplots(rows, columns, figsize=(5.0 * columns, 3.3 * rows), squeeze=False)
     for axes in grid.flat:
         axes.set_axis_off()
+    first = run.frames["position"][0] @ axis.T
     everything = np.concatenate([run.frames["position"][int(np.argmin(abs(run.time - t)))] for t in times]) @ axis.T
     for axes, t in zip(grid.flat, times):
         draw(axes, run, int(np.argmin(abs(run.time - t))), axis)
-        axes.set_xlim(everything[:, 0].min() - 0.3, everything[:, 0].max() + 0.3)
-        axes.set_ylim(everything[:, 1].min() - 0.3, everything[:, 1].max() + 0.3)
+        axes.set_xlim(*window(everything[:, 0], first[:, 0]))
+        axes.set_ylim(*window(everything[:, 1], first[:, 1]))
     figure.tight_layout()
     figure.savefig(a.output, dpi=110)
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""The runs of a table.csv that are done, as a table in Markdown on standard output: what a page of results has room for.
+
+usage: markdown.py TABLE.csv
+"""
+import csv
+import sys
+
+
+def time(text):
+    return "never" if text.startswith("-") else f"{float(text):.2f}"
+
+
+def percent(text):
+    return "–" if text == "" else f"{100 * float(text):.1f}"
+
+
+def broken(row):
+    return " / ".join(f"{int(row[mode]):,}" for mode in ("tension", "shear", "compression"))
+
+
+def first_wall(row):
+    return f"{row['first_fallen_wall'].removesuffix(' wall')}, {time(row['first_fallen_time'])}" if row["first_fallen_wall"] else "none"
+
+
+def roof(row):
+    fallen = row.get("roof_fallen_mass_fraction", "")
+    return "–" if fallen == "" else f"{percent(fallen)}" + (f", {time(row['collapse_time'])}" if row["collapsed"] == "1" else "")
+
+
+# Head, and what stands below it for a row of the table.
+COLUMNS = {
+    "run": lambda row: row["run"],
+    "grade": lambda row: "–" if row["damage_grade"].startswith("-") else f"G{row['damage_grade']}",
+    "first crack, s": lambda row: time(row["first_crack_time"]),
+    "first fallen wall, s": first_wall,
+    "roof fallen, %; collapse, s": roof,
+    "fallen, %": lambda row: percent(row["fallen_mass_fraction"]),
+    "peak drift, %": lambda row: percent(row["peak_drift"]),
+    "debris, m2; reach, m": lambda row: f"{float(row['debris_area']):.1f}; {float(row['debris_reach']):.1f}",
+    "free volume, %": lambda row: percent(row["free_volume"]),
+    "broken: tension / shear / compression": broken,
+    "slipped": lambda row: f"{int(row['slipped']):,}",
+    "base shear, kN": lambda row: f"{float(row['peak_base_shear']) / 1e3:.0f}",
+    "residual": lambda row: f"{float(row['worst_residual']):.1e}",
+    "core-hours": lambda row: f"{float(row['core_hours']):.2f}",
+}
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    with open(sys.argv[1], newline="") as file:
+        rows = list(csv.DictReader(file))
+    print("| " + " | ".join(COLUMNS) + " |")
+    print("|" + "---|" * len(COLUMNS))
+    for row in rows:
+        if row["status"] == "done":
+            print("| " + " | ".join(cell(row) for cell in COLUMNS.values()) + " |")
+
+
+if __name__ == "__main__":
+    main()
