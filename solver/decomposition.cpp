@@ -13,8 +13,11 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr double kFits = 0.995;            // share of the sides that must fit between two neighbouring cells
-constexpr double kElementsInACell = 16.0;  // if the model filled its plan evenly; walls are denser
+constexpr double kFits = 0.995;  // share of the sides that must fit between two neighbouring cells
+// Elements in a cell, if the model filled its plan evenly; walls are denser. A model that fits into no cache has larger cells: fewer
+// elements then lie on their borders, where tasks of several colours fetch them from memory. A small one would have too few tasks.
+constexpr std::size_t kManyElements = 20000;
+constexpr double kElementsInACell = 16.0, kElementsInALargeCell = 256.0;
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -84,7 +87,8 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
   const double needed = reach.empty() ? 0.0 : reach[static_cast<std::size_t>(kFits * static_cast<double>(reach.size() - 1))];
   const Vec3 size = plan.high - plan.low;
   const double area = along(size, plan.first) * along(size, plan.second);
-  const double useful = std::sqrt(area * kElementsInACell / static_cast<double>(std::max<std::size_t>(1, centroids.size())));
+  const double elements = centroids.size() < kManyElements ? kElementsInACell : kElementsInALargeCell;
+  const double useful = std::sqrt(area * elements / static_cast<double>(std::max<std::size_t>(1, centroids.size())));
   const double cell = std::max(1.001 * needed, useful);  // a hair more than needed: centroids lie on a grid
   return cell > 0.0 ? cell : 1.0;
 }

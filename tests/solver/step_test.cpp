@@ -78,6 +78,22 @@ TEST_CASE("decomposition: no two tasks of a colour share an element, every side 
   CHECK(solver::choose_cell(sides, centroids) > 0.2);
 }
 
+TEST_CASE("decomposition: cells of a large model are larger, so that most elements lie within one") {
+  const auto cell_of_a_floor = [](int edge) {  // of edge × edge slabs, 0.2 m each
+    std::vector<Vec3> centroids;
+    std::vector<solver::Writes> sides;
+    for (int x = 0; x < edge; ++x) {
+      for (int y = 0; y < edge; ++y) {
+        centroids.push_back({0.2 * x, 0.2 * y, 0.0});
+        if (y > 0) sides.push_back({x * edge + y, x * edge + y - 1});
+      }
+    }
+    return solver::choose_cell(sides, centroids);
+  };
+  CHECK(cell_of_a_floor(140) == doctest::Approx(4 * 0.2).epsilon(0.01));   // sixteen slabs of 19,600
+  CHECK(cell_of_a_floor(142) == doctest::Approx(16 * 0.2).epsilon(0.01));  // of 20,164
+}
+
 TEST_CASE("fast and reference kernels: the same wall until it cracks, the same damage after") {
   const cases::Case c = small_wall(4, 6);
   const cases::Model m = cases::build_model(c);
