@@ -14,10 +14,10 @@ namespace voussoir::solver {
 namespace {
 
 constexpr double kFits = 0.995;  // share of the sides that must fit between two neighbouring cells
-// Elements in a cell, if the model filled its plan evenly; walls are denser. A model that fits into no cache has larger cells: fewer
-// elements then lie on their borders, where tasks of several colours fetch them from memory. A small one would have too few tasks.
-constexpr std::size_t kManyElements = 20000;
-constexpr double kElementsInACell = 16.0, kElementsInALargeCell = 256.0;
+// Elements in a cell, if the model filled its plan evenly; walls are denser. Elements on the borders of cells are fetched once for each
+// colour, so a model of which little stays near the core has larger cells. In a smaller one these would only keep less of a task near.
+constexpr std::size_t kManyElements = 5000;
+constexpr double kElementsInACell = 16.0, kElementsInALargeCell = 64.0;
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 

@@ -90,8 +90,8 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
     }
     return solver::choose_cell(sides, centroids);
   };
-  CHECK(cell_of_a_floor(140) == doctest::Approx(4 * 0.2).epsilon(0.01));   // sixteen slabs of 19,600
-  CHECK(cell_of_a_floor(142) == doctest::Approx(16 * 0.2).epsilon(0.01));  // of 20,164
+  CHECK(cell_of_a_floor(70) == doctest::Approx(4 * 0.2).epsilon(0.02));  // sixteen slabs of 4,900
+  CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));  // sixty-four of 5,041
 }
 
 TEST_CASE("fast and reference kernels: the same wall until it cracks, the same damage after") {
