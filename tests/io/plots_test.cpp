@@ -63,12 +63,16 @@ std::string python() {
   return "";
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// The figure that the script draws with these words, as text.
 std::string figure(const std::string& python, const TempFolder& folder, const std::string& words) {
   const std::string path = folder.path("figure.svg");
   REQUIRE(code_of(python + " " + kScripts + words + " -o " + path) == 0);
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return text_of(path);
 }
 
 bool has(const std::string& text, const std::string& word) { return text.find(">" + word + "<") != std::string::npos; }
@@ -88,6 +92,9 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   for (const char* word : {"upper", "First", "Second", "time, s"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_histories.py " + run + " --show upper:z --quantity velocity");
   CHECK(has(drawn, "velocity z, m/s"));
+  const std::string peaks = folder.path("peaks.csv");
+  figure(py, folder, "plot_histories.py First=" + run + " --show upper:z --until 0.05 --peaks " + peaks);
+  CHECK(text_of(peaks).starts_with("run,history,axis,peak [m],time [s]\nFirst,upper,z,-"));
   drawn = figure(py, folder, "plot_damage.py " + run);
   for (const char* word : {"run", "tension", "shear", "compression"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_debris.py First=" + run + " " + run + " --below 5");
