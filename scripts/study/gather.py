@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """All runs of a study as rows of table.csv. usage: gather.py PLAN TABLE   (in the study's folder)
 
-A row a run, in the order of the study file: its place in the study, its status, what `voussoir summary` says of it under the same names and
+A row a run, in the order of the study file: its place in the study, its status (of a run made elsewhere: the row that is known of it), what `voussoir summary` says of it under the same names and
 in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions.
 """
 import csv
@@ -17,6 +17,7 @@ import h5py
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
          "residual_drift", "tension", "shear", "compression", "slipped", "peak_base_shear", "peak_speed")
 NOT_RESULTS = ("finished", "grade_time", "walls")
+COSTS = ("starts", "wall_clock", "core_hours")
 
 
 def flat(summary):
@@ -44,7 +45,7 @@ def costs(folder):
     sessions = json.loads(path.read_text()) if path.exists() else []
     seconds = [s["wall_clock"] or 0.0 for s in sessions]
     core_hours = sum(t * s["threads"] for t, s in zip(seconds, sessions)) / 3600.0
-    return {"starts": len(sessions), "wall_clock": round(sum(seconds), 3), "core_hours": round(core_hours, 6)}
+    return dict(zip(COSTS, (len(sessions), round(sum(seconds), 3), round(core_hours, 6))))
 
 
 def row(voussoir, run):
@@ -53,12 +54,20 @@ def row(voussoir, run):
     done = folder / "done.json"
     status = json.loads(done.read_text())["status"] if done.exists() else "to be done"
     found = results(voussoir, folder) if done.exists() else {}
-    return {"run": run["name"]} | axes | {"status": status}, found, costs(folder)
+    return {"run": run["name"]} | axes | {"identity": run["identity"], "status": status}, found, costs(folder)
+
+
+def known_row(known, run):
+    """As a row of this table; its columns may come in another order."""
+    place = ("run", *run["axes"], "identity", "status")
+    found = {name: value for name, value in known.items() if name not in (*place, *COSTS)}
+    return {name: known[name] for name in place}, found, {name: known[name] for name in COSTS}
 
 
 def main():
     plan = json.loads(pathlib.Path(sys.argv[1]).read_text())
-    rows = [row(plan["voussoir"], run) for run in plan["runs"]]
+    known = plan["known"]
+    rows = [known_row(known[run["name"]], run) if run["name"] in known else row(plan["voussoir"], run) for run in plan["runs"]]
     names = [dict.fromkeys(name for r in rows for name in r[part]) for part in range(3)]
     columns = [name for part in names for name in part]
     path = pathlib.Path(sys.argv[2])

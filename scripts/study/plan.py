@@ -4,6 +4,7 @@
 
 Whatever is wrong with the file raises StudyError before anything runs; the message names file, key, value and what is allowed.
 """
+import csv
 import hashlib
 import itertools
 import json
@@ -215,3 +216,17 @@ def check_folder(folder, runs):
         if there.exists() and there.read_text().strip() != run["identity"]:
             raise StudyError(f"{there.parent}: holds a run of the same name with another case file or other overrides; "
                              "remove it to run it anew, or give the study another folder")
+
+
+def known_rows(table, runs, folder):
+    """Rows of an earlier table of the study, by run: of those that have ended, are the same by case and overrides, and are not in the folder."""
+    try:
+        with open(table, newline="") as file:
+            rows = list(csv.DictReader(file))
+    except OSError as error:
+        raise StudyError(f"{table}: {error.strerror}; wanted a table.csv of the study") from error
+    identities = {run["name"]: run["identity"] for run in runs if not (folder / "runs" / run["name"]).exists()}
+    for column in ("run", "identity", "status"):
+        if rows and column not in rows[0]:
+            raise StudyError(f"{table}: no column {column}; wanted a table.csv of the study")
+    return {row["run"]: row for row in rows if row["status"] != "to be done" and identities.get(row["run"]) == row["identity"]}

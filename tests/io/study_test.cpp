@@ -36,10 +36,10 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The study in the folder's "study"; what it says is in "log".
-int study(const TempFolder& folder, const std::string& file, const std::string& words = "--cores 2") {
-  return code_of("VOUSSOIR=" VOUSSOIR_PROGRAM " /usr/bin/python3 " + kSource + "/scripts/study/run " + file + " -o " +
-                 folder.path("study") + " " + words + " >" + folder.path("log") + " 2>&1");
+/// The study in the folder's "study", or another; what it says is in "log".
+int study(const TempFolder& folder, const std::string& file, const std::string& words = "--cores 2", const std::string& name = "study") {
+  return code_of("VOUSSOIR=" VOUSSOIR_PROGRAM " /usr/bin/python3 " + kSource + "/scripts/study/run " + file + " -o " + folder.path(name) +
+                 " " + words + " >" + folder.path("log") + " 2>&1");
 }
 
 /// Column of the table, a value a run.
@@ -103,6 +103,19 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   std::filesystem::remove(folder.path("study/runs/wall-x1/done.json"));  // as if killed at the end of its run
   REQUIRE(study(folder, file) == 0);
   CHECK(text_of(table) == first);
+
+  // Elsewhere, the table is enough: what it says of a run that is the same is not found out again.
+  const auto elsewhere = [&](const std::string& other) { return study(folder, file, "--cores 2 --known " + other, "elsewhere"); };
+  const std::size_t second = first.rfind("\nwall-x1") + 1, its_identity = first.find(column(table, "identity").at(1), second);
+  std::string known = first;
+  known[its_identity] = known[its_identity] == '0' ? '1' : '0';  // of another run
+  REQUIRE_MESSAGE(elsewhere(folder.write("known.csv", known)) == 0, text_of(folder.path("log")));
+  CHECK(text_of(folder.path("elsewhere/table.csv")).substr(0, second) == first.substr(0, second));
+  CHECK(column(folder.path("elsewhere/table.csv"), "state_hash") == column(table, "state_hash"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("elsewhere/runs/wall-x0")));
+  CHECK(std::filesystem::exists(folder.path("elsewhere/runs/wall-x1")));
+  CHECK(elsewhere(folder.write("known.csv", "run,status\na,done\n")) == 2);
+  CHECK(text_of(folder.path("log")).find("known.csv: no column identity") != std::string::npos);
 
   folder.write("two.toml", kCase + "scales = [0.0, 1.0]\nduration = 0.7\n");  // other runs under the same names
   CHECK(study(folder, file) == 2);
