@@ -42,7 +42,9 @@ VOUSSOIR_INLINE Lanes max(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
 VOUSSOIR_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) noexcept { return m ? a : b; }
 /// Bit i is set where lane i is true. The one place where the compiler does not find the machine's instruction by itself.
 VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
-#if defined(__AVX__) && !defined(__AVX512F__)
+#if defined(__AVX512DQ__)
+  return static_cast<unsigned>(__builtin_ia32_cvtq2mask512(m));
+#elif defined(__AVX__) && !defined(__AVX512F__)
   return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Lanes>(m)));
 #else
   unsigned r = 0;
