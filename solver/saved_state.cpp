@@ -170,7 +170,7 @@ std::uint64_t model_hash(const World& w) {
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }
-  add(e.body), add(e.first_face), add(w.sides.joint), add(w.sides.set);
+  add(e.body), add(w.sides.joint), add(w.sides.set);
   for (const kernels::Face& f : w.faces) {
     for (const double v : {f.normal.x, f.normal.y, f.normal.z, f.distance, f.compliance_n, f.compliance_s, f.mass}) hash.add(&v, sizeof v);
   }

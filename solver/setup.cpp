@@ -35,7 +35,7 @@ void set_up_patches(World& w) {
     const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];
     kernels::Patch patch;
     patch.element = p.element;
-    patch.face = w.elements.first_face[static_cast<std::size_t>(p.element)] + p.face;
+    patch.face = e.first_face + p.face;
     patch.centre = p.frame.centre - e.mass.centroid;
     patch.es = p.frame.axis_s, patch.et = p.frame.axis_t;
     patch.s_low = patch.t_low = 1e300, patch.s_high = patch.t_high = -1e300;

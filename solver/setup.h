@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cases/case.h"
-#include "geometry/face_grid.h"
 #include "solver/world.h"
 
 /// From the model to the arrays of the step.
@@ -29,9 +28,6 @@ void set_up_side_views(World& w);
 /// The buffer for pairs and its lists, for --scatter gather.
 void set_up_side_gather(World& w);
 void set_up_loads(World& w, const cases::Case& c);
-
-/// Rounds to some 1e-12 of a metre, so that what is alike but for round-off is equal.
-inline double snapped(double x) { return geometry::snapped(x, 0x1p-40); }
 
 /// Appends a free patch with no partners.
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);

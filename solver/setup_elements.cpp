@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 
@@ -84,7 +83,7 @@ void set_up_elements(World& w, const cases::Case& c) {
     const geometry::Element& g = m.assembly.elements[i];
     const double density = m.materials[static_cast<std::size_t>(b.material)].value.density;
     e.body[i].ref = g.mass.centroid;
-    e.face_count[i] = g.face_count;
+    e.first_face[i] = g.first_face, e.face_count[i] = g.face_count;
     set_extent(e, i, b.shape, g.mass.centroid);
     e.fixed[i] = b.fixed ? 1 : 0;
     if (b.fixed) continue;
@@ -96,50 +95,28 @@ void set_up_elements(World& w, const cases::Case& c) {
   }
   const auto base = static_cast<std::size_t>(e.base);
   e.body[base].ref.z = c.base ? c.base->z : 0.0;
+  e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
   e.face_count[base] = 1;
 }
 
-namespace {
-
-/// Faces of an element in its body frame.
-std::vector<kernels::Face> faces_of(const cases::Model& m, std::size_t i) {
-  const geometry::Element& e = m.assembly.elements[i];
-  if (e.face_count > kernels::kMostFaces) {
-    throw cases::InputError("", cases::describe(m.blocks[i], i) + " has " + std::to_string(e.face_count) + " faces; allowed: at most " +
-                                    std::to_string(kernels::kMostFaces));
-  }
-  const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
-  std::vector<kernels::Face> faces;
-  for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
-    const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
-    const Vec3 n = face.normal;
-    const double distance = snapped(face.distance);
-    faces.push_back({.normal = {snapped(n.x), snapped(n.y), snapped(n.z)},
-                     .distance = distance,
-                     .compliance_n = distance / plane_strain_modulus(material),  // Eq. 1
-                     .compliance_s = distance * 2.0 * (1.0 + material.poisson) / material.young,
-                     .mass = material.density * distance});  // Eq. 10
-  }
-  return faces;
-}
-
-}  // namespace
-
-// Bricks that are alike share their faces: a house has thousands of bricks and few kinds of them, so the faces stay in the near caches.
 void set_up_faces(World& w) {
   const cases::Model& m = w.model;
-  std::map<std::vector<double>, std::int32_t> known;
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
-    const std::vector<kernels::Face> faces = faces_of(m, i);
-    std::vector<double> key;
-    for (const kernels::Face& f : faces) {
-      key.insert(key.end(), {f.normal.x, f.normal.y, f.normal.z, f.distance, f.compliance_n, f.compliance_s, f.mass});
+    const geometry::Element& e = m.assembly.elements[i];
+    if (e.face_count > kernels::kMostFaces) {
+      throw cases::InputError("", cases::describe(m.blocks[i], i) + " has " + std::to_string(e.face_count) + " faces; allowed: at most " +
+                                      std::to_string(kernels::kMostFaces));
     }
-    const auto [at, is_new] = known.try_emplace(key, static_cast<std::int32_t>(w.faces.size()));
-    if (is_new) w.faces.insert(w.faces.end(), faces.begin(), faces.end());
-    w.elements.first_face[i] = at->second;
+    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
+      const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
+      w.faces.push_back({.normal = face.normal,
+                         .distance = face.distance,
+                         .compliance_n = face.distance / plane_strain_modulus(material),  // Eq. 1
+                         .compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young,
+                         .mass = material.density * face.distance});  // Eq. 10
+    }
   }
-  w.elements.first_face[static_cast<std::size_t>(w.elements.base)] = static_cast<std::int32_t>(w.faces.size());
   w.faces.push_back({.normal = {0.0, 0.0, 1.0}});  // the base, a rigid half-space
 }
 

@@ -36,6 +36,8 @@ std::vector<geometry::Segment> swapped(std::vector<geometry::Segment> segments) 
   return segments;
 }
 
+double snapped(double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); }  // as the geometry does: equal sets stay equal
+
 /// Moves the frame's centre to the area centroid of the points, where Σ s dA = Σ t dA = 0.
 void centre_on_points(NewSide& side) {
   double area = 0.0, s = 0.0, t = 0.0;
@@ -47,7 +49,7 @@ void centre_on_points(NewSide& side) {
 
 std::vector<NewSide> sides_of(const World& w) {
   const geometry::Assembly& a = w.model.assembly;
-  const auto face = [&](std::int32_t e, std::int32_t f) { return w.elements.first_face[static_cast<std::size_t>(e)] + f; };
+  const auto face = [&](std::int32_t e, std::int32_t f) { return a.elements[static_cast<std::size_t>(e)].first_face + f; };
   std::vector<NewSide> sides;
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const geometry::Joint& j = a.joints[i];
@@ -57,7 +59,7 @@ std::vector<NewSide> sides_of(const World& w) {
                   j.element_a,
                   on_base ? w.elements.base : j.element_b,
                   face(j.element_a, j.face_a),
-                  on_base ? face(w.elements.base, 0) : face(j.element_b, j.face_b),
+                  on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b),
                   j.frame,
                   j.side_a,
                   one ? 1.0 : 0.5,

@@ -165,7 +165,7 @@ struct World {
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19
   Elements elements;
-  std::vector<kernels::Face> faces;  // of all kinds of elements, one more for the base
+  std::vector<kernels::Face> faces;  // of all elements, one more for the base
   PointSets points;
   Sides sides;
   Patches patches;

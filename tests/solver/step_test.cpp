@@ -195,28 +195,6 @@ TEST_CASE("congruent sides share their constants, which fit the place of each") 
   }
 }
 
-TEST_CASE("elements that are alike share their faces, which are those of each") {
-  cases::Case c = small_wall(30, 6);
-  c.materials["stone"] = {2500.0, 3e10, 0.2};
-  c.blocks.back().material = "stone";
-  const cases::Model m = cases::build_model(c);
-  const std::unique_ptr<solver::World> w = solver::build_world(c, m, {});
-  CHECK(w->faces.size() < 30);  // of bricks, halves, the stone and the base
-  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
-    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
-    const geometry::Element& g = m.assembly.elements[i];
-    REQUIRE(w->elements.face_count[i] == g.face_count);
-    for (std::int32_t k = 0; k < g.face_count; ++k) {
-      const kernels::Face& face = w->faces[static_cast<std::size_t>(w->elements.first_face[i] + k)];
-      const geometry::Face& own = m.assembly.faces[static_cast<std::size_t>(g.first_face + k)];
-      CHECK(norm(face.normal - own.normal) < 1e-11);
-      CHECK(std::abs(face.distance - own.distance) < 1e-11);
-      CHECK(face.mass == doctest::Approx(material.density * own.distance).epsilon(1e-9));
-      CHECK(face.compliance_s == doctest::Approx(own.distance * 2.0 * (1.0 + material.poisson) / material.young).epsilon(1e-9));
-    }
-  }
-}
-
 TEST_CASE("while a structure settles its rotations are damped too, and the ledger knows; afterwards they are not") {
   cases::Case c = small_wall(1, 1);
   c.base.reset();
