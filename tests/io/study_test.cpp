@@ -101,9 +101,17 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(column(table, "debris_reach").size() == 2);
   CHECK(text_of(folder.path("study/index.html")).find("2 of 2 runs done") != std::string::npos);
 
+  const std::string hash = column(table, "state_hash").at(1);
   std::filesystem::remove(folder.path("study/runs/wall-x1/done.json"));  // as if killed at the end of its run
   REQUIRE(study(folder, file) == 0);
   CHECK(text_of(table) == first);
+
+  std::filesystem::remove_all(folder.path("study/runs/wall-x1"));  // a table of what is there does not stand for what is not
+  REQUIRE(study(folder, file, "--table") == 0);
+  CHECK(column(table, "status") == Values{"done", "to be done"});
+  REQUIRE(study(folder, file) == 0);
+  CHECK(column(table, "status") == Values{"done", "done"});
+  CHECK(column(table, "state_hash").at(1) == hash);
 
   // Elsewhere, the table is enough: what it says of a run that is the same is not found out again.
   const auto elsewhere = [&](const std::string& other) { return study(folder, file, "--cores 2 --known " + other, "elsewhere"); };
