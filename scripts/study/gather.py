@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """All runs of a study as rows of table.csv. usage: gather.py PLAN TABLE   (in the study's folder)
 
-A row a run, in the order of the study file: its place in the study, its status (of a run made elsewhere: the row that is known of it), what `voussoir summary` says of it under the same names and
-in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions.
+A row a run, in the order of the study file: its place in the study, its status, what `voussoir summary` says of it under the same names and
+in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions. Of a run
+made elsewhere: the row that is known of it.
 """
 import csv
 import json
