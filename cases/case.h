@@ -36,8 +36,9 @@ struct Gravity {
 };
 
 struct Time {
-  std::optional<double> step;  // s; absent = "auto"
-  double duration = 10.0;      // s, after settling
+  std::optional<double> step;            // s; absent = "auto"
+  double duration = 10.0;                // s, after settling
+  std::optional<double> after_collapse;  // s; the run ends so long after the building has collapsed, or at its duration
 };
 
 struct Damping {

@@ -55,12 +55,13 @@ std::string difference(const std::string& there, const std::string& here) {
   }
 }
 
-/// A folder's case.toml says whose results these are. Only the duration may differ: --until changes it.
+/// A folder's case.toml says whose results these are. Only the end may differ: --until changes it.
 void check_same_case(const std::string& folder, const Found& found, const cases::Case& saved) {
   const std::string path = folder + "/case.toml";
   if (!fs::exists(path)) return;
   cases::Case there = load_case(path).value;
   there.time.duration = saved.time.duration;
+  there.time.after_collapse = saved.time.after_collapse;
   const std::string what = difference(resolved_toml(there), resolved_toml(saved));
   if (what.empty()) return;
   throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
@@ -71,6 +72,8 @@ bool is_finished(const std::string& run) {
   return file.attribute_int("/", "parts") == 0 && file.exists("/summary") && file.attribute_int("/summary", "finished") != 0;
 }
 
+double end_of(const std::string& run) { return Hdf5File::open(run).attribute_double("/summary", "end_time"); }
+
 void check_rows(const std::string& run, const RowCounts& there, const RowCounts& saved) {
   for (std::size_t t = 0; t < kRowTables; ++t) {
     if (there[t] == saved[t]) continue;
@@ -80,14 +83,16 @@ void check_rows(const std::string& run, const RowCounts& there, const RowCounts&
   }
 }
 
-/// The new end of the run.
+/// The new end of the run, whatever has collapsed by then.
 void set_end(cases::Case& c, const std::optional<double>& until, double time) {
   if (!until) return;
-  if (*until <= time || *until < c.time.duration) {
+  const double own_end = c.time.after_collapse ? time : std::max(time, c.time.duration);
+  if (*until <= time || *until < own_end) {
     throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
-                                           cases::text(std::max(time, c.time.duration)) + " s");
+                                           cases::text(own_end) + " s");
   }
   c.time.duration = *until;
+  c.time.after_collapse.reset();
 }
 
 }  // namespace
@@ -100,7 +105,7 @@ int resume_command(const ResumeOptions& o) {
   cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
   check_same_case(folder.path(), found, c);
   if (!o.until && is_finished(run)) {
-    std::printf("%s is finished, to %s s; --until T goes on\n", folder.path().c_str(), cases::text(c.time.duration).c_str());
+    std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), end_of(run));
     write_views(folder.path(), o.views);
     return kDone;
   }

@@ -209,9 +209,10 @@ std::vector<Field> fields(World& w) {
 std::vector<Field> fields(Simulation& sim, RunState& plan) {
   Table table = fields(sim.world());
   FieldTable::add(table, sim);
-  table.insert(table.end(), {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2),
-                             value("plan_shaking", plan.shaking, 0, 1), value("plan_settled", plan.settled, 0, 1),
-                             value("plan_first_crack", "s", plan.first_crack), value("plan_peak_base_shear", "N", plan.peak_base_shear)});
+  table.insert(table.end(),
+               {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2), value("plan_shaking", plan.shaking, 0, 1),
+                value("plan_settled", plan.settled, 0, 1), value("plan_first_crack", "s", plan.first_crack),
+                value("plan_collapse", "s", plan.collapse), value("plan_peak_base_shear", "N", plan.peak_base_shear)});
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "solver/collapse.h"
 #include "solver/errors.h"
@@ -70,6 +71,15 @@ class Reporter {
   std::vector<float> position_, quaternion_, broken_;
 };
 
+FallenMass fallen_mass(const World& w) {
+  const Elements& e = w.elements;
+  FallenMass fallen;
+  const double base = e.body[static_cast<std::size_t>(e.base)].ref.z;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
+    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.body[i].ref.z - base);
+  return fallen;
+}
+
 std::int64_t broken(const Damage& d) { return d.tension + d.shear + d.compression; }
 
 void check_residual(const Simulation& sim) {
@@ -85,17 +95,20 @@ void check_residual(const Simulation& sim) {
 /// One run: when to step, when to tell.
 class Plan {
  public:
-  Plan(Simulation& sim, RunState& state, const cases::Output& intervals, double end, Recorder& out, const Tick& tick)
+  Plan(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick)
       : sim_(sim),
         state_(state),
         out_(out),
         tick_(tick),
         report_(sim, state, out),
         end_(end),
-        history_(in_steps(intervals.history_interval, sim.dt())),
-        frame_(in_steps(intervals.frame_interval, sim.dt())),
-        ledger_(in_steps(intervals.ledger_interval, sim.dt())),
-        last_(last_step(sim, end)) {}
+        after_collapse_(c.time.after_collapse),
+        history_(in_steps(c.output.history_interval, sim.dt())),
+        frame_(in_steps(c.output.frame_interval, sim.dt())),
+        ledger_(in_steps(c.output.ledger_interval, sim.dt())),
+        last_(last_step(sim, end)) {
+    end_after_collapse();
+  }
 
   /// \return false if the tick stopped it
   bool settle() {
@@ -121,6 +134,7 @@ class Plan {
       if (n % frame_ == 0) {
         const StageTimer timer(sim_.stage_times(), Stage::output);
         report_.frame();
+        if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
       }
       sim_.step(due);
       const StageTimer timer(sim_.stage_times(), Stage::output);
@@ -137,6 +151,13 @@ class Plan {
   void tell_cracks() { report_.cracks(); }
 
  private:
+  /// The step in which the collapse is seen is never the last: the tick is told of the last one before it.
+  void end_after_collapse() {
+    if (!after_collapse_ || state_.collapse < 0.0) return;
+    end_ = std::min(end_, state_.collapse + *after_collapse_);
+    last_ = std::min(last_, std::max(last_step(sim_, end_), last_step(sim_, state_.collapse) + 1));
+  }
+
   bool go_on() {
     const bool settling = !state_.shaking, last = !settling && sim_.steps() == last_;
     if (state_.steps % kTickInterval != 0 && !last) return true;
@@ -150,6 +171,7 @@ class Plan {
   const Tick& tick_;
   Reporter report_;
   double end_;                                    // s
+  std::optional<double> after_collapse_;          // s
   std::int64_t history_, frame_, ledger_, last_;  // steps
 };
 
@@ -158,12 +180,7 @@ class Plan {
 std::int64_t last_step(const Simulation& sim, double end) { return std::llround(end / sim.dt()); }
 
 Summary summarise(const Simulation& sim, const RunState& state) {
-  const World& w = sim.world();
-  const Elements& e = w.elements;
-  FallenMass fallen;
-  const double base = e.body[static_cast<std::size_t>(e.base)].ref.z;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
-    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.body[i].ref.z - base);
+  const FallenMass fallen = fallen_mass(sim.world());
   Summary s;
   s.fallen_mass_fraction = fallen.fraction();
   s.collapsed = fallen.is_collapse();
@@ -179,7 +196,7 @@ Summary summarise(const Simulation& sim, const RunState& state) {
 }
 
 RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick) {
-  Plan plan(sim, state, c.output, end, out, tick);
+  Plan plan(sim, state, c, end, out, tick);
   bool stopped = false;
   try {
     if (sim.phase() == Phase::settling) stopped = !plan.settle();

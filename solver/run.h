@@ -16,6 +16,7 @@ struct RunState {
   bool shaking = false;        // the shaking has begun
   bool settled = true;         // gravity came to rest before it did
   double first_crack = -1.0;   // s, < 0: none
+  double collapse = -1.0;      // s, of the first frame in which the building has collapsed, < 0: none
   double peak_base_shear = 0;  // N
 };
 
@@ -41,9 +42,9 @@ struct RunResult {
 /// Residual at which a run stops with NumericalError.
 inline constexpr double kResidualLimit = 1e-2;
 
-/// Runs, or goes on from `state`, until `end` [s of shaking]. Rows up to the moment it stops are with the recorder; on an exception too.
-/// \param state  of a new run, or restored with the simulation; kept up to date
-/// \throw NumericalError also when the ledger's residual passes kResidualLimit
+/// Runs, or goes on from `state`, until `end` [s of shaking], or until Time::after_collapse says. Rows up to the moment it stops are with
+/// the recorder; on an exception too. \param state  of a new run, or restored with the simulation; kept up to date \throw NumericalError
+/// also when the ledger's residual passes kResidualLimit
 RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick);
 
 /// The step that a run until `end` [s] ends with; it has a row of the ledger.

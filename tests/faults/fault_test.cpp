@@ -207,6 +207,18 @@ TEST_CASE("--until goes on to where a longer run would have come") {
   bench.check_same("long", "short");
 }
 
+TEST_CASE("a run that its collapse has ended is finished, and --until goes on to where it would have come without") {
+  Bench bench;
+  REQUIRE(bench.run("whole") == 0);
+  REQUIRE(bench.run("cut", {"--set", "time.after_collapse=0.05"}) == 0);
+  CHECK(bench.resume("cut") == 0);
+  CHECK(bench.says("cut is finished, to 0."));
+  CHECK(bench.resume("cut", {"--until", "0.3"}) == 2);
+  CHECK(bench.says("allowed: more than 0."));
+  CHECK(bench.resume("cut", {"--until", "1.4"}) == 0);
+  bench.check_same("whole", "cut");
+}
+
 TEST_CASE("a damaged checkpoint gives way to the older one with a warning; two damaged ones to a clear error") {
   Bench bench;
   REQUIRE(bench.run("straight") == 0);

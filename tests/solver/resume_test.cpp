@@ -55,7 +55,8 @@ struct Outcome {
 };
 
 /// A run stopped whenever its steps pass one of `stops`, and gone on with in a new simulation by the next number of threads.
-Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const std::vector<int>& threads, solver::Options o = {}) {
+Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const std::vector<int>& threads, solver::Options o = {},
+                       double end = kEnd) {
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
   RowHash out;
@@ -70,7 +71,7 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
       while (!stops.empty() && s.step >= *stops.begin()) stops.erase(stops.begin());
       return false;
     };
-    const solver::RunResult r = solver::run(sim, plan, c, kEnd, out, stop);
+    const solver::RunResult r = solver::run(sim, plan, c, end, out, stop);
     saved = solver::save(sim, plan);
     if (r.stopped) continue;
     const solver::World& w = sim.world();
@@ -134,6 +135,35 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
     plain.reference_kernels = true;
     check_same(run_with_stops(c, {}, {1}, plain), run_with_stops(c, {700, 2000}, {2}, plain));
   }
+}
+
+TEST_CASE("a run ends so long after the collapse as the case says, and is told of its last step, wherever it was stopped") {
+  cases::Case c = everything();
+  const auto collapse_of = [](const Outcome& o) {
+    double time = 0.0;
+    std::memcpy(&time, o.state.at("plan_collapse").bytes.data(), sizeof time);
+    return time;
+  };
+  const Outcome whole = run_with_stops(c, {}, {1}, {}, 1.4);
+  const double collapse = collapse_of(whole);
+  REQUIRE(collapse > 0.3);
+  REQUIRE(collapse < 1.2);
+  CHECK(whole.summary.end_time == doctest::Approx(1.4 + 2e-4));
+  const auto frame = std::llround(collapse / c.output.frame_interval);
+  CHECK(collapse == doctest::Approx(static_cast<double>(frame) * c.output.frame_interval));
+
+  c.time.after_collapse = 0.1;
+  const Outcome cut = run_with_stops(c, {}, {1}, {}, 1.4);
+  CHECK(collapse_of(cut) == collapse);
+  CHECK(cut.summary.end_time == doctest::Approx(collapse + 0.1 + 2e-4));
+  const auto seen = std::llround(cut.summary.end_time / 2e-4) - 500;  // about, since settling has steps of its own
+  check_same(cut, run_with_stops(c, {seen, seen + 250, seen + 600, seen + 800, seen + 1000}, {2, 1}, {}, 1.4));
+
+  c.time.after_collapse = 0.0;
+  CHECK(run_with_stops(c, {}, {1}, {}, 1.4).summary.end_time == doctest::Approx(collapse + 2 * 2e-4));
+  c.time.after_collapse = 10.0;
+  CHECK(difference(whole.state, run_with_stops(c, {}, {1}, {}, 1.4).state) == "");
+  CHECK(run_with_stops(c, {}, {1}, {}, 0.2).summary.end_time == doctest::Approx(0.2 + 2e-4));
 }
 
 TEST_CASE("a run that ended goes on to a later end, as if it had been meant from the start") {
