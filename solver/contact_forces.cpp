@@ -12,7 +12,8 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kRun = 64;                         // patches that a thread takes at a time
+// Patches that a thread takes at a time: many, since the first of them wait for their memory; few, so that no thread is left with all.
+constexpr std::int64_t kRunsPerThread = 8, kLeastRun = 64, kMostRun = 1024;
 constexpr std::size_t kPointsAhead = 3, kPatchAhead = 6;  // patches, when their memory is asked for
 constexpr std::int32_t kElementsAhead = 8;
 
@@ -49,6 +50,7 @@ void fetch_points(const World& w, std::size_t a) {
   for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
     const kernels::Candidate& k = c.candidate[slot];
     if (k.first >= k.last) continue;
+    kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]);
     fetch_body(w.elements, k.element);
     if (k.face >= 0) kernels::fetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
@@ -94,16 +96,18 @@ void advance_contacts(World& w, int share, int shares, ContactRoom& room) {
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   const std::int64_t first = patches * share / shares, last = patches * (share + 1) / shares;
+  const std::int64_t run = std::clamp((last - first) / (kRunsPerThread * omp_get_num_threads()), kLeastRun, kMostRun);
   room.fit(w.points.largest);
 #pragma omp for schedule(dynamic)
-  for (std::int64_t from = first; from < last; from += kRun) {
-    std::size_t near[kRun];
+  for (std::int64_t from = first; from < last; from += run) {
+    std::size_t near[kMostRun];
     std::size_t count = 0;
-    for (std::int64_t a = from; a < std::min(from + kRun, last); ++a) {
+    for (std::int64_t a = from; a < std::min(from + run, last); ++a) {
       const auto i = static_cast<std::size_t>(a);
-      if (!is_quiet(w, i)) near[count++] = i;
+      if (is_quiet(w, i)) continue;
+      if (count < kPatchAhead) fetch_patch(w, i);
+      near[count++] = i;
     }
-    for (std::size_t k = 0; k < std::min(count, kPatchAhead); ++k) fetch_patch(w, near[k]);
     for (std::size_t k = 0; k < std::min(count, kPointsAhead); ++k) fetch_points(w, near[k]);
     for (std::size_t k = 0; k < count; ++k) {
       if (k + kPatchAhead < count) fetch_patch(w, near[k + kPatchAhead]);
