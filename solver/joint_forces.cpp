@@ -144,11 +144,10 @@ void advance_joints(World& w, double time, std::int64_t step, int round, JointFi
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
-  const auto end = static_cast<std::int32_t>(s.live.size());  // what follows a thread's last block is most often its next
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
     for (std::int32_t i = first; i < last; ++i) {
-      if (i + kBlockAhead < end) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
-      if (i + 1 < end) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
+      if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
+      if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
       advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, step, found);
     }
   };
