@@ -12,8 +12,7 @@ namespace voussoir::solver {
 
 namespace {
 
-// Patches that a thread takes at a time: many, since the first of them wait for their memory; few, so that no thread is left with all.
-constexpr std::int64_t kRunsPerThread = 8, kLeastRun = 64, kMostRun = 1024;
+constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;   // patches that a thread takes at a time
 constexpr std::size_t kPointsAhead = 3, kPatchAhead = 6;  // patches, when their memory is asked for
 constexpr std::int32_t kElementsAhead = 8;
 
@@ -91,18 +90,26 @@ void ContactRoom::fit(std::int32_t points) {
   depth.resize(n), candidate.resize(n), face.resize(n);
 }
 
+void ContactRoom::part(std::int64_t first, std::int64_t last, int threads) {
+  runs.assign(1, first);
+  while (first < last) {
+    first += std::min(last - first, std::clamp((last - first) / (2 * threads), kLeastRun, kMostRun));
+    runs.push_back(first);
+  }
+}
+
 void advance_contacts(World& w, int share, int shares, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   const std::int64_t first = patches * share / shares, last = patches * (share + 1) / shares;
-  const std::int64_t run = std::clamp((last - first) / (kRunsPerThread * omp_get_num_threads()), kLeastRun, kMostRun);
   room.fit(w.points.largest);
+  room.part(first, last, omp_get_num_threads());
 #pragma omp for schedule(dynamic)
-  for (std::int64_t from = first; from < last; from += run) {
+  for (std::size_t run = 1; run < room.runs.size(); ++run) {
     std::size_t near[kMostRun];
     std::size_t count = 0;
-    for (std::int64_t a = from; a < std::min(from + run, last); ++a) {
+    for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
       const auto i = static_cast<std::size_t>(a);
       if (is_quiet(w, i)) continue;
       if (count < kPatchAhead) fetch_patch(w, i);

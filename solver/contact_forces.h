@@ -23,12 +23,15 @@ void search_contacts(World& w);
 /// The same for all elements.
 void search_all(World& w);
 
-/// One thread's room for the points of a patch.
+/// One thread's room for the points of a patch, and how the threads part the patches.
 struct ContactRoom {
   std::vector<double> depth;
   std::vector<std::int32_t> candidate, face;
+  std::vector<std::int64_t> runs;  // a thread takes those of [runs[i], runs[i + 1]) at a time
   [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
   void fit(std::int32_t points);
+  /// Long runs first, since the first patches of each wait for their memory, and short ones last, so that no thread waits for another's.
+  void part(std::int64_t first, std::int64_t last, int threads);
 };
 
 /// Forces of active patches into their slots: of one of so many equal shares. To be called by every thread of a team; none leaves before
