@@ -83,10 +83,10 @@ void check_rows(const std::string& run, const RowCounts& there, const RowCounts&
   }
 }
 
-/// The new end of the run, whatever has collapsed by then.
-void set_end(cases::Case& c, const std::optional<double>& until, double time) {
+/// The new end of the run, whatever has collapsed by then. A collapse may have ended it before its duration.
+void set_end(cases::Case& c, const std::optional<double>& until, double time, bool finished) {
   if (!until) return;
-  const double own_end = c.time.after_collapse ? time : std::max(time, c.time.duration);
+  const double own_end = finished && c.time.after_collapse ? time : std::max(time, c.time.duration);
   if (*until <= time || *until < own_end) {
     throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
                                            cases::text(own_end) + " s");
@@ -104,12 +104,13 @@ int resume_command(const ResumeOptions& o) {
   if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
   cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
   check_same_case(folder.path(), found, c);
-  if (!o.until && is_finished(run)) {
+  const bool finished = is_finished(run);
+  if (!o.until && finished) {
     std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), end_of(run));
     write_views(folder.path(), o.views);
     return kDone;
   }
-  set_end(c, o.until, found.checkpoint.facts.time);
+  set_end(c, o.until, found.checkpoint.facts.time, finished);
 
   solver::Options options;
   options.threads = o.threads;

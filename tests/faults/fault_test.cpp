@@ -210,6 +210,9 @@ TEST_CASE("--until goes on to where a longer run would have come") {
 TEST_CASE("a run that its collapse has ended is finished, and --until goes on to where it would have come without") {
   Bench bench;
   REQUIRE(bench.run("whole") == 0);
+  bench.stop_early("stopped", {"--set", "time.after_collapse=0.05"});
+  CHECK(bench.resume("stopped", {"--until", "1.0"}) == 2);  // nothing has collapsed yet: its end is its duration
+  CHECK(bench.says("allowed: more than 1.4"));
   REQUIRE(bench.run("cut", {"--set", "time.after_collapse=0.05"}) == 0);
   CHECK(bench.resume("cut") == 0);
   CHECK(bench.says("cut is finished, to 0."));
