@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+
 #include "kernels/certificate.h"
 #include "kernels/damaged_sides.h"
 #include "kernels/steady_sides.h"
@@ -10,8 +12,24 @@ namespace {
 
 constexpr unsigned kGroup = (1U << kWidth) - 1U;
 
-VOUSSOIR_INLINE LaneMask lanes_in(const Quick* quick, Quick state) noexcept {
-  return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(state);
+/// Which sides of a block are what, one bit each.
+struct QuickBits {
+  unsigned whole, open, steady;
+};
+/// Bit i of the result is the lowest of byte i: the product brings it to place 56 + i.
+VOUSSOIR_INLINE unsigned lowest_bits(std::uint64_t bytes) noexcept {
+  return static_cast<unsigned>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56);
+}
+VOUSSOIR_INLINE QuickBits quick_bits(const Quick* quick) noexcept {
+  static_assert(static_cast<int>(Quick::whole) == 1 && static_cast<int>(Quick::open) == 2 && static_cast<int>(Quick::steady) == 3);
+  std::uint64_t bytes;
+  static_assert(sizeof bytes == kLanes * sizeof(Quick));
+  std::memcpy(&bytes, quick, sizeof bytes);
+  const unsigned low = lowest_bits(bytes), high = lowest_bits(bytes >> 1);
+  return {low & ~high, high & ~low, low & high};
+}
+VOUSSOIR_INLINE LaneMask steady_lanes(const Quick* quick) noexcept {
+  return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(Quick::steady);
 }
 
 /// Notes which lanes left something in the buffer for pairs.
@@ -22,20 +40,42 @@ VOUSSOIR_INLINE void mark(std::uint8_t* on, unsigned wrench, unsigned dashpot) n
   }
 }
 
+/// Of the lanes `whole`, those that are certain to stay so. Makes the normal one of length 1. Nearly always the bound over the whole side
+/// does, and no corner is looked at.
+VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned whole, Kinematics& k, FailureOptions o) noexcept {
+  const unsigned straight = whole & ~bits(normalise(k.n));
+  const unsigned inside = straight & bits(well_inside(s, at, k));
+  if (inside == straight && o.in_tension != ShearInTension::coulomb) return inside;
+  return straight & bits(certified(s, at, k, o));
+}
+
+/// The sides `live`, all of them whole, if each is certain to stay so. On its own, so that what damaged sides take is in none of its
+/// registers.
+[[gnu::noinline]] bool advance_whole(const SideBlock& block, int at, unsigned live, std::int64_t first, const Rows& rows,
+                                     FailureOptions o) noexcept {
+  Kinematics k = kinematics(block, at, rows.pose);
+  if (certain_of(*block.constants, at, live, k, o) != live) return false;
+  scatter(block, at, first, wrench_of(k, elastic_sums(*block.constants, at, k)), live, rows, false);
+  return true;
+}
+
 }  // namespace
 
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
   const SideConstants& constants = *block.constants;
+  const QuickBits is = quick_bits(state.quick);
   unsigned looked_at = 0;
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned live = state.live >> at & kGroup;
     if (live == 0) continue;
     std::uint8_t* on = rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
-    const unsigned whole = live & bits(lanes_in(state.quick + at, Quick::whole));
-    const unsigned open = state.look_closely ? 0U : live & bits(lanes_in(state.quick + at, Quick::open));
-    const LaneMask is_steady = lanes_in(state.quick + at, Quick::steady);
-    const unsigned steady = live & bits(is_steady);
+    const unsigned whole = live & is.whole >> at, steady = live & is.steady >> at;
+    if (whole == live && advance_whole(block, at, live, state.first, rows, o)) {
+      mark(on, live, 0);
+      continue;
+    }
+    const unsigned open = state.look_closely ? 0U : live & is.open >> at;
     Kinematics k = kinematics(block, at, rows.pose);
     const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
     if (still_open == live) {
@@ -45,11 +85,10 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     SumLanes sums{};
     unsigned certain = 0;
     if (whole != 0) {
-      const LaneMask turned = normalise(k.n);
-      certain = whole & bits(certified(constants, at, k, o) & ~turned);
+      certain = certain_of(constants, at, whole, k, o);
       sums = elastic_sums(constants, at, k);
     }
-    if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, is_steady, sums));
+    if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, steady_lanes(state.quick + at), sums));
     const unsigned left = live & ~(certain | still_open);
     unsigned touching = 0;
     if (left != 0) {

@@ -113,7 +113,6 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   const Sides& s = w.sides;
   const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
-  kernels::DamagedSide result[kernels::kLanes];
   kernels::EventSink sink{found.room.data(), 0};
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
   const unsigned looked_at = advance(s.blocks[block],
@@ -123,13 +122,13 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block],
                                       .look_closely = step % kOpenInterval == 0},
-                                     rows, clock, w.failure, result, sink);
+                                     rows, clock, w.failure, found.sides.data(), sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
   const bool try_steady = (step + number) % kSteadyInterval == 0;  // not all in one step
   for (unsigned rest = looked_at; rest != 0; rest &= rest - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(rest));
-    book(w, first + l, result[l], try_steady, found);
+    book(w, first + l, found.sides[l], try_steady, found);
   }
 }
 

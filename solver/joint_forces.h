@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace voussoir::solver {
 struct JointFindings {
   std::vector<kernels::SegmentEvent> events;
   std::vector<std::int32_t> coming_apart;
-  std::vector<kernels::SegmentEvent> room;  // for the block in hand
+  // For the block in hand.
+  std::vector<kernels::SegmentEvent> room;
+  std::array<kernels::DamagedSide, kernels::kLanes> sides;
 };
 
 /// What the joints did in a step, in an order that does not depend on the threads.

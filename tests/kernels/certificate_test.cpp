@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "kernels/certificate.h"
+
 #include <doctest/doctest.h>
 
 #include "tests/kernels/side_fixture.h"
@@ -27,6 +29,12 @@ TwoBodies random_pose(const SideUnderTest& u, Noise& noise, double opening) {
   const Vec3 between = u.side.ca - u.side.cb;  // of the centroids
   b.place(1, common + kernels::load_pose(b.pose.data(), 0).d * between + noise.vector(opening), turn + noise.vector(10.0 * opening));
   return b;
+}
+
+/// Strengths apart by powers of ten, so that now this limit comes first and now that.
+kernels::Strength random_strength(Noise& noise) {
+  const auto factor = [&] { return std::pow(10.0, noise()); };
+  return {1.27e5 * factor(), 3.04e4 * factor(), std::tan(0.5585), 4.9e5 * factor(), noise() > 0.0 ? 9.0 : 0.0};
 }
 
 }  // namespace
@@ -71,23 +79,56 @@ TEST_CASE("the certificate never passes a side in which a segment yields, and pa
   Noise noise(3);
   const kernels::ShearInTension choices[] = {kernels::ShearInTension::cohesion, kernels::ShearInTension::none,
                                              kernels::ShearInTension::coulomb};
-  int safe = 0, passed = 0, failing = 0;
-  for (int i = 0; i < 6000; ++i) {
+  int safe = 0, passed = 0;
+  int broke[4] = {};
+  for (int i = 0; i < 12000; ++i) {
     SideUnderTest u(4, 4, 0.5);
+    u.side.strength = random_strength(noise);
     kernels::FailureOptions o;
     o.in_tension = choices[i % 3];
     o.shear = i % 7 != 0;
     const TwoBodies b = random_pose(u, noise, 6e-5 * std::pow(10.0, noise()));
     const bool certified = !closed_form(u, b, o).looked_at;
-    const bool fails = by_segments(u, b, o).result.events > 0;
-    CHECK_FALSE((certified && fails));
-    failing += fails;
-    safe += !fails;
+    std::vector<kernels::SegmentEvent> events;
+    advance(kernels::advance_sides_reference, u, b, 5e-5, 0.0, o, events);
+    CHECK_FALSE((certified && !events.empty()));
+    for (const kernels::SegmentEvent& e : events) ++broke[static_cast<int>(e.reached)];
+    safe += events.empty();
     passed += certified;
   }
-  CHECK(failing > 1000);
-  CHECK(safe > 1000);
+  for (const kernels::Mode mode : {kernels::Mode::tension, kernels::Mode::shear, kernels::Mode::compression}) {
+    CHECK(broke[static_cast<int>(mode)] > 500);
+  }
+  CHECK(safe > 2000);
   CHECK(passed > 0.8 * safe);
+}
+
+TEST_CASE("the bound over a whole side passes only what the corners pass, and most of what is far from a limit") {
+  Noise noise(6);
+  int inside = 0, far = 0;
+  for (int i = 0; i < 6000; ++i) {
+    SideUnderTest u(1 + i % 8, 1 + i % 5, 0.5);
+    u.side.strength = random_strength(noise);
+    const TwoBodies b = random_pose(u, noise, 6e-6 * std::pow(10.0, noise()));
+    const auto passes = [&](double factor, const auto& certificate) {
+      SideUnderTest stronger = u;
+      kernels::Strength& s = stronger.side.strength;
+      s.tension *= factor, s.cohesion *= factor, s.compression *= factor;
+      const kernels::SideBlock block = stronger.block(0);
+      kernels::Kinematics k = kernels::kinematics(block, 0, b.pose.data());
+      kernels::normalise(k.n);
+      return (kernels::bits(certificate(*block.constants, 0, k)) & 1U) != 0;
+    };
+    const auto corners = [](const auto& s, int at, const auto& k) { return kernels::certified(s, at, k, {}); };
+    const auto bound = [](const auto& s, int at, const auto& k) { return kernels::well_inside(s, at, k); };
+    const bool by_bound = passes(1.0, bound);
+    CHECK_FALSE((by_bound && !passes(1.0, corners)));
+    if (!passes(0.5, corners)) continue;
+    ++far;
+    inside += by_bound;
+  }
+  CHECK(far > 1000);
+  CHECK(inside > 0.8 * far);
 }
 
 TEST_CASE("the base takes no force") {
