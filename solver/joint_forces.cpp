@@ -40,11 +40,18 @@ bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
                               w.sides.steady[block]);
 }
 
+/// Most looks find nothing lost: then the sum, which lies elsewhere, is not even fetched.
+void add_loss(double& sum, double loss) {
+  if (loss != 0.0) sum += loss;
+}
+
 /// Books what became of one side whose segments were looked at.
 void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool try_steady, JointFindings& found) {
   Sides& s = w.sides;
   s.held[id] = r.held;
-  s.friction[id] += r.friction, s.impact[id] += r.impact, s.fracture[id] += r.fracture;
+  add_loss(s.friction[id], r.friction);
+  add_loss(s.impact[id], r.impact);
+  add_loss(s.fracture[id], r.fracture);
   // A whole side that failed its certificate, but in which nothing happened, is still whole.
   if (s.quick[id] == kernels::Quick::whole && r.events == 0) return;
   s.quick[id] = r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
