@@ -157,7 +157,7 @@ VOUSSOIR_INLINE Chunk load(const Law& a, PointsView p, SegmentsView q, int i, La
   c.s = load_lanes(p.s + i), c.t = load_lanes(p.t + i), c.da = a.factor * load_lanes(p.area + i);
   c.held = bond <= static_cast<long long>(Bond::slipped);
   c.slipped = bond == static_cast<long long>(Bond::slipped);
-  c.slip1 = load_lanes(q.slip1 + i), c.slip2 = load_lanes(q.slip2 + i);
+  c.slip1 = load_lanes(q.springs_at(i).slip1), c.slip2 = load_lanes(q.springs_at(i).slip2);
   c.u = a.d + (c.s * a.ds + c.t * a.dt);
   return c;
 }
@@ -178,7 +178,7 @@ VOUSSOIR_INLINE bool advance_chunk(const Law& a, PointsView p, SegmentsView q, i
   } else {
     bool touching = false;
     LocalLanes dashpot;
-    r = contact(a, c, load_lanes(q.closure + i), ~c.held, touching, dashpot);
+    r = contact(a, c, load_lanes(q.springs_at(i).closure), ~c.held, touching, dashpot);
     if (held != 0) {
       const Springs b = bonded(a, c);
       if ((bits(b.rare & c.held) & real) != 0) return false;
@@ -191,8 +191,8 @@ VOUSSOIR_INLINE bool advance_chunk(const Law& a, PointsView p, SegmentsView q, i
     if (touching) sum.dash.add(c.da * dashpot, c.s, c.t);
     sum.impact += c.da * r.normal;
   }
-  store_lanes(q.slip1 + i, r.slip1);
-  store_lanes(q.slip2 + i, r.slip2);
+  store_lanes(q.springs_at(i).slip1, r.slip1);
+  store_lanes(q.springs_at(i).slip2, r.slip2);
   sum.total.add(c.da * r.traction, c.s, c.t);
   sum.friction += c.da * r.shear;
   sum.held += __builtin_popcount(held & real);

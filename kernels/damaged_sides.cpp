@@ -96,9 +96,8 @@ void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf,
   const PointsView& p = parts.points;
   const SegmentsView& q = parts.segments;
   const int live = p.n - i < kWidth ? p.n - i : kWidth, first = sink.count;
-  const SegmentTotals r = advance_segments(side, parts.id, frame, {p.s + i, p.t + i, p.area + i, live},
-                                           {q.bond + i, q.first_mode + i, q.first_time + i, q.slip1 + i, q.slip2 + i, q.closure + i},
-                                           clock.dt, clock.time, o, sink);
+  const SegmentTotals r =
+      advance_segments(side, parts.id, frame, {p.s + i, p.t + i, p.area + i, live}, q.from(i), clock.dt, clock.time, o, sink);
   for (int e = first; e < sink.count; ++e) sink.data[e].point += i;
   add(found.sum.total, r.total);
   add(found.sum.dash, r.dash);

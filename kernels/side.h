@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "kernels/lanes.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
 #include "kernels/segment_law.h"
@@ -53,12 +54,24 @@ struct PointsView {
   int n = 0;
 };
 
+/// What kWidth segments of a side have been through for good [m]. They go through the kernel side by side, so their numbers lie together.
+struct alignas(sizeof(Lanes)) SegmentSprings {
+  double slip1[kWidth], slip2[kWidth], closure[kWidth];
+};
+
 /// History of the segments of a side; n entries, in the order of its points.
 struct SegmentsView {
   Bond* bond = nullptr;
   Mode* first_mode = nullptr;
   double* first_time = nullptr;  // s
-  double *slip1 = nullptr, *slip2 = nullptr, *closure = nullptr;
+  SegmentSprings* springs = nullptr;
+
+  [[nodiscard]] SegmentSprings& springs_at(int i) const noexcept { return springs[i / kWidth]; }
+  [[nodiscard]] double& slip1(int i) const noexcept { return springs_at(i).slip1[i % kWidth]; }
+  [[nodiscard]] double& slip2(int i) const noexcept { return springs_at(i).slip2[i % kWidth]; }
+  [[nodiscard]] double& closure(int i) const noexcept { return springs_at(i).closure[i % kWidth]; }
+  /// Of the segments from `i` on, a multiple of kWidth.
+  [[nodiscard]] SegmentsView from(int i) const noexcept { return {bond + i, first_mode + i, first_time + i, &springs_at(i)}; }
 };
 
 /// Current frame of a side and the affine fields over it: u(s,t) = d + s·ds + t·dt in (n, 1, 2), and likewise its rate.

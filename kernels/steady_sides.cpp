@@ -66,11 +66,11 @@ bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const
     const Local x = u.d + (p.s[i] * u.ds + p.t[i] * u.dt);
     if (holds(q.bond[i])) {
       any = true;
-      approach(to, {x.n, x.s1 - q.slip1[i], x.s2 - q.slip2[i]}, side.k, side.strength, o);
-      add_bond(known, lane, side.factor * p.area[i], p.s[i], p.t[i], q.slip1[i], q.slip2[i]);
+      approach(to, {x.n, x.s1 - q.slip1(i), x.s2 - q.slip2(i)}, side.k, side.strength, o);
+      add_bond(known, lane, side.factor * p.area[i], p.s[i], p.t[i], q.slip1(i), q.slip2(i));
     } else {
       if (q.bond[i] == Bond::crushed) return false;
-      to.contact = std::min(to.contact, x.n - q.closure[i] - kTiny);
+      to.contact = std::min(to.contact, x.n - q.closure(i) - kTiny);
     }
     if (!to.positive()) return false;
   }

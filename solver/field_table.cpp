@@ -96,12 +96,15 @@ void add_elements(Table& t, Elements& e) {
 }
 
 void add_sides(Table& t, Sides& s) {
+  kernels::SegmentSprings none;
+  kernels::SegmentSprings& first = s.springs.size() == 0 ? none : s.springs[0];
+  const auto of_segments = [&](const char* name, double* at) { return member(name, "m", "segment", s.springs, at, kernels::kWidth); };
   t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 3), field("side_retired", "-", "side", s.retired, 0, 1),
                      field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
                      field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
                      field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),
-                     field("segment_first_time", "s", "segment", s.first_time), field("segment_slip1", "m", "segment", s.slip1),
-                     field("segment_slip2", "m", "segment", s.slip2), field("segment_closure", "m", "segment", s.closure)});
+                     field("segment_first_time", "s", "segment", s.first_time), of_segments("segment_slip1", first.slip1),
+                     of_segments("segment_slip2", first.slip2), of_segments("segment_closure", first.closure)});
   t.push_back(rows<double>("side_steady", "SI", "block of sides", s.steady, sizeof(kernels::SteadySides) / sizeof(double)));
 }
 

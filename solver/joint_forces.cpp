@@ -110,8 +110,7 @@ void fetch_histories(const Sides& s, std::int32_t number) {
     const kernels::SideParts& parts = s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))];
     const auto n = static_cast<std::size_t>(parts.points.n);
     kernels::fetch(parts.segments.bond, n * sizeof(kernels::Bond));
-    for (const double* column : {parts.segments.slip1, parts.segments.slip2, parts.segments.closure})
-      kernels::fetch(column, n * sizeof(double));
+    kernels::fetch(parts.segments.springs, n * sizeof(kernels::SegmentSprings) / kernels::kWidth);
   }
 }
 

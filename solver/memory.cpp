@@ -32,7 +32,7 @@ MemoryUse memory_use(const World& w) {
       bytes(s.parts, s.size, s.pair_wrench, s.pair_dashpot, s.pair_on, s.first_gather, s.gather) +
       bytes(s.quick, s.retired, s.held, s.friction, s.impact, s.fracture) +
       bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
-  use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.slip1, s.slip2, s.closure);
+  use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.springs);
   use.patches =
       bytes(p.patch, p.from_side, p.mastered, p.partner, p.face, p.springs) +
       bytes(c.at_ux, c.at_uy, c.at_uz, c.at_qw, c.at_qx, c.at_qy, c.at_qz, c.path, c.active, c.first_slot, c.element, c.candidate) +

@@ -37,7 +37,7 @@ void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const ke
   const kernels::SegmentsView q = w.sides.segments(id);
   for (int k = 0; k < points.n; ++k) {
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
-    const kernels::Local x{u.n - q.closure[k], u.s1 - q.slip1[k], u.s2 - q.slip2[k]};
+    const kernels::Local x{u.n - q.closure(k), u.s1 - q.slip1(k), u.s2 - q.slip2(k)};
     if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
     const kernels::Local traction{s.k.kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
     const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
@@ -61,10 +61,10 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
-    if (u.n - q.closure[k] >= 0.0) continue;
+    if (u.n - q.closure(k) >= 0.0) continue;
     // Still bonded while it slid half a segment: only the elastic part of its shear lives on.
     const bool held = kernels::holds(q.bond[k]);
-    const double x1 = held ? u.s1 - q.slip1[k] : q.slip1[k], x2 = held ? u.s2 - q.slip2[k] : q.slip2[k];
+    const double x1 = held ? u.s1 - q.slip1(k) : q.slip1(k), x2 = held ? u.s2 - q.slip2(k) : q.slip2(k);
     const Vec3 x = (mirrored ? -1.0 : 1.0) * (x1 * f.t1 + x2 * f.t2);
     const Vec3 body = x + transposed(pose.d) * x;
     to.partner[k] = mirrored ? s.master : s.slave;
@@ -72,8 +72,8 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.set_slip(k, body);
     const double depth =
         kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
-    to.closure(k) = depth - (u.n - q.closure[k]);
-    const double n = u.n - q.closure[k], da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
+    to.closure(k) = depth - (u.n - q.closure(k));
+    const double n = u.n - q.closure(k), da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
     patch.stored += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));
     ++patch.touching;
   }

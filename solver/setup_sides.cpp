@@ -285,7 +285,8 @@ void set_up_sides(World& w, const cases::Case& c) {
   const std::size_t n = w.sides.bond.size();
   static_assert(static_cast<int>(kernels::Mode::none) == 0);
   w.sides.first_mode.assign_zeros(n);
-  for (auto* column : {&w.sides.first_time, &w.sides.slip1, &w.sides.slip2, &w.sides.closure}) column->assign_zeros(n);
+  w.sides.first_time.assign_zeros(n);
+  w.sides.springs.assign_zeros(n / kernels::kWidth);
 }
 
 void set_up_side_gather(World& w) {
@@ -316,8 +317,8 @@ void set_up_side_views(World& w) {
   for (std::size_t id = 0; id < s.parts.size(); ++id) {
     if (s.joint[id] < 0) continue;
     s.parts[id].points = w.points.view(s.set[id]);
-    s.parts[id].segments = {s.bond.data() + at,  s.first_mode.data() + at, s.first_time.data() + at,
-                            s.slip1.data() + at, s.slip2.data() + at,      s.closure.data() + at};
+    s.parts[id].segments = {s.bond.data() + at, s.first_mode.data() + at, s.first_time.data() + at,
+                            s.springs.data() + at / kernels::kWidth};
     at += static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes));
   }
 }

@@ -90,7 +90,8 @@ struct Sides {
   // State by segment.
   Array<kernels::Bond> bond;
   ZeroArray<kernels::Mode> first_mode;
-  ZeroArray<double> first_time, slip1, slip2, closure;
+  ZeroArray<double> first_time;
+  ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;

@@ -65,10 +65,10 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
     const double s = p.s[i], t = p.t[i], da = side.factor * p.area[i];
     const Local u = f.d + s * f.ds + t * f.dt;
     const Local rate = f.v + s * f.vs + t * f.vt;
-    SegmentState state{q.bond[i], q.slip1[i], q.slip2[i], q.closure[i]};
+    SegmentState state{q.bond[i], q.slip1(i), q.slip2(i), q.closure(i)};
     const SegmentStep out = advance_segment(state, u, rate, step, side.k, side.strength, o);
     q.bond[i] = state.bond;
-    q.slip1[i] = state.slip1, q.slip2[i] = state.slip2, q.closure[i] = state.closure;
+    q.slip1(i) = state.slip1, q.slip2(i) = state.slip2, q.closure(i) = state.closure;
     record(out, q, i, id, time, sink);
     add(r.total, da * out.traction, s, t);
     add(r.dash, da * out.dashpot, s, t);
@@ -87,9 +87,9 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
   for (int i = 0; i < p.n; ++i) {
     const Local u = f.d + p.s[i] * f.ds + p.t[i] * f.dt;
     const bool held = holds(q.bond[i]);
-    const double n = u.n - q.closure[i];
+    const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
-    const Local x = held ? Local{n, u.s1 - q.slip1[i], u.s2 - q.slip2[i]} : Local{n, q.slip1[i], q.slip2[i]};
+    const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};
     (held ? e.bonds : e.contact) += side.factor * p.area[i] * detail::stored_energy(x, side.k);
   }
   return e;

@@ -51,7 +51,8 @@ struct SideUnderTest {
   std::vector<double> s, t, area;
   std::vector<kernels::Bond> bond;
   std::vector<kernels::Mode> first_mode;
-  std::vector<double> first_time, slip1, slip2, closure;
+  std::vector<double> first_time;
+  std::vector<kernels::SegmentSprings> springs;
   int n = 0;
 
   SideUnderTest(int ns, int nt, double mean) {
@@ -73,13 +74,11 @@ struct SideUnderTest {
     const std::size_t padded = static_cast<std::size_t>((n + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes);
     s.resize(padded, s.back()), t.resize(padded, t.back()), area.resize(padded, 0.0);
     bond.assign(padded, kernels::Bond::bonded), first_mode.assign(padded, kernels::Mode::none);
-    first_time.assign(padded, 0.0), slip1.assign(padded, 0.0), slip2.assign(padded, 0.0), closure.assign(padded, 0.0);
+    first_time.assign(padded, 0.0), springs.assign(padded / kernels::kWidth, {});
   }
 
   kernels::PointsView points() const { return {s.data(), t.data(), area.data(), n}; }
-  kernels::SegmentsView segments() {
-    return {bond.data(), first_mode.data(), first_time.data(), slip1.data(), slip2.data(), closure.data()};
-  }
+  kernels::SegmentsView segments() { return {bond.data(), first_mode.data(), first_time.data(), springs.data()}; }
 
   kernels::SideParts parts() { return {7, side.factor, side.k.cn, side.k.cs, points(), segments()}; }
 

@@ -30,7 +30,8 @@ SideUnderTest damaged(Noise& noise, double mean) {
     if (kind > 0.4) u.bond[i] = kernels::Bond::contact;
     if (kind < -0.4) {
       u.bond[i] = kernels::Bond::slipped, u.first_mode[i] = kernels::Mode::shear;
-      u.slip1[i] = 2e-5 * noise(), u.slip2[i] = 2e-5 * noise();
+      u.segments().slip1(static_cast<int>(i)) = 2e-5 * noise();
+      u.segments().slip2(static_cast<int>(i)) = 2e-5 * noise();
     }
   }
   return u;
@@ -56,7 +57,10 @@ SideStep step(kernels::AdvanceSides& kernel, SideUnderTest& u, const TwoBodies& 
 }
 
 bool same_history(const SideUnderTest& a, const SideUnderTest& b) {
-  return a.bond == b.bond && a.slip1 == b.slip1 && a.slip2 == b.slip2 && a.closure == b.closure && a.first_mode == b.first_mode;
+  const auto same = [](const kernels::SegmentSprings& x, const kernels::SegmentSprings& y) {
+    return std::ranges::equal(x.slip1, y.slip1) && std::ranges::equal(x.slip2, y.slip2) && std::ranges::equal(x.closure, y.closure);
+  };
+  return a.bond == b.bond && a.first_mode == b.first_mode && std::ranges::equal(a.springs, b.springs, same);
 }
 
 }  // namespace
@@ -109,7 +113,7 @@ TEST_CASE("a side is not steady if a segment touches, was crushed, slips, or non
   };
   CHECK(tried([](SideUnderTest&, Pose&) {}));
   CHECK_FALSE(tried([](SideUnderTest&, Pose& p) { p.u.x = -1e-5; }));
-  CHECK_FALSE(tried([](SideUnderTest& u, Pose&) { u.bond[7] = kernels::Bond::crushed, u.closure[7] = 2e-5; }));
+  CHECK_FALSE(tried([](SideUnderTest& u, Pose&) { u.bond[7] = kernels::Bond::crushed, u.segments().closure(7) = 2e-5; }));
   CHECK_FALSE(tried([](SideUnderTest&, Pose& p) { p.u.y = 2e-4; }));
   CHECK_FALSE(tried([](SideUnderTest& u, Pose&) { std::fill_n(u.bond.begin(), u.n, kernels::Bond::contact); }));
 }
