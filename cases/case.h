@@ -32,7 +32,7 @@ struct Gravity {
   Vec3 acceleration{0.0, 0.0, -9.8};  // m/s2
   bool settle = true;                 // ramp gravity and wait for rest before time zero
   std::optional<double> ramp;         // s; default five periods of damping.frequency, else 1 s
-  double settle_limit = 3.0;          // s
+  double settle_limit = 3.0;          // s, after the ramp
 };
 
 struct Time {
@@ -101,7 +101,7 @@ struct Contact {
 
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
-  std::optional<std::string> record;              // "bam-like", or a folder holding record.toml
+  std::optional<std::string> record;              // "bam-like", a folder holding record.toml, or a file that holds L, T and V
   std::string direction = "LTV";                  // which of L, T, V goes to x, y, z
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V

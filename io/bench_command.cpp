@@ -136,8 +136,7 @@ void print_subject(const cases::Census& census, const solver::World& w) {
   std::printf("segment sides            %s\n", format_count(census.joint_sides).c_str());
   std::printf("joints now               %s whole, %s open, %s damaged (%s of them steady) with %s segments; %s patches near others\n",
               format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.steady).c_str(),
-              format_count(n.points).c_str(),
-              format_count(n.contacts).c_str());
+              format_count(n.points).c_str(), format_count(n.contacts).c_str());
   const solver::MemoryUse use = solver::memory_use(w);
   const auto per = [](std::size_t bytes, std::int64_t count) {
     return static_cast<double>(bytes) / static_cast<double>(std::max<std::int64_t>(1, count));
@@ -160,7 +159,7 @@ template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   std::ofstream table = open_table(o);
   const cases::Census census = cases::census(model);
-  const int most = o.threads > 0 ? o.threads : omp_get_num_procs();
+  const int most = o.threads > 0 ? o.threads : omp_get_max_threads();
   for (const bool gather : {false, true}) {
     omp_set_num_threads(most);
     auto holder = build(gather);

@@ -13,7 +13,8 @@ Table<Gravity> gravity_table() {
           {value<S>("acceleration", &S::acceleration, "m/s2", any(), "acceleration of free fall"),
            value<S>("settle", &S::settle, "", any(), "ramp gravity and wait for rest before time zero"),
            value<S>("ramp", &S::ramp, "s", at_least(0.0), "length of the ramp; none: five periods of damping.frequency, else 1 s"),
-           value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0), "longest settling; then the run goes on with a warning")},
+           value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0),
+                    "longest wait for rest after the ramp; then the run goes on with a warning")},
           nullptr};
 }
 
@@ -90,7 +91,9 @@ Table<Scatter> scatter_table() {
   using S = Scatter;
   return {"random strength of joints: one factor a joint on tension, cohesion and compression of its law",
           {value<S>("seed", &S::seed, "", any(), "the same seed gives the same strengths"),
-           value<S>("variation", &S::variation, "", at_least(0.0), "coefficient of variation; 0: all joints of a law are equally strong"),
+           value<S>(
+               "variation", &S::variation, "", at_least(0.0),
+               "coefficient of variation, at most 0.33 (normal), 0.57 (uniform), 1 (lognormal); 0: all joints of a law are equally strong"),
            choice<S, Distribution S::*, Distribution>(
                "distribution", &S::distribution, "",
                {{"lognormal", Distribution::lognormal}, {"normal", Distribution::normal}, {"uniform", Distribution::uniform}},

@@ -124,8 +124,7 @@ class Reader {
 
   [[nodiscard]] solver::SavedField field(const std::string& name) {
     const Hdf5Dataset d = file_.describe(name);
-    if (!d.type || *d.type == Hdf5Type::f32 || *d.type == Hdf5Type::i8 || d.shape.empty() || d.shape.size() > 2)
-      fault(name + " is no field");
+    if (!d.type || *d.type == Hdf5Type::f32 || d.shape.empty() || d.shape.size() > 2) fault(name + " is no field");
     claim(name, d.stored);
     if (d.stored != d.claimed) fault(name + " has not the bytes it claims");
     solver::SavedField f{field_type(*d.type), d.shape[0], d.shape.size() == 2 ? d.shape[1] : 1, std::vector<std::byte>(d.stored)};

@@ -13,7 +13,7 @@ namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kKept = 2;
+constexpr int kKept = 2;
 
 /// The number in "checkpoint-000012.h5"; nothing for other names.
 std::optional<long> number_of(const std::string& name) {
@@ -23,6 +23,9 @@ std::optional<long> number_of(const std::string& name) {
   if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
   return std::stol(digits);
 }
+
+/// \pre  one of checkpoint_files
+long number_in(const std::string& path) { return *number_of(fs::path(path).filename().string()); }
 
 std::string name_of(long number) {
   std::array<char, 40> text{};
@@ -44,10 +47,14 @@ std::vector<std::string> checkpoint_files(const std::string& folder) {
   return paths;
 }
 
-Checkpoints::Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSchedule schedule)
+Checkpoints::Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSchedule schedule, const std::string& from)
     : folder_(std::move(folder)), facts_(std::move(facts)), schedule_(schedule) {
   const std::vector<std::string> there = checkpoint_files(folder_);
-  if (!there.empty()) next_ = *number_of(fs::path(there.front()).filename().string()) + 1;
+  if (there.empty()) return;
+  next_ = number_in(there.front()) + 1;
+  if (from.empty()) return;
+  damaged_first_ = number_in(from) + 1;
+  damaged_last_ = next_;
 }
 
 bool Checkpoints::due(const solver::RunStatus& s) const {
@@ -64,8 +71,12 @@ void Checkpoints::save(solver::Simulation& sim, solver::RunState& plan, const Ro
   ++next_;
   // What cannot be removed does no harm.
   std::error_code ignored;
-  const std::vector<std::string> there = checkpoint_files(folder_);
-  for (std::size_t i = kKept; i < there.size(); ++i) fs::remove(there[i], ignored);
+  int whole = 0;
+  for (const std::string& path : checkpoint_files(folder_)) {
+    if (whole == kKept) fs::remove(path, ignored);
+    const long number = number_in(path);
+    if (whole < kKept && (number < damaged_first_ || number >= damaged_last_)) ++whole;
+  }
 }
 
 void Checkpoints::save_failed(solver::Simulation& sim, solver::RunState& plan, const RowCounts& rows) {

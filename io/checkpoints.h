@@ -10,7 +10,7 @@
 #include "io/checkpoint_file.h"
 #include "solver/run.h"
 
-/// The checkpoints of a run: DIR/checkpoint-NNNNNN.h5, the newest two kept.
+/// The checkpoints of a run: DIR/checkpoint-NNNNNN.h5, the newest two that are whole kept.
 namespace voussoir::io {
 
 struct CheckpointSchedule {
@@ -21,7 +21,8 @@ struct CheckpointSchedule {
 class Checkpoints {
  public:
   /// \param facts  `time` and `rows` are filled in at every save
-  Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSchedule schedule);
+  /// \param from  what a resumed run goes on from: those newer than it are damaged
+  Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSchedule schedule, const std::string& from = {});
 
   /// At the first call, when one of the intervals has passed, and before the last step.
   [[nodiscard]] bool due(const solver::RunStatus& s) const;
@@ -38,9 +39,10 @@ class Checkpoints {
   std::string folder_;
   CheckpointFacts facts_;
   CheckpointSchedule schedule_;
-  long next_ = 0;                           // number
-  std::optional<Clock::time_point> tried_;  // the last save, also one that failed
-  double saved_at_ = 0.0;                   // s, simulated
+  long next_ = 0;                              // number
+  long damaged_first_ = 0, damaged_last_ = 0;  // numbers in [first, last) are of damaged files
+  std::optional<Clock::time_point> tried_;     // the last save, also one that failed
+  double saved_at_ = 0.0;                      // s, simulated
 };
 
 /// Paths of the checkpoints in a folder, newest first; without checkpoint-failed.h5.

@@ -50,7 +50,7 @@ void select_rows(const Doing& doing, hid_t space, const Shape& shape, std::uint6
 
 std::optional<Hdf5Type> known_type(hid_t held) {
   using enum Hdf5Type;
-  for (const Hdf5Type t : {f64, f32, i8, u8, i32, i64})
+  for (const Hdf5Type t : {f64, f32, u8, i32, i64})
     if (H5Tequal(held, types_of(t).file) > 0) return t;
   return std::nullopt;
 }

@@ -13,7 +13,7 @@
 /// The one place that calls HDF5. Every fault becomes a FileError with the file, the object and HDF5's or the system's reason.
 namespace voussoir::io {
 
-enum class Hdf5Type : std::uint8_t { f64, f32, i8, u8, i32, i64 };
+enum class Hdf5Type : std::uint8_t { f64, f32, u8, i32, i64 };
 
 /// Bytes of one value.
 [[nodiscard]] std::size_t size_of(Hdf5Type type) noexcept;
@@ -27,10 +27,6 @@ struct Hdf5TypeOf<double> {
 template <>
 struct Hdf5TypeOf<float> {
   static constexpr Hdf5Type value = Hdf5Type::f32;
-};
-template <>
-struct Hdf5TypeOf<std::int8_t> {
-  static constexpr Hdf5Type value = Hdf5Type::i8;
 };
 template <>
 struct Hdf5TypeOf<std::uint8_t> {
@@ -123,11 +119,6 @@ class Hdf5File {
   /// Rows [first, first + rows) of a dataset; `data` holds them row by row in the given type.
   void write_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data);
   void read_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, void* data) const;
-  /// Creates and fills a dataset. \pre values.size() is the product of the shape
-  template <class T>
-  void write(const std::string& name, std::span<const T> values, const Shape& shape, const Hdf5Layout& layout = {}) {
-    write_dataset(name, Hdf5TypeOf<T>::value, shape, values.data(), layout);
-  }
   /// The whole dataset, converted to T.
   template <class T>
   [[nodiscard]] std::vector<T> read(const std::string& name) const {

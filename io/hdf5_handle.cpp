@@ -44,8 +44,6 @@ TypePair types_of(Hdf5Type type) {
       return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
     case Hdf5Type::f32:
       return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
-    case Hdf5Type::i8:
-      return {H5T_NATIVE_INT8, H5T_STD_I8LE};
     case Hdf5Type::u8:
       return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
     case Hdf5Type::i32:

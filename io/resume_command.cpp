@@ -55,24 +55,30 @@ std::string difference(const std::string& there, const std::string& here) {
   }
 }
 
-/// A folder's case.toml says whose results these are. Only the end may differ: --until changes it.
-void check_same_case(const std::string& folder, const Found& found, const cases::Case& saved) {
+/// A folder's case.toml says whose results these are. Only the end may differ, and is taken over: a resume that --until sent further may
+/// have been killed before its first checkpoint.
+void take_end(const std::string& folder, const Found& found, cases::Case& saved) {
   const std::string path = folder + "/case.toml";
   if (!fs::exists(path)) return;
-  cases::Case there = load_case(path).value;
-  there.time.duration = saved.time.duration;
-  there.time.after_collapse = saved.time.after_collapse;
-  const std::string what = difference(resolved_toml(there), resolved_toml(saved));
-  if (what.empty()) return;
-  throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
+  const cases::Case there = load_case(path).value;
+  cases::Case sent_further = saved;
+  sent_further.time.duration = there.time.duration;
+  sent_further.time.after_collapse = there.time.after_collapse;
+  const std::string what = difference(resolved_toml(there), resolved_toml(sent_further));
+  if (!what.empty()) throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
+  if (there.time.duration > found.checkpoint.facts.time) saved = std::move(sent_further);
 }
 
-bool is_finished(const std::string& run) {
+/// How far results say that they came.
+struct Extent {
+  bool finished = false, merged = false;
+  double end = 0.0;  // s
+};
+Extent extent_of(const std::string& run) {
   const Hdf5File file = Hdf5File::open(run);
-  return file.attribute_int("/", "parts") == 0 && file.exists("/summary") && file.attribute_int("/summary", "finished") != 0;
+  if (!file.exists("/summary") || file.attribute_int("/summary", "finished") == 0) return {};
+  return {.finished = true, .merged = file.attribute_int("/", "parts") == 0, .end = file.attribute_double("/summary", "end_time")};
 }
-
-double end_of(const std::string& run) { return Hdf5File::open(run).attribute_double("/summary", "end_time"); }
 
 void check_rows(const std::string& run, const RowCounts& there, const RowCounts& saved) {
   for (std::size_t t = 0; t < kRowTables; ++t) {
@@ -84,9 +90,9 @@ void check_rows(const std::string& run, const RowCounts& there, const RowCounts&
 }
 
 /// The new end of the run, whatever has collapsed by then. A collapse may have ended it before its duration.
-void set_end(cases::Case& c, const std::optional<double>& until, double time, bool finished) {
+void set_end(cases::Case& c, const std::optional<double>& until, double time, const Extent& there) {
   if (!until) return;
-  const double own_end = finished && c.time.after_collapse ? time : std::max(time, c.time.duration);
+  const double own_end = there.finished && c.time.after_collapse ? there.end : std::max(time, c.time.duration);
   if (*until <= time || *until < own_end) {
     throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
                                            cases::text(own_end) + " s");
@@ -103,14 +109,14 @@ int resume_command(const ResumeOptions& o) {
   Found found = newest_good(folder.path());
   if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
   cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
-  check_same_case(folder.path(), found, c);
-  const bool finished = is_finished(run);
-  if (!o.until && finished) {
-    std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), end_of(run));
+  take_end(folder.path(), found, c);
+  const Extent there = extent_of(run);
+  if (!o.until && there.finished && there.merged) {
+    std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), there.end);
     write_views(folder.path(), o.views);
     return kDone;
   }
-  set_end(c, o.until, found.checkpoint.facts.time, finished);
+  set_end(c, o.until, found.checkpoint.facts.time, there);
 
   solver::Options options;
   options.threads = o.threads;
@@ -122,7 +128,7 @@ int resume_command(const ResumeOptions& o) {
   keep.keep_until = std::nextafter(r->facts.time, -INFINITY);
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(omp_get_max_threads()), keep);
   check_rows(run, results.rows(), r->facts.rows);
-  Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints);
+  Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
   if (code == kDone) write_views(folder.path(), o.views);

@@ -65,8 +65,16 @@ bool is_part(const std::string& name) {
   return digits_only(stem) && (name == stem + ".h5" || name == stem + ".h5.tmp");
 }
 
+/// VIEW-TIMEs.png, as stills.cpp names them.
+bool is_still(const std::string& name) {
+  const std::size_t dash = name.find('-');
+  if (dash == std::string::npos || !name.ends_with("s.png")) return false;
+  const std::string time = name.substr(dash + 1, name.size() - dash - 6);
+  return !time.empty() && time.find_first_not_of("0123456789.") == std::string::npos;
+}
+
 bool is_result(const std::string& name) {
-  for (const char* own : {"run.h5", "case.toml", "log", "report.html", "run.xdmf", "paraview.h5"})
+  for (const char* own : {"run.h5", "case.toml", "report.html", "run.xdmf", "paraview.h5"})
     if (name == own || name == std::string(own) + ".tmp") return true;
   return name.starts_with("checkpoint-") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
 }
@@ -83,9 +91,13 @@ std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(cons
 
 void remove_results(const std::string& folder) {
   for (const std::string& name : names_in(folder, is_result)) fs::remove(folder + "/" + name);
-  for (const std::string& name : names_in(folder + "/parts", is_part)) fs::remove(folder + "/parts/" + name);
-  std::error_code not_empty;
-  fs::remove(folder + "/parts", not_empty);
+  const auto remove_in = [](const std::string& inner, bool (*chosen)(const std::string&)) {
+    for (const std::string& name : names_in(inner, chosen)) fs::remove(inner + "/" + name);
+    std::error_code not_empty;
+    fs::remove(inner, not_empty);
+  };
+  remove_in(folder + "/parts", is_part);
+  remove_in(folder + "/stills", is_still);
 }
 
 std::string holder(int lock) {

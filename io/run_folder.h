@@ -22,8 +22,8 @@ void write_text_file(const std::string& path, const std::string& text);
 class RunFolder {
  public:
   /// Makes the folder (and those above it) and locks it, for a new run.
-  /// \param overwrite  remove the results of an earlier run: run.h5, parts/, checkpoint-*.h5, case.toml, log, and what was made
-  /// of them under its usual name (report.html, run.xdmf, paraview.h5); nothing else
+  /// \param overwrite  remove the results of an earlier run: run.h5, parts/, checkpoint-*.h5, case.toml, and what was made
+  /// of them under its usual name (report.html, run.xdmf, paraview.h5, stills/VIEW-TIMEs.png); nothing else
   /// \throw FileError if another process holds the folder (with its number), it holds results and `overwrite` is false, it is a file,
   /// or it cannot be written to
   static RunFolder create(const std::string& path, bool overwrite);

@@ -19,8 +19,7 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 volatile std::sig_atomic_t save_signal = 0;
 
-/// Asks the run to save, or to save and stop, as long as it lives. A file that hits the size limit fails like a full disk instead of
-/// killing.
+/// Asks the run to save, or to save and stop, as long as it lives.
 class Signals {
  public:
   Signals() {

@@ -6,7 +6,7 @@
 
 #include "geometry/vec3.h"
 
-/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors, no intrinsics.
+/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; see `bits` for the one intrinsic.
 /// Every lane is computed alone, so a result does not depend on its neighbours.
 namespace voussoir::kernels {
 

@@ -4,7 +4,7 @@
 
 #include "kernels/certificate.h"
 
-/// Damaged sides in which nothing happens, kWidth at a time (THEORY.md (16a), (16b)): nine in ten of a cracked house, in most steps. Their
+/// Damaged sides in which nothing happens, kWidth at a time (THEORY.md (16a), (16b)): three in four of a cracked house. Their
 /// bonded segments are elastic, each from its own plastic slip, and the others are open, so the sums of tractions have a closed form over
 /// the bonded ones. That no segment changes is certain while the side has not moved, since its segments were looked at, by more than takes
 /// the nearest of them to its limit.

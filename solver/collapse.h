@@ -12,8 +12,11 @@ namespace voussoir::solver {
 /// Adds up elements and how much of them has fallen.
 class FallenMass {
  public:
-  /// An element has fallen once it has sunk by more than half its first height above the base, or by more than 1 m.
-  static constexpr bool has_fallen(double sunk, double height) noexcept { return sunk > std::min(0.5 * height, 1.0); }
+  /// An element has fallen once it has sunk by more than half its first height above the base, or by more than 1 m. (Only by the latter
+  /// where it began below: a structure on fixed blocks may.)
+  static constexpr bool has_fallen(double sunk, double height) noexcept {
+    return sunk > (height > 0.0 ? std::min(0.5 * height, 1.0) : 1.0);
+  }
 
   /// \param mass  [kg] \param sunk  from the reference configuration [m] \param height  of the centroid above the base in it [m]
   void add(cases::PartKind kind, double mass, double sunk, double height) noexcept {

@@ -51,7 +51,7 @@ std::vector<Field> fields(World& w);
 /// All fields of a run between two steps: the world's, then clock, counts, ledger and histories, then where the plan is.
 std::vector<Field> fields(Simulation& sim, RunState& plan);
 
-/// A 64-bit hash (FNV-1a) over names and bytes of all fields: equal bits, equal hash, on machines of one byte order.
+/// A 64-bit hash (FNV-1a) over names and bytes of the fields of a world: equal bits, equal hash, on machines of one byte order.
 std::uint64_t state_hash(World& w);
 
 }  // namespace voussoir::solver

@@ -46,8 +46,10 @@ void add_loss(double& sum, double loss) {
 }
 
 /// Books what became of one side whose segments were looked at.
-void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool try_steady, JointFindings& found) {
+void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool look_closely, bool try_steady, JointFindings& found) {
   Sides& s = w.sides;
+  // The plain twin looks at every side in every step; what it finds must not come sooner.
+  if (s.quick[id] == kernels::Quick::open && !look_closely && r.gap > 0.0) return;
   s.held[id] = r.held;
   add_loss(s.friction[id], r.friction);
   add_loss(s.impact[id], r.impact);
@@ -120,6 +122,7 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
   kernels::EventSink sink{found.room.data(), 0};
+  const bool look_closely = step % kOpenInterval == 0;
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
   const unsigned looked_at = advance(s.blocks[block],
                                      {.quick = s.quick.data() + first,
@@ -127,14 +130,14 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
                                       .parts = s.parts.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block],
-                                      .look_closely = step % kOpenInterval == 0},
+                                      .look_closely = look_closely},
                                      rows, clock, w.failure, found.sides.data(), sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
   const bool try_steady = (step + number) % kSteadyInterval == 0;  // not all in one step
   for (unsigned rest = looked_at; rest != 0; rest &= rest - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(rest));
-    book(w, first + l, found.sides[l], try_steady, found);
+    book(w, first + l, found.sides[l], look_closely, try_steady, found);
   }
 }
 

@@ -130,18 +130,18 @@ class Plan {
       if (!go_on()) return false;
       const std::int64_t n = sim_.steps();
       const double time = sim_.time();
-      const Due due{n % history_ == 0, n % ledger_ == 0 || n == last_};
+      const bool history = n % history_ == 0, ledger = n % ledger_ == 0 || n == last_;
       if (n % frame_ == 0) {
         const StageTimer timer(sim_.stage_times(), Stage::output);
         report_.frame();
         if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
       }
-      sim_.step(due);
+      sim_.step({.sample = history || ledger, .ledger = ledger});
       const StageTimer timer(sim_.stage_times(), Stage::output);
       ++state_.steps;
-      if (due.sample) report_.samples(time);
-      if (!due.ledger) continue;
-      if (due.sample) out_.forces(sim_.forces());
+      if (history) report_.samples(time);
+      if (!ledger) continue;
+      out_.forces(sim_.forces());
       report_.ledger(time);
       check_residual(sim_);
     }

@@ -45,7 +45,7 @@ inline constexpr double kResidualLimit = 1e-2;
 /// Runs, or goes on from `state`, until `end` [s of shaking], or until Time::after_collapse says. Rows up to the moment it stops are with
 /// the recorder; on an exception too.
 /// \param state  of a new run, or restored with the simulation; kept up to date
-/// \throw NumericalError also when the ledger's residual passes kResidualLimit
+/// \throw NumericalError also when the ledger's residual passes kResidualLimit while it shakes
 RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick);
 
 /// The step that a run until `end` [s] ends with; it has a row of the ledger.

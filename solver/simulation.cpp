@@ -45,7 +45,7 @@ double ramp_share(double t, double begin, double end) {
 }
 
 Vec3 displacement_at(const cases::SupportHistory& h, double t) {
-  if (h.time.empty() || t <= h.time.front()) return {};
+  if (h.time.empty() || t < h.time.front()) return {};
   std::size_t i = 1;
   while (i + 1 < h.time.size() && h.time[i] < t) ++i;
   if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
@@ -82,8 +82,8 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   kernels::drift(w.elements.view(), w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), 0.0, 0, w.elements.rows);
 }
 
-double Simulation::time() const {
-  const double t = static_cast<double>(step_) * world_->dt;
+double Simulation::time_of(std::int64_t step) const {
+  const double t = static_cast<double>(step) * world_->dt;
   return phase_ == Phase::settling ? t - (ramp_ + case_.gravity.settle_limit) : t;
 }
 
@@ -283,7 +283,11 @@ void Simulation::step(Due due) {
   if (step_ % kGuardInterval == 0) guard();
 }
 
-bool Simulation::at_rest() const { return static_cast<double>(step_) * world_->dt > ramp_ && ledger_.kinetic_over_elastic() < kRest; }
+// The row of the first step knows of no motion yet, and one from before the last step was perhaps of the ramp.
+bool Simulation::at_rest() const {
+  return step_ > 1 && static_cast<double>(step_) * world_->dt > ramp_ && ledger_.last().time == time_of(step_ - 1) &&
+         ledger_.kinetic_over_elastic() < kRest;
+}
 
 // Not one step longer: settling has negative times, and time zero belongs to the shaking alone.
 bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt >= ramp_ + case_.gravity.settle_limit; }

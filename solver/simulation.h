@@ -38,14 +38,14 @@ class Simulation {
   /// \throw NumericalError if the state is no longer a number, or too fast to be a house
   void step(Due due);
 
-  [[nodiscard]] double time() const;                          // s; < 0 while settling
-  [[nodiscard]] std::int64_t steps() const { return step_; }  // in this phase
+  [[nodiscard]] double time() const { return time_of(step_); }  // s; < 0 while settling
+  [[nodiscard]] std::int64_t steps() const { return step_; }    // in this phase
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] double dt() const { return world_->dt; }
   [[nodiscard]] const World& world() const { return *world_; }
   [[nodiscard]] World& world() { return *world_; }
 
-  /// While settling: gravity is up and (nearly) nothing moves any more. Needs a ledger row of this step.
+  /// While settling: gravity is up and (nearly) nothing moves any more. Told only by a step that had a ledger row.
   [[nodiscard]] bool at_rest() const;
   /// While settling: the time limit has passed.
   [[nodiscard]] bool settled_too_long() const;
@@ -69,6 +69,7 @@ class Simulation {
 
  private:
   friend struct FieldTable;
+  [[nodiscard]] double time_of(std::int64_t step) const;
   void place_supports();
   void move_supports_on();
   void apply_loads();

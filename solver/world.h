@@ -18,7 +18,7 @@
 /// by setup.h, or rebuilt from the state (candidates, the grid).
 namespace voussoir::solver {
 
-/// How a run is computed; does not change what is computed, but for `merge_sides` (a test of physics.md's merging).
+/// How a run is computed. Two change what is computed: `step`, and `merge_sides` (for the test of THEORY.md's merging).
 struct Options {
   bool reference_kernels = false;  // --kernels reference: every segment on its own, in plain scalar code
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
@@ -47,7 +47,7 @@ struct Elements {
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Derived rows.
+  // Rows, see kernels/rows.h.
   Array<double> pose, twist, wrench;
 
   [[nodiscard]] kernels::ElementsView view() noexcept;

@@ -119,6 +119,11 @@ struct Bench {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ostringstream t;
+    t << std::ifstream(path(name)).rdbuf();
+    return t.str();
+  }
   [[nodiscard]] bool says(const std::string& part) const {
     if (text.find(part) != std::string::npos) return true;
     MESSAGE("missing '" << part << "' in: " << text);
@@ -205,6 +210,44 @@ TEST_CASE("--until goes on to where a longer run would have come") {
   CHECK(bench.says("--until"));
   CHECK(bench.resume("short", {"--until", "0.45"}) == 0);
   bench.check_same("long", "short");
+}
+
+TEST_CASE("a resume sent further and killed before its first checkpoint is gone on with to the later end") {
+  Bench bench;
+  REQUIRE(bench.run("long", {"--duration", "0.45"}) == 0);
+  REQUIRE(bench.run("short", {"--duration", "0.2037"}) == 0);
+  Process p(bench.resume_words("short", {"--until", "0.45"}), bench.path("log"));
+  for (int i = 0; i < 10000 && bench.read("short/case.toml").find("0.45") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  p.signal(SIGKILL);
+  p.wait();
+  // As if it had come no further than that, whatever it wrote since.
+  bench.text.clear();
+  CHECK((bench.resume("short") == 0));
+  if (bench.text.find("is finished, to 0.20") != std::string::npos) CHECK(bench.resume("short", {"--until", "0.45"}) == 0);
+  bench.check_same("long", "short");
+}
+
+TEST_CASE("a damaged checkpoint pushes none out that is whole") {
+  Bench bench;
+  REQUIRE(bench.run("straight") == 0);
+  bench.stop_early("out");
+  const std::vector<std::string> before = io::checkpoint_files(bench.path("out"));
+  REQUIRE(before.size() == 2);
+  flip_bit(before[0], fs::file_size(before[0]) / 2);
+  {
+    Process p(bench.resume_words("out"), bench.path("log"));  // saves at its first look, then not for minutes
+    for (int i = 0; i < 1000 && io::checkpoint_files(bench.path("out")).front() == before[0]; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    p.signal(SIGKILL);
+    p.wait();
+  }
+  const std::string newest = io::checkpoint_files(bench.path("out")).front();
+  REQUIRE(newest != before[0]);
+  CHECK(fs::exists(before[1]));
+  flip_bit(newest, fs::file_size(newest) / 2);
+  CHECK(bench.resume("out") == 0);
+  bench.check_same("straight", "out");
 }
 
 TEST_CASE("a run that its collapse has ended is finished, and --until goes on to where it would have come without") {

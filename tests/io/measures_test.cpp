@@ -50,6 +50,9 @@ TEST_CASE("an element has fallen by half its first height, or by 1 m") {
   CHECK(FallenMass::has_fallen(0.5 * 0.4 + 1e-9, 0.4));
   CHECK_FALSE(FallenMass::has_fallen(1.0, 3.0));
   CHECK(FallenMass::has_fallen(1.0 + 1e-9, 3.0));
+  CHECK_FALSE(FallenMass::has_fallen(0.0, -0.5));
+  CHECK_FALSE(FallenMass::has_fallen(1.0, -0.5));
+  CHECK(FallenMass::has_fallen(1.0 + 1e-9, -0.5));
 }
 
 TEST_CASE("a collapse is the fall of more than half the roof; without a roof, of half of all") {

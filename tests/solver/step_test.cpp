@@ -219,6 +219,44 @@ TEST_CASE("while a structure settles its rotations are damped too, and the ledge
   CHECK(lost > 0.9 * s.energy().input);
 }
 
+TEST_CASE("without a ramp, or with rows further apart than it, a structure settles until it rests") {
+  for (const double ramp : {0.0, 0.01}) {
+    cases::Case c = small_wall(2, 3);
+    c.gravity.settle = true;
+    c.gravity.ramp = ramp;
+    c.damping.frequency = 20.0;
+    const cases::Model m = cases::build_model(c);
+    const cases::GroundMotion still;
+    omp_set_num_threads(1);
+    solver::Simulation s(c, m, still, {});
+    while (!s.at_rest() && !s.settled_too_long()) s.step({false, s.steps() % 1000 == 0});
+    CHECK(s.at_rest());
+    CHECK(s.steps() > 1000);
+    CHECK(s.energy().strain > 0.0);
+  }
+}
+
+TEST_CASE("a support whose history begins away from zero stands there from the first step on, and has no speed") {
+  cases::Case c = small_wall(1, 1);
+  c.base.reset();
+  c.gravity.acceleration = {};
+  c.time.step = 1e-4;
+  c.blocks[0].fixed = true;
+  cases::Model m = cases::build_model(c);
+  cases::SupportHistory& h = m.support_motions.emplace_back();
+  h.time = {0.0, 1.0}, h.displacement = {{0.01, 0.0, 0.0}, {0.01, 0.0, 0.0}};
+  m.blocks[0].support_motion = 0;
+  const cases::GroundMotion still;
+  omp_set_num_threads(1);
+  solver::Simulation s(c, m, still, {});
+  const solver::Elements& e = s.world().elements;
+  for (int i = 0; i < 3; ++i) {
+    s.step({});
+    CHECK(e.vx[0] == 0.0);
+    CHECK(e.ux[0] == 0.01);
+  }
+}
+
 TEST_CASE("a step far too large stops with the element, the speed and what to try") {
   cases::Case c = small_wall(3, 4, 1e9);
   c.time.step = 5e-3;
