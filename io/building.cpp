@@ -190,6 +190,9 @@ Building building_of(const Hdf5File& run) {
   b.kind = kinds_of(run, elements.tag);
   if (elements.tag.size() != n || elements.house.size() != n || elements.fixed.size() != n || b.kind.size() != n)
     throw FileError(run.path(), "/model/element does not fit together");
+  for (std::size_t e = 0; e < n; ++e) {
+    if (elements.fixed[e] != 0) b.mass[e] = 0.0;  // no part of what may fall, as the solver has it
+  }
   b.wall.assign(n, -1);
   b.box = boxes_of(run, n);
   find_walls(elements, b);

@@ -48,7 +48,7 @@ struct Room {
 
 struct Building {
   double base = 0;           // height of the base, m
-  std::vector<double> mass;  // kg, an entry an element, as the next ones
+  std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // into walls; −1: of no wall
   std::vector<Box> box;            // in the reference configuration

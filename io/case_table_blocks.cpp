@@ -90,6 +90,8 @@ void check_motion(const Motion& s, const RuleCheck& check) {
   if (s.record && !xyz.empty()) return check.fault(xyz, "does not go with motion.record; give a record, or files");
   if (s.record && !ltv.empty()) return check.fault(ltv, "does not go with motion.record; give a record, or files");
   if (!xyz.empty() && !ltv.empty()) return check.fault(ltv, "does not go with motion." + xyz + "; give files for x, y, z, or for L, T, V");
+  if (!xyz.empty() && s.direction != Motion{}.direction)
+    return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
   if (!s.record && xyz.empty() && ltv.empty()) check.fault("", "names no motion; give record, or files for x, y, z, or for L, T, V");
 }
 

@@ -234,8 +234,11 @@ bool read_value(const Node& node, int& out, const KeyInfo& info, Reading& readin
     reading.wrong_type(node, path, info);
     return false;
   }
-  const bool fits = *v >= std::numeric_limits<int>::min() && *v <= std::numeric_limits<int>::max();
-  if (!fits || !info.limits.contains(static_cast<double>(*v))) {
+  if (*v < std::numeric_limits<int>::min() || *v > std::numeric_limits<int>::max()) {
+    reading.bad_value(node, path, info, "must be an integer of 32 bits, at most 2147483647 in magnitude");
+    return false;
+  }
+  if (!info.limits.contains(static_cast<double>(*v))) {
     reading.bad_value(node, path, info, "must be " + info.limits.text());
     return false;
   }

@@ -36,7 +36,7 @@ void read_history(const std::string& path, cases::SupportHistory& history) {
     const std::string_view line = trimmed(*next);
     if (line.empty() || line.front() == '#') continue;
     const auto row = row_of(line);
-    if (!row && header_allowed) {
+    if (!row && header_allowed && !finite_number(trimmed(line.substr(0, line.find(','))))) {
       header_allowed = false;
       continue;
     }

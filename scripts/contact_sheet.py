@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Moments of several runs side by side in one picture: a row for each run, a column for each time.
+"""Moments of several runs side by side in one picture: a row for each run, a column for each time (empty where a run ended before).
 
 usage: scripts/contact_sheet.py DIR... --times T ... [--view front] [--dpi 150] [-o sheet.png] [--voussoir PROGRAM]
 Each picture is a still of `voussoir report DIR --stills` (needs Chromium); those that are there and not older than the run are used as they are.
@@ -13,6 +13,7 @@ import os
 import subprocess
 import sys
 
+import h5py
 import matplotlib
 
 matplotlib.use("Agg")
@@ -22,8 +23,16 @@ from PIL import Image
 WIDTH = 3.2  # of a picture, inches
 
 
+def end_of(folder):
+    """Of a run, s."""
+    with h5py.File(os.path.join(folder, "run.h5")) as file:
+        return float(file["frames/time"][-1])
+
+
 def stills(folder, view, times, program):
-    """Paths of a run's pictures, one a time."""
+    """Paths of a run's pictures, one a time up to its end."""
+    end = end_of(folder)
+    times = [t for t in times if t <= end + 1e-6]
     paths = [os.path.join(folder, "stills", f"{view}-{t:g}s.png") for t in times]
     ran = os.path.getmtime(os.path.join(folder, "run.h5"))
     old = [t for t, path in zip(times, paths) if not os.path.exists(path) or os.path.getmtime(path) < ran]
@@ -37,14 +46,15 @@ def stills(folder, view, times, program):
 
 def sheet(rows, names, times, output, dpi=150):
     """Draws the pictures of `rows`, each a list of paths in the order of `times`."""
-    with Image.open(rows[0][0]) as first:
+    with Image.open(max(rows, key=len)[0]) as first:
         height = WIDTH * first.height / first.width
     size = (WIDTH * len(times), (height + 0.25) * len(rows))
     figure, grid = plt.subplots(len(rows), len(times), figsize=size, squeeze=False, layout="constrained")
     for axes_of_row, paths, name in zip(grid, rows, names):
+        for axes in axes_of_row:
+            axes.set_axis_off()
         for axes, path, t in zip(axes_of_row, paths, times):
             axes.imshow(Image.open(path), interpolation="antialiased")
-            axes.set_axis_off()
             axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=8, loc="left")
     figure.savefig(output, dpi=dpi)
 
@@ -58,6 +68,7 @@ def main():
     p.add_argument("-o", "--output", default="sheet.png")
     p.add_argument("--voussoir", default="build/release/io/voussoir", metavar="PROGRAM")
     a = p.parse_args()
+    a.times.sort()
     names = [os.path.basename(os.path.normpath(f)) for f in a.folders]
     sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output, a.dpi)
 

@@ -34,7 +34,8 @@ class Plan:
         self.title = f"{run.label}, {times[frame]:.2f} s"
         self.start, self.now = file["model/element/position0"][:], file["frames/position"][frame].astype(float)
         sunk = self.start[:, 2] - self.now[:, 2]
-        fallen = sunk > np.minimum(0.5 * self.start[:, 2], 1.0)  # as solver/collapse.h has it
+        height = self.start[:, 2] - run.base()
+        fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/collapse.h has it
         is_roof = np.array([tag.decode().startswith(ROOF_TAGS) for tag in file["model/element/tag"][:]])
         self.colour = np.where(fallen, np.where(is_roof, ROOF, MASONRY), STANDS)
         self.turn = rotation(file["frames/quaternion"][frame].astype(float))

@@ -8,6 +8,7 @@ Needs python3-h5py, python3-numpy, python3-matplotlib.
 import argparse
 import pathlib
 import sys
+import tomllib
 
 import h5py
 import matplotlib
@@ -41,6 +42,10 @@ class Run:
             sys.exit(f"{path}: {error}")
         if self.file.attrs.get("format") != "voussoir results":
             sys.exit(f"{path}: holds no results of Voussoir")
+
+    def base(self):
+        """Height of the base, m; 0 without one."""
+        return float(tomllib.loads(self.file["case"].attrs["toml"]).get("base", {}).get("z", 0.0))
 
     def names(self):
         """Of the histories."""

@@ -8,6 +8,7 @@ import csv
 import hashlib
 import itertools
 import json
+import math
 import os
 import pathlib
 import re
@@ -23,7 +24,7 @@ class StudyError(Exception):
 
 
 def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def is_positive(value):
@@ -51,7 +52,7 @@ def is_scale(value):
 
 
 def is_seed(value):
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**31
 
 
 # Key: default, test, what is allowed. Lists are tested entry by entry.
@@ -69,7 +70,7 @@ LISTS = {
     "directions": ([], lambda v: v in DIRECTIONS, ", ".join(DIRECTIONS)),
     "records": ([], is_text, '"bam-like", or the path of a record, from the study file\'s folder'),
     "scales": ([], is_scale, "a number, or an array [L, T, V]"),
-    "seeds": ([], is_seed, "an integer >= 0"),
+    "seeds": ([], is_seed, "an integer from 0 to 2147483647"),
     "set": ([], is_override, '"key=value" of the case file, for all runs'),
     "stills": ([], is_time, "a number >= 0: s, the time of a frame to draw"),
 }
@@ -87,16 +88,22 @@ def read_list(path, key, value, test, allowed):
             raise fault(path, f"{key}[{i}]", entry, allowed)
         if key != "set" and entry in value[:i]:
             raise fault(path, f"{key}[{i}]", entry, "every entry once")
-    return [from_environment(path, f"{key}[{i}]", entry) for i, entry in enumerate(value)]
+    for i, entry in enumerate(value):
+        for name in ENVIRONMENT.findall(entry) if isinstance(entry, str) else []:
+            if name not in os.environ:
+                raise fault(path, f"{key}[{i}]", entry, f"what the environment has; {name} is not set")
+    return value
 
 
-def from_environment(path, key, entry):
-    """${NAME} in a text is the environment's: where records lie is no part of a study."""
+ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
+
+
+def from_environment(text):
+    """${NAME} in a text is the environment's: where records lie is no part of a study. A path that is there is made absolute, since runs work elsewhere."""
     def value(match):
-        if match[1] not in os.environ:
-            raise fault(path, key, entry, f"what the environment has; {match[1]} is not set")
-        return os.environ[match[1]]
-    return re.sub(r"\$\{(\w+)\}", value, entry) if isinstance(entry, str) else entry
+        found = os.environ[match[1]]
+        return os.path.abspath(found) if os.path.exists(found) else found
+    return ENVIRONMENT.sub(value, text)
 
 
 def read_options(path, table):
@@ -151,32 +158,41 @@ def scale_name(scale):
 
 
 def one_run(study, folder, case, direction, record, scale, options, seed):
+    said = study["set"] + study["options"][options]  # overrides, as the study says them
+    actual = [from_environment(o) for o in said]
+
+    def add(override, in_fact=None):
+        said.append(override)
+        actual.append(in_fact or override)
+
+    case = from_environment(case)
     case = from_folder(folder, case, case.endswith(".toml"))
-    overrides = study["set"] + study["options"][options]
-    if study["duration"] is not None:
-        overrides = overrides + [f"time.duration={study['duration']}"]
     names = [pathlib.Path(case).stem]
+    if study["duration"] is not None:
+        add(f"time.duration={study['duration']}")
     if direction:
         names.append(direction)
-        overrides = overrides + [f"motion.direction={json.dumps(direction)}"]
+        add(f"motion.direction={json.dumps(direction)}")
     if record:
-        names.append(pathlib.Path(record).stem)
-        overrides = overrides + [f"motion.record={json.dumps(from_folder(folder, record, record != 'bam-like'))}"]
+        path = from_folder(folder, from_environment(record), record != "bam-like")
+        names.append(pathlib.Path(path).stem)
+        add(f"motion.record={json.dumps(record)}", f"motion.record={json.dumps(path)}")
     if scale is not None:
         names.append(scale_name(scale))
-        overrides = overrides + [f"motion.scale={json.dumps(scale)}"]
+        add(f"motion.scale={json.dumps(scale)}")
     if options:
         names.append(options)
     if seed is not None:
         names.append(f"seed{seed}")
-        overrides = overrides + [f"scatter.seed={seed}"]
+        add(f"scatter.seed={seed}")
     return {"name": "-".join(names), "axes": {"case": names[0], "direction": direction, "record": record, "scale": scale, "options": options,
                                               "seed": seed},
-            "case": case, "set": overrides, "identity": identity(case, overrides)}
+            "case": case, "set": actual, "identity": identity(case, said)}
 
 
 def identity(case, overrides):
-    """Says of results whether they are this run's: of its case file, as it reads now, and its overrides."""
+    """Says of results whether they are this run's: of its case file, as it reads now, and its overrides, as the study says them: where
+    records lie may change."""
     text = pathlib.Path(case).read_text() if pathlib.Path(case).is_file() else case
     return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
 
@@ -202,7 +218,7 @@ def check_cases(path, runs, voussoir):
         seen.add(key)
         words = [voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)]
         try:
-            done = subprocess.run(words, capture_output=True, text=True, check=False)
+            done = subprocess.run(words, capture_output=True, text=True, check=False, cwd="/")  # elsewhere, as when it runs
         except OSError as error:
             raise StudyError(f"{voussoir}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
         if done.returncode != 0:

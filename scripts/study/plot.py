@@ -47,9 +47,15 @@ def label_of(quantity):
     return quantity.replace("_", " ") + (f", {UNITS[quantity]}" if quantity in UNITS else "")
 
 
+def has(row, quantity):
+    """Of a run that has ended well; a time below zero stands for never."""
+    value = row.get(quantity) or ""
+    return row["status"] == "done" and is_number(value) and not (UNITS.get(quantity) == "s" and float(value) < 0)
+
+
 def draw(rows, path):
     quantity = path.stem
-    shown = [row for row in rows if is_number(row.get(quantity) or "")]
+    shown = [row for row in rows if has(row, quantity)]
     scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in shown)
     figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(shown)) / 2.54))
     (over_scale if scaled else bars)(axes, shown, quantity)

@@ -112,6 +112,7 @@ TEST_CASE("faults: ranges name the value and what is allowed") {
   CHECK(refusal("[segments]\nsize = 0") != "accepted");
   CHECK(refusal("[house]\ncopies = [0, 1]") == "test.toml:2: house.copies[0] = 0: must be in [1, 1000]");
   CHECK(refusal("[house]\ncopies = [4294967297, 1]") != "accepted");
+  CHECK(refusal("[scatter]\nseed = 3000000000").find("must be an integer of 32 bits") != std::string::npos);
   CHECK(refusal("[house]\ncopies = [-9223372036854775808, 1]") != "accepted");
   CHECK(refusal("[house]\nroof = { voussoirs = 2 }") != "accepted");
   CHECK(refusal("[base]\ntilt = [0, 90]") != "accepted");
@@ -192,6 +193,8 @@ TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal("[motion]\nrecord = \"r\"\nT = \"f\"").starts_with("test.toml:3: motion.T = \"f\" does not go with motion.record"));
   CHECK(refusal("[motion]\nx = \"f\"\nT = \"f\"").starts_with("test.toml:3: motion.T = \"f\" does not go with motion.x"));
   CHECK(refusal("[motion]\nscale = 2") == "test.toml:1: motion names no motion; give record, or files for x, y, z, or for L, T, V");
+  CHECK(refusal("[motion]\nx = \"f\"\ndirection = \"TLV\"").starts_with("test.toml:3: motion.direction = \"TLV\" says where L, T, V go"));
+  CHECK(refusal("[motion]\nx = \"f\"\ndirection = \"LTV\"") == "accepted");
   const std::string history = "[[output.history]]\npoint = [0,0,0]\nname = ";
   CHECK(refusal(history + "\"time\"").starts_with("test.toml:3: output.history[0].name = \"time\" cannot name"));
   CHECK(refusal(history + "\"a/b\"").find("cannot name") != std::string::npos);

@@ -93,6 +93,17 @@ TEST_CASE("the time of collapse is that of the first frame in which the roof has
   CHECK(m.series.fallen_mass_fraction == std::vector<double>{0.0, 1.8 / (1.8 + 9.0), 1.0, 1.0});
 }
 
+TEST_CASE("a fixed block is no part of what may fall") {
+  const TempFolder folder;
+  cases::Model m = wall_and_beam();
+  m.blocks[0].fixed = true;
+  ResultsWriter results(folder.path(), m, kCase, kNames, {}, by_hand());
+  put_frame(results, 0.0, {0.05, 0.05, 0.05}, {0.15, 0.05, kHeight});
+  put_frame(results, 0.1, {0.05, 0.05, 0.05}, {0.15, 0.05, 0.05});
+  results.finish();
+  CHECK(measures_of(folder).series.fallen_mass_fraction == std::vector<double>{0.0, 1.0});
+}
+
 TEST_CASE("debris reaches as far as the farthest fallen element is from the footprint") {
   const TempFolder folder;
   ResultsWriter results(folder.path(), wall_and_beam(), kCase, kNames, {}, by_hand());

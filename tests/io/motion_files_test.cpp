@@ -7,7 +7,9 @@
 #include <limits>
 #include <string>
 
+#include "cases/model.h"
 #include "io/errors.h"
+#include "io/support_motion.h"
 #include "temp_folder.h"
 
 using namespace voussoir;
@@ -196,4 +198,18 @@ TEST_CASE("a record written is the record read") {
   io::write_record_folder({"other", {}}, folder.path("out/copy"), true);
   folder.write("file", "x");
   CHECK_THROWS_AS(io::write_record_folder(record, folder.path("file/below"), false), FileError);
+}
+
+TEST_CASE("the motion of a support: a header may come first, a damaged row may not") {
+  const TempFolder folder;
+  const auto load = [&](const std::string& text) {
+    folder.write("s.csv", text);
+    cases::Model m;
+    m.support_motions.emplace_back().file = "s.csv";
+    io::load_support_motions(m, folder.path());
+    return m.support_motions[0].time.size();
+  };
+  CHECK(load("t,x,y,z\n0,0,0,0\n1,0.1,0,0\n") == 2);
+  CHECK(load("0,0,0,0\n1,0.1,0,0\n") == 2);
+  CHECK_THROWS_WITH_AS(load("0.0, 0, 0, O\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
 }

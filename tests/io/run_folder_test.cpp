@@ -59,7 +59,7 @@ TEST_CASE("a new folder is made with those above it, and holds the case") {
 }
 
 TEST_CASE("results of another run are refused, or on request removed and nothing else") {
-  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "log", "report.html", "run.xdmf", "paraview.h5"}) {
+  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "run.xdmf", "paraview.h5"}) {
     CAPTURE(own);
     const TempFolder dir;
     touch(dir.file(own));
@@ -67,11 +67,12 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
     CHECK(fs::exists(dir.file(own)));
   }
   const TempFolder dir;
-  const std::set<std::string> foreign{"notes.txt", "parts/plan.h5", "run.h5.bak", "house.toml", "checkpoint-x.txt"};
+  const std::set<std::string> foreign{"notes.txt",        "parts/plan.h5", "run.h5.bak",      "house.toml",
+                                      "checkpoint-x.txt", "log",           "stills/plan.png", "stills/front-s.png"};
   for (const std::string& name : foreign) touch(dir.file(name));
   { CHECK_NOTHROW(RunFolder::create(dir.path(), false)); }
-  for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml", "log",
-                          "report.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
+  for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml",
+                          "stills/front-2.5s.png", "report.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
     touch(dir.file(own));
   const RunFolder folder = RunFolder::create(dir.path(), true);
   std::set<std::string> left = foreign;
