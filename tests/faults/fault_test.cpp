@@ -237,7 +237,7 @@ TEST_CASE("a damaged checkpoint pushes none out that is whole") {
   flip_bit(before[0], fs::file_size(before[0]) / 2);
   {
     Process p(bench.resume_words("out"), bench.path("log"));  // saves at its first look, then not for minutes
-    bench.wait_for_another("out", before[0]);  // and is killed
+    bench.wait_for_another("out", before[0]);                 // and is killed
   }
   const std::string newest = io::checkpoint_files(bench.path("out")).front();
   REQUIRE(newest != before[0]);
