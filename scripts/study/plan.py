@@ -17,6 +17,7 @@ import tomllib
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
+ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
 
 
 class StudyError(Exception):
@@ -95,11 +96,9 @@ def read_list(path, key, value, test, allowed):
     return value
 
 
-ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
-
-
 def from_environment(text):
-    """${NAME} in a text is the environment's: where records lie is no part of a study. A path that is there is made absolute, since runs work elsewhere."""
+    """${NAME} in a text is the environment's: where records lie is no part of a study. A path that is there is made
+    absolute, since runs work elsewhere."""
     def value(match):
         found = os.environ[match[1]]
         return os.path.abspath(found) if os.path.exists(found) else found
