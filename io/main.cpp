@@ -50,20 +50,35 @@ std::string from_here(const std::string& path) { return std::filesystem::absolut
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-/// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
-std::vector<std::string> overrides(const Words& w) {
-  std::vector<std::string> all;
-  if (!w.direction.empty()) all.push_back("motion.direction=" + quoted(w.direction));
-  if (!w.record.empty()) {
-    const bool on_disk = std::filesystem::exists(w.record);
-    all.push_back("motion.record=" + quoted(on_disk ? from_here(w.record) : w.record));
-  }
-  if (!w.motion.empty()) all.push_back("motion.record=");
+/// A record or files on the command line take the place of those that the case names.
+std::vector<std::string> motion_overrides(const Words& w) {
+  std::vector<std::string> dropped, files;
+  const auto drop = [&](std::initializer_list<const char*> keys) { dropped.insert(dropped.end(), keys.begin(), keys.end()); };
+  if (!w.record.empty()) drop({"x", "y", "z", "L", "T", "V"});
   for (const std::string& m : w.motion) {
     const std::size_t equals = m.find('=');
     if (equals == std::string::npos) throw cases::InputError("--motion", quoted(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
-    all.push_back("motion." + m.substr(0, equals) + "=" + quoted(from_here(m.substr(equals + 1))));
+    const std::string axis = m.substr(0, equals);
+    drop({"record"});
+    if (axis == "x" || axis == "y" || axis == "z") {
+      drop({"L", "T", "V"});
+      if (w.direction.empty()) drop({"direction"});  // of the case: it says where L, T, V go
+    } else {
+      drop({"x", "y", "z"});
+    }
+    files.push_back("motion." + axis + "=" + quoted(from_here(m.substr(equals + 1))));
   }
+  std::vector<std::string> all;
+  for (const std::string& key : dropped) all.push_back("motion." + key + "=");
+  if (!w.direction.empty()) all.push_back("motion.direction=" + quoted(w.direction));
+  if (!w.record.empty()) all.push_back("motion.record=" + quoted(std::filesystem::exists(w.record) ? from_here(w.record) : w.record));
+  all.insert(all.end(), files.begin(), files.end());
+  return all;
+}
+
+/// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
+std::vector<std::string> overrides(const Words& w) {
+  std::vector<std::string> all = motion_overrides(w);
   if (!w.scale.empty()) all.push_back("motion.scale=" + w.scale);
   if (!w.duration.empty()) all.push_back("time.duration=" + w.duration);
   if (!w.dt.empty()) all.push_back("time.step=" + (w.dt == "auto" ? quoted(w.dt) : w.dt));

@@ -22,7 +22,9 @@ def broken(row):
 
 
 def first_wall(row):
-    return f"{row['first_fallen_wall'].removesuffix(' wall')}, {time(row['first_fallen_time'])}" if row["first_fallen_wall"] else "none"
+    """Its own time: `first_fallen_time` is that of the first element of all, often one of the roof."""
+    wall = row["first_fallen_wall"]
+    return f"{wall.removesuffix(' wall')}, {time(row[f'{wall}: first_fallen_time'])}" if wall else "none"
 
 
 def roof(row):

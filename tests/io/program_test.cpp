@@ -165,6 +165,24 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
 }
 
+TEST_CASE("files or a record on the command line take the place of those that the case names") {
+  const TempFolder folder;
+  const std::string file = folder.write("rest.csv", "t,a\n0,0\n0.005,0\n0.01,0\n"), other = folder.write("other.csv", "t,a\n0,0\n1,0\n");
+  const auto begin = [&](const std::string& motion, const std::string& words) {
+    std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]") << "[motion]\n" << motion << '\n';
+    return voussoir("run " + folder.path("case.toml") + " --quiet --overwrite -j 1 -o " + folder.path("out") + " " + words);
+  };
+  const std::string shipped = "record = \"bam-like\"\ndirection = \"TLV\"";
+  CHECK(begin(shipped, "--motion x=" + file).code == 0);
+  CHECK(says(begin(shipped, "--motion x=" + file + " --direction TLV"), {"direction", "files are given for x, y, z"}));
+  CHECK(begin(shipped, "--motion L=" + file).code == 0);
+  CHECK(begin("x = \"" + file + "\"", "--motion T=" + other).code == 0);
+  CHECK(begin("L = \"" + file + "\"\ndirection = \"TLV\"", "--motion y=" + other).code == 0);
+  CHECK(begin("x = \"" + file + "\"", "--record bam-like").code == 0);
+  CHECK(says(begin(shipped, "--motion x=" + file + " --motion L=" + other), {"does not go with motion.x"}));
+  CHECK(says(begin(shipped, "--record bam-like --motion x=" + file), {"does not go with motion.record"}));
+}
+
 TEST_CASE("what people look at: written at the end of a run if asked for, or later; pictures say what they lack") {
   const TempFolder folder;
   std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
