@@ -34,10 +34,15 @@ Sections sections_of(const Reinforcement& r, const HousePlan& plan) {
     throw InputError("house.reinforcement.ring_beam",
                      text(r.ring_beam[1]) + " m is not below the height of the walls, " + text(metres(plan.height)) + " m");
   }
-  const Tick inner = plan.outer[1] - 2 * plan.wall(Side::front).thickness;
-  if (inner < 2 * s.beam_width + plan.shortest_piece()) {
-    throw InputError("house.reinforcement.ring_beam", text(r.ring_beam[0]) + " m leaves no room between the beams; at most " +
-                                                          text(metres((inner - plan.shortest_piece()) / 2)) + " m");
+  const std::array inner{plan.outer[0] - 2 * plan.wall(Side::left).thickness, plan.outer[1] - 2 * plan.wall(Side::front).thickness};
+  const Tick room = std::min(inner[0], inner[1]) - plan.shortest_piece();
+  if (room < 2 * s.beam_width) {
+    throw InputError("house.reinforcement.ring_beam",
+                     text(r.ring_beam[0]) + " m leaves no room between the beams; at most " + text(metres(room / 2)) + " m");
+  }
+  if (s.column_x > inner[0] || s.column_y > inner[1]) {
+    throw InputError("house.reinforcement.column", text(r.column[0]) + " x " + text(r.column[1]) + " m does not fit between the walls, " +
+                                                       text(metres(inner[0])) + " x " + text(metres(inner[1])) + " m apart");
   }
   s.column = {0, plan.height - s.beam_height};
   return s;

@@ -15,7 +15,8 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kCellLengths = 3.0;  // bricks; of a Flat20N 2, 3 and 4 lengths are alike, 1.5 and 6 worse
+constexpr double kMostSegments = 2e8;  // on all faces; 24 bytes each before anything runs: a slip of the pen must not fill the memory
+constexpr double kCellLengths = 3.0;   // bricks; of a Flat20N 2, 3 and 4 lengths are alike, 1.5 and 6 worse
 
 void name_materials_and_laws(const Case& c, Model& model) {
   for (const auto& [name, value] : c.materials) {
@@ -64,20 +65,22 @@ std::string key_of(const Model& model, int element) {
   return indexed_key("block", index, "");
 }
 
-/// Geometry knows blocks by number ("block 12"); the user knows them by name.
+/// Geometry knows blocks by number: "block 12: overlaps block 3 by 0.1 m". The user knows them by name, and a name may be "block 3".
 std::string with_names(const Model& model, const geometry::ModelError& error) {
   std::string message = error.what();
-  for (const int element : {error.subject(), error.other()}) {
-    if (element < 0) continue;
+  const auto number = [](int element) { return "block " + std::to_string(element); };
+  const auto known = [&](int element) {
     const auto index = static_cast<std::size_t>(element);
-    const std::string number = "block " + std::to_string(index);
-    const std::string known = describe(model.blocks.at(index), index);
-    const std::size_t at = message.find(number);
-    if (at == std::string::npos) {
-      message = known + ": " + message;
-    } else {
-      message.replace(at, number.size(), known);
-    }
+    return describe(model.blocks.at(index), index);
+  };
+  if (error.other() >= 0) {  // the later first: no name stands in the message yet
+    const std::size_t at = message.rfind(number(error.other()));
+    message = at == std::string::npos ? known(error.other()) + ": " + message
+                                      : message.replace(at, number(error.other()).size(), known(error.other()));
+  }
+  if (error.subject() >= 0) {
+    const std::string first = number(error.subject());
+    message = message.starts_with(first) ? known(error.subject()) + message.substr(first.size()) : known(error.subject()) + ": " + message;
   }
   return message;
 }
@@ -85,6 +88,30 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
   // Of two, the one that stands later in the case: the first was there already.
   throw InputError(key_of(model, std::max(error.subject(), error.other())), with_names(model, error));
+}
+
+/// About how many segments the faces of a block get: those of the box about it.
+double segments_on(const Block& block) {
+  const auto [low, high] = geometry::bounds(block.shape);
+  const Vec3 size = high - low;
+  return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x) / (block.segment_size * block.segment_size);
+}
+
+void check_segments(const Case& c, const Model& model) {
+  double all = 0.0, most = 0.0;
+  int finest = -1;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const double n = segments_on(model.blocks[i]);
+    all += n;
+    if (n > most) most = n, finest = static_cast<int>(i);
+  }
+  if (all <= kMostSegments) return;
+  const Block& block = model.blocks[static_cast<std::size_t>(finest)];
+  const std::string size = text(block.segment_size) + " m" + (c.segment_size ? "" : " (a quarter of its shortest edge)");
+  throw InputError(c.segment_size ? "segments.size" : key_of(model, finest),
+                   "makes about " + text(std::round(all)) + " segments on the faces of the model (allowed: " + text(kMostSegments) + "); " +
+                       describe(block, static_cast<std::size_t>(finest)) + " has " + text(std::round(most)) + " of " + size +
+                       "; a larger segments.size makes fewer");
 }
 
 void assemble(const Case& c, Model& model) {
@@ -124,6 +151,7 @@ Model build_model(const Case& c) {
     if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
     for (Block& block : model.blocks) block.segment_size = *c.segment_size;
   }
+  check_segments(c, model);
   assemble(c, model);
   pick_laws(rules, model);
   model.joint_strength = strength_factors(c.scatter, model);

@@ -25,6 +25,16 @@ void check_vertices(const Polyhedron& p, int subject) {
   }
 }
 
+/// Two corners in one place let a surface run round twice, closed and convex.
+void check_apart(const Polyhedron& p, double allowed, int subject) {
+  for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+    for (std::size_t k = i + 1; k < p.vertices.size(); ++k) {
+      if (norm(p.vertices[k] - p.vertices[i]) > allowed) continue;
+      fail(subject, "vertices " + std::to_string(i) + " and " + std::to_string(k) + " coincide");
+    }
+  }
+}
+
 void check_loops(const Polyhedron& p, int subject) {
   const auto count = static_cast<std::int32_t>(p.vertices.size());
   std::vector<bool> used(p.vertices.size(), false);
@@ -109,6 +119,7 @@ void validate(const Polyhedron& p, int subject) {
   if (volume < 0.0) fail(subject, "inside out: the volume is " + figure(volume) + " m3");
   // Far away the coordinates themselves are coarser than a small block's tolerance.
   const double allowed = kTolerance * size + kRoundOff * (norm(box.low) + norm(box.high));
+  check_apart(p, allowed, subject);
   check_planes(p, size, allowed, subject);
   check_convex(p, allowed, subject);
 }

@@ -28,16 +28,17 @@ struct Elements {
   std::vector<std::uint8_t> fixed;
 };
 
-double base_of(const Hdf5File& run) {
+/// A number of the case, 0 if it is not given.
+double case_number(const Hdf5File& run, std::string_view table, std::string_view key) {
   try {
     const Node document = parse_document(run.attribute_text("/case", "toml"));
-    const Entry* base = find_entry(*document.as<Node::Table>(), "base");
-    const auto* table = base == nullptr ? nullptr : base->node.as<Node::Table>();
-    const Entry* z = table == nullptr ? nullptr : find_entry(*table, "z");
-    if (z == nullptr) return 0.0;
-    if (const auto* height = z->node.as<double>()) return *height;
-    if (const auto* height = z->node.as<std::int64_t>()) return static_cast<double>(*height);
-    throw FileError(run.path(), "/case: base.z is no number");
+    const Entry* entry = find_entry(*document.as<Node::Table>(), table);
+    const auto* inside = entry == nullptr ? nullptr : entry->node.as<Node::Table>();
+    const Entry* number = inside == nullptr ? nullptr : find_entry(*inside, key);
+    if (number == nullptr) return 0.0;
+    if (const auto* value = number->node.as<double>()) return *value;
+    if (const auto* value = number->node.as<std::int64_t>()) return static_cast<double>(*value);
+    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no number");
   } catch (const SyntaxError& e) {
     throw FileError(run.path(), std::string("/case: ") + e.what());
   }
@@ -90,8 +91,15 @@ WallKey wall_key(std::int32_t house, const std::string& side) {
   return {house, std::ranges::find(kRound, side) - kRound.begin(), side};
 }
 
+/// Which way is out of the house at a wall, by its place round the house that has been turned.
+void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
+  const std::ptrdiff_t quarter = (place + 3 + quarter_turns) % 4;  // 0: +x, where the right wall of a house not turned is; then +y, −x, −y
+  wall.across = static_cast<std::size_t>(quarter % 2);
+  wall.outward = quarter < 2 ? 1.0 : -1.0;
+}
+
 /// Walls with their boxes, house by house and round each; says of each brick which wall it is in.
-void find_walls(const Elements& elements, Building& b) {
+void find_walls(const Elements& elements, int quarter_turns, Building& b) {
   const bool several = std::set<std::int32_t>(elements.house.begin(), elements.house.end()).size() > 1;
   std::map<WallKey, std::int32_t> numbers;
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
@@ -105,6 +113,7 @@ void find_walls(const Elements& elements, Building& b) {
     wall.name = side + " wall" + (several ? " of house " + std::to_string(house) : "");
     wall.house = house;
     wall.box = Box::empty();
+    orient(wall, place, quarter_turns);
   }
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
     if (const auto wall = numbers.find(wall_key(elements.house[e], side_of(elements.tag[e], " wall"))); wall != numbers.end()) {
@@ -127,11 +136,6 @@ void find_lintels(const Elements& elements, Building& b) {
       if (b.walls[w].house == elements.house[e] && inside(0) && inside(1)) b.wall[e] = static_cast<std::int32_t>(w);
     }
   }
-}
-
-void orient(Wall& wall, const Box& house) {
-  wall.across = wall.box.size(0) < wall.box.size(1) ? 0 : 1;
-  wall.outward = wall.box.centre(wall.across) > house.centre(wall.across) ? 1.0 : -1.0;
 }
 
 void find_courses(const Elements& elements, Building& b) {
@@ -162,7 +166,6 @@ Room room_of(const std::vector<Wall>& walls, std::int32_t house, const Box& oute
 void find_rooms(Building& b) {
   std::map<std::int32_t, Box> houses;
   for (const Wall& w : b.walls) houses.emplace(w.house, Box::empty()).first->second.include(w.box);
-  for (Wall& w : b.walls) orient(w, houses.at(w.house));
   for (const auto& [house, outer] : houses) {
     const Room room = room_of(b.walls, house, outer);
     if (room.high[0] > room.low[0] && room.high[1] > room.low[1]) b.rooms.push_back(room);
@@ -182,7 +185,7 @@ void Box::include(const Box& other) noexcept {
 
 Building building_of(const Hdf5File& run) {
   Building b;
-  b.base = base_of(run);
+  b.base = case_number(run, "base", "z");
   b.mass = run.read<double>("/model/element/mass");
   const std::size_t n = b.mass.size();
   const Elements elements{run.read_strings("/model/element/tag"), run.read<std::int32_t>("/model/element/house"),
@@ -195,7 +198,7 @@ Building building_of(const Hdf5File& run) {
   }
   b.wall.assign(n, -1);
   b.box = boxes_of(run, n);
-  find_walls(elements, b);
+  find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
   find_lintels(elements, b);
   find_rooms(b);
   find_courses(elements, b);

@@ -61,7 +61,7 @@ struct Building {
   }
 };
 
-/// \param run  its model and its case, of which only the height of the base is read \throw FileError
+/// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
 Building building_of(const Hdf5File& run);
 
 }  // namespace voussoir::io

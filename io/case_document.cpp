@@ -10,6 +10,7 @@
 #include "io/case_values.h"
 #include "io/catalogue.h"
 #include "io/errors.h"
+#include "io/motion_keys.h"
 
 namespace voussoir::io {
 namespace {
@@ -50,6 +51,7 @@ class Reader {
     Node document = parse(text);
     set_file(document, file);
     Node whole = included(text, *document.as<Node::Table>());
+    make_way(document, whole);
     lay_over(std::move(document), whole);
     open_.pop_back();
     return whole;
@@ -95,7 +97,9 @@ class Reader {
       const CaseText part = find(text, *name, where);
       if (std::find(open_.begin(), open_.end(), part.path) != open_.end())
         throw CaseFileError(where + " = \"" + *name + "\" leads back to itself", "include", "leads back to itself", node.source.line);
-      lay_over(read(part), whole);
+      Node next = read(part);
+      make_way(next, whole);
+      lay_over(std::move(next), whole);
     }
     return whole;
   }
@@ -112,9 +116,23 @@ class Reader {
       }
     }
     try {
-      return find_case(name);
+      return find_case(name, from.folder);
     } catch (const CaseFileError& e) {
       throw CaseFileError(where + ": " + e.problem(), "include", e.problem(), 0);
+    }
+  }
+
+  /// Takes from `under` the source of a motion if `top` names another.
+  static void make_way(const Node& top, Node& under) {
+    const Entry* from = find_entry(*top.as<Node::Table>(), "motion");
+    Entry* to = find_entry(*under.as<Node::Table>(), "motion");
+    const auto* later = from == nullptr ? nullptr : from->node.as<Node::Table>();
+    auto* earlier = to == nullptr ? nullptr : to->node.as<Node::Table>();
+    if (later == nullptr || earlier == nullptr) return;
+    for (const Entry& entry : *later) {
+      for (const std::string_view other : give_way_to(entry.name)) {
+        std::erase_if(*earlier, [&](const Entry& e) { return e.name == other; });
+      }
     }
   }
 
@@ -142,17 +160,18 @@ class Reader {
 
 }  // namespace
 
-CaseText find_case(const std::string& name) {
+CaseText find_case(const std::string& name, const std::string& folder) {
   std::error_code error;
-  if (is_path(name)) return read_file(name);
+  const std::string file = (fs::path(folder) / name).lexically_normal().string();
+  if (is_path(name)) return read_file(file);
   const std::vector<CatalogueEntry> entries = catalogue();
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& e) { return e.name == name; });
   if (entry != entries.end()) return text_of(*entry);
-  if (fs::exists(name, error)) return read_file(name);
+  if (fs::exists(file, error)) return read_file(file);
 
   std::vector<std::string> names;
   for (const CatalogueEntry& e : entries) names.push_back(e.name);
-  const std::string near = fs::exists(name + ".toml", error) ? name + ".toml" : nearest(name, names);
+  const std::string near = fs::exists(file + ".toml", error) ? name + ".toml" : nearest(name, names);
   const std::string problem = "case \"" + name + "\" is neither in the catalogue nor a file; " +
                               (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "The catalogue: " + joined(names);
   throw CaseFileError(problem, "", problem, 0);

@@ -59,6 +59,9 @@ LoadedCase load_case(const std::string& name_or_path, const std::vector<std::str
 /// Reads a case that is already in memory; what it includes is read from files. \throw FileError, CaseFileError as load_case.
 LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overrides = {});
 
+/// The same case with absolute paths to the files that it names, so that it means the same wherever its text lies.
+cases::Case anchored(cases::Case value);
+
 /// Every key with its value, defaults included, each with unit, allowed values and a sentence as comment; keys without a value stand as
 /// comments. Reading it gives an equal case, bit for bit (but for `folder`, which is no key).
 std::string resolved_toml(const cases::Case& value);

@@ -47,7 +47,7 @@ Table<Damping> damping_table() {
   using S = Damping;
   return {
       "mass damping: ratio at frequency, or alpha",
-      {value<S>("ratio", &S::ratio, "", at_least(0.0), "of critical damping, at `frequency` (Eq. 14)"),
+      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
        value<S>("frequency", &S::frequency, "Hz", above(0.0), "where the ratio holds: the first natural frequency"),
        value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond")},

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "io/case_values.h"
+
 namespace voussoir::io {
 namespace {
 
@@ -118,6 +120,15 @@ Node parse_value(const std::string& text) {
     return std::move(document.as<Node::Table>()->front().node);
   } catch (const SyntaxError&) {
     return Node{text, {}};
+  }
+}
+
+bool is_utf8(std::string_view text) {
+  try {
+    parse_document("v = " + toml_string(text));
+    return true;
+  } catch (const SyntaxError&) {
+    return false;
   }
 }
 

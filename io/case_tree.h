@@ -77,6 +77,9 @@ Node parse_document(std::string_view text);
 /// Reads the value of an override: a TOML value, else the text itself as a string.
 Node parse_value(const std::string& text);
 
+/// What a TOML string can hold.
+bool is_utf8(std::string_view text);
+
 /// Applies overrides "a.b[0].c=value" to the document. A number may stand for an index (a.b.0.c); missing tables are made, an index one
 /// past the end appends, and an empty value takes the key away. \throw CaseFileError naming the override that cannot be applied.
 void apply_overrides(Node& document, const std::vector<std::string>& overrides);

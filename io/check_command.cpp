@@ -53,7 +53,7 @@ void print_step(const cases::Census& n, const cases::Model& m, double dt) {
   const auto e = static_cast<std::size_t>(n.step_element);
   std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
               cases::describe(m.blocks[e], e).c_str());
-  std::printf("step                     %.4g s\n", dt);
+  std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
 }
 
 void print_estimate(const cases::Case& c, const cases::Census& n, double dt, int threads) {

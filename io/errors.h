@@ -20,4 +20,14 @@ class FileError : public std::runtime_error {
   std::string path_;
 };
 
+/// A fault of a file that a key of the case names.
+class NamedFileError : public FileError {
+ public:
+  NamedFileError(const FileError& fault, std::string key) : FileError(fault), key_(std::move(key)) {}
+  [[nodiscard]] const std::string& key() const noexcept { return key_; }
+
+ private:
+  std::string key_;
+};
+
 }  // namespace voussoir::io

@@ -11,10 +11,12 @@
 
 #include "io/bench_command.h"
 #include "io/case_file.h"
+#include "io/case_values.h"
 #include "io/compare_command.h"
 #include "io/errors.h"
 #include "io/modes_command.h"
 #include "io/motion_command.h"
+#include "io/motion_keys.h"
 #include "io/report_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
@@ -48,32 +50,24 @@ struct Words {
 /// A path given on the command line starts at the working folder, not at the case's.
 std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
-
 /// A record or files on the command line take the place of those that the case names.
 std::vector<std::string> motion_overrides(const Words& w) {
-  std::vector<std::string> dropped, files;
-  const auto drop = [&](std::initializer_list<const char*> keys) { dropped.insert(dropped.end(), keys.begin(), keys.end()); };
-  if (!w.record.empty()) drop({"x", "y", "z", "L", "T", "V"});
+  std::vector<std::string> dropped, given;
+  const auto give = [&](const std::string& key, const std::string& value) {
+    for (const std::string_view other : io::give_way_to(key)) dropped.push_back("motion." + std::string(other) + "=");
+    given.push_back("motion." + key + "=" + io::toml_string(value));
+  };
+  if (!w.direction.empty()) give("direction", w.direction);
+  if (!w.record.empty()) give("record", std::filesystem::exists(w.record) ? from_here(w.record) : w.record);
   for (const std::string& m : w.motion) {
     const std::size_t equals = m.find('=');
-    if (equals == std::string::npos) throw cases::InputError("--motion", quoted(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
-    const std::string axis = m.substr(0, equals);
-    drop({"record"});
-    if (axis == "x" || axis == "y" || axis == "z") {
-      drop({"L", "T", "V"});
-      if (w.direction.empty()) drop({"direction"});  // of the case: it says where L, T, V go
-    } else {
-      drop({"x", "y", "z"});
+    if (equals == std::string::npos) {
+      throw cases::InputError("--motion", io::toml_string(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
     }
-    files.push_back("motion." + axis + "=" + quoted(from_here(m.substr(equals + 1))));
+    give(m.substr(0, equals), from_here(m.substr(equals + 1)));
   }
-  std::vector<std::string> all;
-  for (const std::string& key : dropped) all.push_back("motion." + key + "=");
-  if (!w.direction.empty()) all.push_back("motion.direction=" + quoted(w.direction));
-  if (!w.record.empty()) all.push_back("motion.record=" + quoted(std::filesystem::exists(w.record) ? from_here(w.record) : w.record));
-  all.insert(all.end(), files.begin(), files.end());
-  return all;
+  dropped.insert(dropped.end(), given.begin(), given.end());
+  return dropped;
 }
 
 /// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
@@ -81,7 +75,7 @@ std::vector<std::string> overrides(const Words& w) {
   std::vector<std::string> all = motion_overrides(w);
   if (!w.scale.empty()) all.push_back("motion.scale=" + w.scale);
   if (!w.duration.empty()) all.push_back("time.duration=" + w.duration);
-  if (!w.dt.empty()) all.push_back("time.step=" + (w.dt == "auto" ? quoted(w.dt) : w.dt));
+  if (!w.dt.empty()) all.push_back("time.step=" + (w.dt == "auto" ? io::toml_string(w.dt) : w.dt));
   if (!w.frames.empty()) all.push_back("output.frame_interval=" + w.frames);
   all.insert(all.end(), w.set.begin(), w.set.end());
   return all;
@@ -228,6 +222,9 @@ int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
   } catch (const cases::InputError& e) {
     std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
     return io::kInputFault;
+  } catch (const io::NamedFileError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", c.describe({e.key(), std::string("cannot be used: ") + e.what()}).c_str());
+    return io::kFileFault;
   }
 }
 

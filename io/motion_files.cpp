@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "cases/names.h"
@@ -28,11 +29,17 @@ std::size_t component_index(char letter) { return letter == 'L' ? 0 : letter == 
 std::string path_from(const std::string& folder, const std::string& path) { return (fs::path(folder) / path).string(); }
 
 /// \param axes what files[i] is taken for in a file of several components, as read_accelerogram.
-std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::array<char, 3>& axes, const std::string& folder,
-                                              const std::optional<std::string>& unit) {
+/// \param keys of the files, of motion
+std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::array<char, 3>& axes, std::string_view keys,
+                                              const std::string& folder, const std::optional<std::string>& unit) {
   std::array<cases::Accelerogram, 3> components;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (files[i]) components[i] = read_accelerogram(path_from(folder, *files[i]), unit, axes[i]);
+    if (!files[i]) continue;
+    try {
+      components[i] = read_accelerogram(path_from(folder, *files[i]), unit, axes[i]);
+    } catch (const FileError& e) {
+      throw NamedFileError(e, std::string("motion.") + keys[i]);
+    }
   }
   return components;
 }
@@ -41,8 +48,12 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
   if (*m.record == "bam-like") return {*m.record, cases::bam_like()};
   const std::string folder = path_from(case_folder, *m.record);
   std::error_code error;
-  if (!m.record->empty() && fs::is_directory(folder, error)) return read_record_folder(folder, m.unit);
-  if (!m.record->empty() && fs::exists(folder, error)) return read_record_file(folder, m.unit);
+  try {
+    if (!m.record->empty() && fs::is_directory(folder, error)) return read_record_folder(folder, m.unit);
+    if (!m.record->empty() && fs::exists(folder, error)) return read_record_file(folder, m.unit);
+  } catch (const FileError& e) {
+    throw NamedFileError(e, "motion.record");
+  }
   throw cases::InputError("motion.record",
                           "\"" + *m.record + "\" is neither a record of the program nor a folder or file (" + folder +
                               "); allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
@@ -99,8 +110,8 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
   check(motion);
   const bool turned = !any_given(motion.xyz);
   std::array<cases::Accelerogram, 3> read = motion.record ? named_record(motion, case_folder).ltv
-                                            : turned      ? read_files(motion.ltv, kLtv, case_folder, motion.unit)
-                                                          : read_files(motion.xyz, {}, case_folder, motion.unit);
+                                            : turned      ? read_files(motion.ltv, kLtv, "LTV", case_folder, motion.unit)
+                                                          : read_files(motion.xyz, {}, "xyz", case_folder, motion.unit);
   cases::GroundMotion result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t from = turned ? component_index(motion.direction[i]) : i;

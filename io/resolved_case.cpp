@@ -1,9 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
 #include "io/case_file.h"
 #include "io/case_tables.h"
 
 namespace voussoir::io {
+
+cases::Case anchored(cases::Case value) {
+  namespace fs = std::filesystem;
+  const auto anchor = [&](std::string& path) { path = fs::absolute(fs::path(value.folder) / path).lexically_normal().string(); };
+  if (value.motion) {
+    for (auto* files : {&value.motion->xyz, &value.motion->ltv}) {
+      for (std::optional<std::string>& file : *files) {
+        if (file) anchor(*file);
+      }
+    }
+    std::error_code none;
+    std::optional<std::string>& record = value.motion->record;
+    if (record && fs::exists(fs::path(value.folder) / *record, none)) anchor(*record);  // else one of the program's
+  }
+  for (cases::BlockSpec& block : value.blocks) {
+    if (block.motion && block.motion->file) anchor(*block.motion->file);
+  }
+  return value;
+}
 
 std::string resolved_toml(const cases::Case& value) {
   Lines lines;

@@ -23,7 +23,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   solver::Simulation sim(c.value, model, motion, options);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
-  const std::string resolved = resolved_toml(c.value);
+  const std::string resolved = resolved_toml(anchored(c.value));
   folder.write_case(resolved);
   ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(omp_get_max_threads()));
 

@@ -57,7 +57,11 @@ void load_support_motions(cases::Model& model, const std::string& folder) {
   for (cases::SupportHistory& h : model.support_motions) {
     if (h.file.empty()) continue;
     const std::filesystem::path path(h.file);
-    read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), h);
+    try {
+      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), h);
+    } catch (const FileError& e) {
+      throw NamedFileError(e, h.key + ".file");
+    }
   }
 }
 

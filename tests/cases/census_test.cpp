@@ -169,7 +169,7 @@ TEST_CASE("the time step bound of Eq. 19 is the paper's, from the half-height of
   }
 }
 
-TEST_CASE("the bill of blocks adds up") {
+TEST_CASE("groups and the bill of blocks add up") {
   const Model model = build_model(testing::paper_flat40());
   const Census c = census(model);
   REQUIRE(c.groups.size() == 6);
@@ -184,6 +184,17 @@ TEST_CASE("the bill of blocks adds up") {
   }
   CHECK(blocks == c.elements);
   CHECK(mass == doctest::Approx(c.mass).epsilon(1e-12));
+
+  double volume = 0.0;
+  blocks = 0;
+  for (const BillLine& line : c.bill) blocks += line.count, volume += line.volume;
+  CHECK(blocks == c.elements);
+  CHECK(volume == doctest::Approx(c.volume).epsilon(1e-12));
+  const BillLine& beams = c.bill.back();
+  CHECK(beams.kind == PartKind::beam);
+  CHECK(beams.whole);
+  CHECK(beams.count == 27 * 17);
+  CHECK(beams.volume == doctest::Approx(27 * 17 * 0.2 * 0.2 * 0.2).epsilon(1e-12));
 }
 
 TEST_CASE("fixed blocks count apart and do not limit the step") {

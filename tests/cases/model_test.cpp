@@ -182,6 +182,28 @@ TEST_CASE("a case must describe something, and a house needs ground") {
   CHECK_THROWS_WITH_AS(build_model(c), doctest::Contains("overlaps"), InputError);  // the house now stands at -0.2 m, in the slab
 }
 
+TEST_CASE("segments that would fill the memory are refused by their key") {
+  check_refused(
+      small_house(), [](Case& c) { c.segment_size = 1e-5; }, "segments.size", "a larger segments.size makes fewer");
+  check_refused(
+      testing::paper_materials(),
+      [](Case& c) {
+        c.base = Base{};
+        c.blocks = {box("slab", {0, 0, 0}, {2, 2, 1e-4})};
+      },
+      "block[0]", "of 2.5e-05 m (a quarter of its shortest edge)");
+}
+
+TEST_CASE("an overlap names the right block, also if a name reads like a number of geometry's") {
+  check_refused(
+      testing::paper_materials(),
+      [](Case& c) {
+        c.base = Base{};
+        c.blocks = {box("block 1", {0, 0, 0}, {0.2, 0.1, 0.1}), box("block 2", {0.1, 0, 0}, {0.3, 0.1, 0.1})};
+      },
+      "block[1]", "block \"block 1\" (element 0): overlaps block \"block 2\" (element 1)");
+}
+
 TEST_CASE("a house stands on the base, at any height") {
   Case c = small_house();
   c.base->z = 1.25;

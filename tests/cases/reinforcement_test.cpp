@@ -101,6 +101,12 @@ TEST_CASE("columns that cannot stand are refused") {
                 "where that of house.reinforcement.bearing[");
   check_refused([](House& h) { h.reinforcement->ring_beam = {0.1, 2.4}; }, "house.reinforcement.ring_beam", "not below the height");
   check_refused([](House& h) { h.reinforcement->ring_beam = {1.5, 0.1}; }, "house.reinforcement.ring_beam", "at most 1.45 m");
+  check_refused(
+      [](House& h) {
+        h.openings.clear(), h.inner_size[0] = 2.6, h.reinforcement->ring_beam = {1.3, 0.1};
+      },
+      "house.reinforcement.ring_beam", "at most 1.2");
+  check_refused([](House& h) { h.reinforcement->column = {0.1, 3.5}; }, "house.reinforcement.column", "does not fit between the walls");
   check_refused([](House& h) { h.reinforcement->element = 0.001; }, "house.reinforcement.element", "more than 1000 parts");
   check_refused([](House& h) { h.walls = {"front", "rear"}; }, "house.reinforcement", "four walls");
 }

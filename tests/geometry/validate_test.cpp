@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "fixtures.h"
 #include "geometry/polyhedron.h"
@@ -59,6 +60,17 @@ TEST_SUITE("validate") {
     CHECK(complaint_of(p).mentions("face 2 uses vertex 0 twice"));
     p.faces.resize(3);
     CHECK(complaint_of(p).mentions("fewer than 4 faces: 3"));
+  }
+
+  TEST_CASE("a section that runs round twice, closed and convex") {
+    Polyhedron p;
+    const std::array<Vec3, 3> corner{Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    for (const double x : {0.0, 1.0}) {
+      for (std::size_t i = 0; i < 6; ++i) p.vertices.push_back(corner[i % 3] + Vec3{x, 0, 0});
+    }
+    p.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
+    for (std::int32_t i = 0; i < 6; ++i) p.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
+    CHECK(complaint_of(p).mentions("vertices 0 and 3 coincide"));
   }
 
   TEST_CASE("a vertex used by no face") {

@@ -156,6 +156,7 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal("[damping]\nratio = 0.02").starts_with("test.toml:2: damping.ratio = 0.02 needs damping.frequency"));
   CHECK(refusal("[damping]\nfrequency = 6").starts_with("test.toml:2: damping.frequency = 6 Hz needs damping.ratio"));
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 0") == "accepted");
+  CHECK(refusal("[damping]\nfrequency = 6\nratio = 2").starts_with("test.toml:3: damping.ratio = 2: must be"));
   CHECK(refusal("[damping]\nalpha = 1.5") == "accepted");
   const std::string law = "[joint_laws.n]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n";
   CHECK(refusal(law) == "accepted");

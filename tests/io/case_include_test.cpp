@@ -21,6 +21,29 @@ std::string refusal(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("a source of motion takes the place of the included one; two in one file are refused") {
+  const TempFolder folder;
+  folder.write("house.toml", "[motion]\nrecord = \"bam-like\"\ndirection = \"TLV\"\nscale = 0.5\n");
+  const cases::Motion axes =
+      *io::load_case(folder.write("axes.toml", "include = \"house.toml\"\n[motion]\nx = \"a.csv\"\ny = \"b.csv\"\n")).value.motion;
+  CHECK_FALSE(axes.record);
+  CHECK(axes.xyz[1] == "b.csv");
+  CHECK(axes.direction == "LTV");
+  CHECK(axes.scale[0] == 0.5);
+  const cases::Motion parts = *io::load_case(folder.write("parts.toml", "include = \"axes.toml\"\n[motion]\nT = \"t.csv\"\n")).value.motion;
+  CHECK_FALSE(parts.xyz[0]);
+  CHECK_FALSE(parts.record);
+  CHECK(io::load_case(folder.write("back.toml", "include = \"parts.toml\"\n[motion]\nrecord = \"r\"\n")).value.motion->record == "r");
+  const std::string both = folder.write("both.toml", "include = \"house.toml\"\n[motion]\nx = \"a\"\nT = \"b\"\n");
+  CHECK(refusal(both).find("motion.T = \"b\" does not go with motion.x") != std::string::npos);
+}
+
+TEST_CASE("an included name without .toml is that of a ready case, else of a file beside the including one") {
+  const TempFolder folder;
+  folder.write("parts/common", "title = \"beside\"\n");
+  CHECK(io::load_case(folder.write("parts/case.toml", "include = \"common\"\n")).value.title == "beside");
+}
+
 TEST_CASE("a case lies over what it includes, key by key; arrays are replaced") {
   const TempFolder folder;
   folder.write(

@@ -167,7 +167,8 @@ class Hut {
  public:
   using Move = std::function<Vec3(std::size_t element, Vec3 centroid)>;
 
-  Hut() : model_(cases::build_model(read_case({"hut.toml", kHut}).value)), results_(folder_.path(), model_, kHut, kNames, {}, by_hand()) {}
+  explicit Hut(const std::string& text = kHut)
+      : model_(cases::build_model(read_case({"hut.toml", text}).value)), results_(folder_.path(), model_, text, kNames, {}, by_hand()) {}
 
   void frame(double time, const Move& move) {
     std::vector<float> position, quaternion;
@@ -268,6 +269,30 @@ TEST_CASE("drift is outward, relative to the foot, and ends with the wall") {
   CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 0, 0, 4});
   CHECK(m.series.drift.size() == 4 * m.walls.size());
   CHECK(m.series.drift[2 * m.walls.size() + front] == doctest::Approx(-0.02 / 0.4));
+}
+
+TEST_CASE("out of the house is told by a wall's name and the turn of the house, for one wall alone and for one thicker than long") {
+  for (const int turn : {0, 90, 180, 270}) {
+    for (const std::string side : {"front", "right", "rear", "left"}) {
+      CAPTURE(turn);
+      CAPTURE(side);
+      std::string text = kHut;
+      const std::string keys = "[house]\nwalls = [\"" + side + "\"]\nturn = " + std::to_string(turn) + "\nbearing_wall = 0.8\n";
+      text.replace(text.find("[house]\n"), 8, keys);
+      text.replace(text.find("inner_size = [1.0, 0.8]"), 23, "inner_size = [0.2, 0.8]");
+      text.replace(text.find("roof = { kind = \"flat\" }"), 24, "roof = { kind = \"none\" }");
+      Hut hut(text);
+      const double angle = (turn + (side == "right"  ? 0.0
+                                    : side == "rear" ? 90.0
+                                    : side == "left" ? 180.0
+                                                     : 270.0)) *
+                           std::acos(-1.0) / 180.0;
+      hut.frame(0.0, stays);
+      hut.frame(0.1, [&](std::size_t, Vec3 x) { return x.z > 0.3 ? x + 0.1 * Vec3{std::cos(angle), std::sin(angle), 0.0} : x; });
+      const Measures m = hut.measures();
+      CHECK(m.series.drift.at(1) == doctest::Approx(0.1 / 0.4).epsilon(1e-5));
+    }
+  }
 }
 
 TEST_CASE("a crack along the whole foot of a wall has the extent one, and its width tells which") {

@@ -167,11 +167,18 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
 
 TEST_CASE("files or a record on the command line take the place of those that the case names") {
   const TempFolder folder;
-  const std::string file = folder.write("rest.csv", "t,a\n0,0\n0.005,0\n0.01,0\n"), other = folder.write("other.csv", "t,a\n0,0\n1,0\n");
+  const std::string file = folder.write("rest.csv", "t [s], a [m/s2]\n0, 0\n0.005, 0\n0.01, 0\n"),
+                    other = folder.write("other.csv", "t [s], a [m/s2]\n0, 0\n1, 0\n");
   const auto begin = [&](const std::string& motion, const std::string& words) {
     std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]") << "[motion]\n" << motion << '\n';
     return voussoir("run " + folder.path("case.toml") + " --quiet --overwrite -j 1 -o " + folder.path("out") + " " + words);
   };
+  const Outcome missing = begin("x = \"none.csv\"", "");
+  CHECK(missing.code == 3);
+  CHECK(says(missing, {"case.toml:", "motion.x = \"none.csv\" cannot be used: ", "none.csv: no such file"}));
+  // What a run keeps of its case means the same from anywhere.
+  REQUIRE(begin("x = \"rest.csv\"", "").code == 0);
+  CHECK(voussoir("check " + folder.path("out/case.toml")).code == 0);
   const std::string shipped = "record = \"bam-like\"\ndirection = \"TLV\"";
   CHECK(begin(shipped, "--motion x=" + file).code == 0);
   CHECK(says(begin(shipped, "--motion x=" + file + " --direction TLV"), {"direction", "files are given for x, y, z"}));
