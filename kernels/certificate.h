@@ -40,24 +40,26 @@ VOUSSOIR_INLINE LaneMask well_inside(const SideConstants& s, int at, const Kinem
   const Lanes reach_t = max(-load_lanes(s.t_low + at), load_lanes(s.t_high + at));
   const Lanes dn = dot(k.d, k.n), an = reach_s * dot(k.a, k.n), bn = reach_t * dot(k.b, k.n);
   const Lanes u2 = dot(k.d, k.d) + ((reach_s * reach_s) * dot(k.a, k.a) + (reach_t * reach_t) * dot(k.b, k.b));
-  const Lanes tau2 = (3.0 * (ks * ks)) * (u2 - (dn * dn + (an * an + bn * bn))) + kRound * fm2;
+  const Lanes tau2 = (3.0 * (ks * ks)) * ((1.0 + kRound) * u2 - (dn * dn + (an * an + bn * bn)));
   const Lanes swing = magnitude(an) + magnitude(bn), sigma = kn * (magnitude(dn) + swing);
   return (kn * (dn + swing) <= ft) & (tau2 <= c * c) & (sigma * sigma + load_lanes(s.cap + at) * tau2 <= fm2);
 }
 
 /// Lanes whose every segment is certainly inside all limits.
 ///
-/// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 |u|²;
-/// where the cap holds |u| is under f_m/k_s, so a share of f_m² covers it (kRound).
+/// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 of the
+/// squares that |u|² is no more than: a larger share of these covers it (kRound).
 VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at), ks2 = ks * ks;
   const Lanes ft = kMargin * load_lanes(s.tension + at), c = kMargin * load_lanes(s.cohesion + at), tan_phi = load_lanes(s.tan_phi + at);
-  const Lanes fm = kMargin * load_lanes(s.compression + at), fm2 = fm * fm, cap = load_lanes(s.cap + at), round = kRound * fm2;
-  const Lanes c2 = c * c - round;
+  const Lanes fm = kMargin * load_lanes(s.compression + at), fm2 = fm * fm, cap = load_lanes(s.cap + at);
   const Lanes sn = kn * dot(k.d, k.n), an = kn * dot(k.a, k.n), bn = kn * dot(k.b, k.n);  // stress: sn + s an + t bn
   const Lanes to_n = ks2 / (kn * kn);
   const Lanes dd = ks2 * dot(k.d, k.d), aa = ks2 * dot(k.a, k.a), bb = ks2 * dot(k.b, k.b);
   const Lanes da = 2.0 * (ks2 * dot(k.d, k.a)), db = 2.0 * (ks2 * dot(k.d, k.b)), ab = 2.0 * (ks2 * dot(k.a, k.b));
+  const Lanes reach_s = max(-load_lanes(s.s_low + at), load_lanes(s.s_high + at));
+  const Lanes reach_t = max(-load_lanes(s.t_low + at), load_lanes(s.t_high + at));
+  const Lanes round = (3.0 * kRound) * (dd + ((reach_s * reach_s) * aa + (reach_t * reach_t) * bb)), c2 = c * c - round;
   const Lanes tt[2] = {load_lanes(s.t_low + at), load_lanes(s.t_high + at)};
   LaneMask tension_or_cap_exceeded{}, above_cohesion{}, above_coulomb{};
   for (const double* edge : {s.s_low + at, s.s_high + at}) {

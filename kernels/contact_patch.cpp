@@ -172,16 +172,25 @@ VOUSSOIR_INLINE Lanes distances(const PlaneFields& planes, Lanes s, Lanes t) noe
   return most;
 }
 
-/// The same but for the face that each point touches.
-VOUSSOIR_INLINE Lanes distances_beside(const PlaneFields& planes, std::int32_t first_face, const std::int32_t* face, Lanes s,
-                                       Lanes t) noexcept {
-  Lanes most = lanes(-1e300);
+/// The same apart for the face that each point touches and for all others.
+struct Distances {
+  Lanes own = lanes(-1e300), beside = lanes(-1e300);
+};
+VOUSSOIR_INLINE Distances distances_of_held(const PlaneFields& planes, std::int32_t first_face, const std::int32_t* face, Lanes s,
+                                            Lanes t) noexcept {
+  Distances d;
   for (int f = 0; f < planes.count; ++f) {
     const Lanes g = planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt;
-    most = select(equal(face, first_face + f), most, max(most, g));
+    const LaneMask is_own = equal(face, first_face + f);
+    d.own = select(is_own, g, d.own);
+    d.beside = select(is_own, d.beside, max(d.beside, g));
   }
-  return most;
+  return d;
 }
+
+/// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on
+/// which it still stands.
+VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
 /// Points of the patch against candidate k: few have come in or left. Returns the way [m] that the others have to go until one can, but for
 /// those that leave through the face they touch.
@@ -192,10 +201,15 @@ double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   Lanes way = far;
   for (int i = 0; i < w.points.n; i += kWidth) {
     const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i), distance = distances(planes, s, t);
-    const LaneMask in = distance < 0.0, free = equal(w.q.partner + i, kNobody), held = equal(w.q.partner + i, c.element);
-    unsigned rest = bits((in & free) | (~in & held));
+    const LaneMask free = equal(w.q.partner + i, kNobody), held = equal(w.q.partner + i, c.element);
+    LaneMask in = distance < 0.0;
     Lanes room = select(free, distance, far);
-    if (bits(held) != 0) room = select(held, -distances_beside(planes, c.first_face, w.q.face + i, s, t), room);
+    if (bits(held) != 0) {
+      const Distances d = distances_of_held(planes, c.first_face, w.q.face + i, s, t);
+      in = (in & ~held) | (held & (d.beside < 0.0) & (d.own < kept_out_to(w.q, i)));
+      room = select(held, -d.beside, room);
+    }
+    unsigned rest = bits((in & free) | (~in & held));
     if (w.points.n - i < kWidth) {
       rest &= (1U << (w.points.n - i)) - 1U;
       for (int l = w.points.n - i; l < kWidth; ++l) room[l] = 1e300;
@@ -222,7 +236,7 @@ bool leaves(const Work& w, const Candidate& c) noexcept {
   LaneMask out{};
   for (int i = c.first; i < c.last; i += kWidth) {
     const Lanes depth = g0 + load_lanes(w.points.s + i) * gs + load_lanes(w.points.t + i) * gt;
-    out |= equal(w.q.partner + i, c.element) & equal(w.q.face + i, c.face) & (depth >= 0.0);
+    out |= equal(w.q.partner + i, c.element) & equal(w.q.face + i, c.face) & (depth >= kept_out_to(w.q, i));
   }
   return bits(out) != 0;
 }

@@ -14,11 +14,13 @@
 ///
 /// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the
 /// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5, or where no face of A does, as at a
-/// corner sharper than a brick's, that which opposes most). A point that came in through a side, or deeper than kDeepest, carries no force
-/// until it has left.
+/// corner sharper than a brick's, that which opposes most). A point that came in through a side, or was deeper than kDeepest before the
+/// step in which it is found, carries no force until it has left. Of several partners one with such a face is first, then the element that
+/// the patch was joined to, then the one in which the point was deepest.
 namespace voussoir::kernels {
 
-inline constexpr double kDeepest = 3e-3;   // m, a point found deeper than this was not stopped by a face: it came in through a side
+inline constexpr double kDeepest =
+    3e-3;  // m, a point that was deeper than this before was not stopped by a face: it came in through a side
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
 inline constexpr int kMostFaces = 64;      // of one element
@@ -53,7 +55,7 @@ struct Patch {
 /// few.
 struct alignas(64) PointSprings {
   double slip_x[kWidth] = {}, slip_y[kWidth] = {}, slip_z[kWidth] = {};  // m, elongation of the shear spring in A's body frame
-  double closure[kWidth] = {};  // m, offset of the depth that the point brought along from its joint (crushing, and see hand_over)
+  double closure[kWidth] = {};  // m, offset of the depth: of crushing, of a joint (see hand_over), or of a point that came round an edge
 };
 
 /// History of the points of a patch.

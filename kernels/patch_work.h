@@ -89,11 +89,11 @@ inline bool opposes(const Patch& p, const Master& m, const InSlave& y, const Pos
   return least >= kOpposing && own <= least + kAsMuch;
 }
 
-/// The least penetrated face that opposes the patch; kNoFace if there is none or the point is too deep (it came in through a side).
+/// The least penetrated face that opposes the patch; kNoFace if there is none.
 inline std::int32_t entry_face(double s, double t, const Patch& p, const Master& m, const InSlave& y, const Pose& slave,
-                               const PlaneFields& planes, const Face* faces, const Candidate& c, double& depth) noexcept {
+                               const PlaneFields& planes, const Face* faces, const Candidate& c) noexcept {
   std::int32_t best = kNoFace;
-  depth = 1e300;
+  double depth = 1e300;
   for (int f = 0; f < planes.count; ++f) {
     const double d = -planes.g[f].at(s, t);
     if (d < depth && opposes(p, m, y, slave, c.first_face + f, faces)) {
@@ -101,7 +101,7 @@ inline std::int32_t entry_face(double s, double t, const Patch& p, const Master&
       best = c.first_face + f;
     }
   }
-  return depth > kDeepest ? kNoFace : best;
+  return best;
 }
 
 inline void release(ContactPoints q, int i) noexcept {
@@ -194,46 +194,68 @@ inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
   return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
 }
 
-/// What becomes of a point that is free or touches candidate k: it is released if it has left it, or candidate k is noted if it is the
-/// deepest new partner of a free point so far. `in`: the point is inside of it.
+/// A face of a candidate for a free point inside of it.
+struct Entry {
+  std::int32_t face = kNoFace;
+  double depth = 0.0;  // m, under the face when this step began, above 0: inside
+};
+
+/// Where point i came into candidate c. A point that came in through the face is no deeper than this step took it; one that was deeper
+/// than kDeepest before came in through a side, and no face has stopped it.
+inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
+  const double s = w.points.s[i], t = w.points.t[i];
+  const Pose slave = load_pose(w.bodies.pose, c.element);
+  const std::int32_t face = entry_face(s, t, w.patch, w.m, y, slave, planes, w.faces, c);
+  if (face == kNoFace) return {};
+  const Facing f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
+  const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
+  const double depth = taken - f.depth.at(s, t);
+  return depth > kDeepest ? Entry{} : Entry{face, depth};
+}
+
+/// Who has a free point that several candidates claim: one with a face before one without, then the element that the patch was joined to,
+/// then the one that it was in more deeply.
+inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::int32_t other, const Entry& than) noexcept {
+  if ((e.face == kNoFace) != (than.face == kNoFace)) return than.face == kNoFace;
+  if (e.face == kNoFace) return false;
+  const auto is_origin = [&](std::int32_t c) { return w.candidates[static_cast<std::size_t>(c)].element == w.patch.origin; };
+  if (is_origin(k) != is_origin(other)) return is_origin(k);
+  return e.depth > than.depth;
+}
+
+/// What becomes of a point that is free or touches candidate k: it is released if it does not stay, or candidate k is noted if no other
+/// has more claim to the free point so far. `in`: the point is inside of it, or stays with it.
 inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const PlaneFields& planes, int i, bool in) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  const double s = w.points.s[i], t = w.points.t[i];
   if (w.q.partner[i] == c.element) {
     if (in) return;
     if (w.q.face[i] != kNoFace) {
-      book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, s, t, w.points.area[i], w.q, i, w.o.step,
-                   w.r);
+      book_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, w.points.s[i], w.points.t[i],
+                   w.points.area[i], w.q, i, w.o.step, w.r);
     }
     release(w.q, i);
     w.changed = true;
   } else if (in) {
-    double depth = 0.0;
-    const std::int32_t face = entry_face(s, t, w.patch, w.m, y, load_pose(w.bodies.pose, c.element), planes, w.faces, c, depth);
-    if (w.scratch.candidate[i] >= 0 && w.scratch.depth[i] >= depth) return;
+    const Entry e = entry_of(w, c, y, planes, i);
+    const std::int32_t other = w.scratch.candidate[i];
+    if (other >= 0 && !has_more_claim(w, k, e, other, {w.scratch.face[i], w.scratch.depth[i]})) return;
     w.scratch.candidate[i] = k;
-    w.scratch.face[i] = face;
-    w.scratch.depth[i] = depth;
+    w.scratch.face[i] = e.face;
+    w.scratch.depth[i] = e.depth;
     w.noted = true;
   }
 }
 
-/// Gives free points the partners found for them. A point that came in through the face is no deeper than this step took it; one that came
-/// round an edge is, and keeps the surplus as an offset: its springs begin without force, so that they can give back no more than they
-/// took.
+/// Gives free points the partners found for them. One that came round an edge keeps the depth it had as an offset: its springs begin
+/// without force, so that they can give back no more than they took.
 inline void take_partners(Work& w) noexcept {
   for (int i = 0; i < w.points.n; ++i) {
     const std::int32_t k = w.scratch.candidate[i];
     if (k < 0 || w.q.partner[i] != kNobody) continue;
-    const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-    w.q.partner[i] = c.element;
-    w.changed = true;
+    w.q.partner[i] = w.candidates[static_cast<std::size_t>(k)].element;
     w.q.face[i] = w.scratch.face[i];
-    if (w.q.face[i] == kNoFace) continue;
-    const Facing f = facing(w.patch, w.m, slave_frame(w, c), c, w.q.face[i], w.bodies, w.faces, w.o);
-    const double s = w.points.s[i], t = w.points.t[i];
-    const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
-    w.q.closure(i) = std::min(0.0, f.depth.at(s, t) - taken);
+    w.changed = true;
+    if (w.q.face[i] != kNoFace) w.q.closure(i) = std::min(0.0, -w.scratch.depth[i]);
   }
 }
 

@@ -79,7 +79,9 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
     q.closure(i) = 0.0;
     --patch.touching;
   }
-  if (candidates.empty()) patch.stored = 0.0;
+  if (patch.touching > 0) return;
+  patch.impact += patch.stored;  // nothing, but where a support has jumped away
+  patch.stored = 0.0;
 }
 
 /// The patches whose candidates are others than before: who touches whom is to be listed again, where anything touches.
@@ -91,9 +93,13 @@ void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
     const auto first = static_cast<std::size_t>(active ? c.first_slot[a] : 0),
                last = static_cast<std::size_t>(active ? c.first_slot[++a] : 0);
     if (changed[p] == 0) continue;
-    const std::int32_t face = w.patches.patch[p].touching == 0 ? kernels::kNoFace : kernels::kUnknownFace;
-    for (std::size_t slot = first; slot < last; ++slot) c.candidate[slot].face = face;
+    const std::int32_t touching = w.patches.patch[p].touching;
     release_lost(w, p, {c.element.data() + first, last - first});
+    const bool released = w.patches.patch[p].touching < touching;
+    for (std::size_t slot = first; slot < last; ++slot) {
+      c.candidate[slot].face = touching == 0 ? kernels::kNoFace : kernels::kUnknownFace;
+      if (released) c.candidate[slot].until = kernels::kLookNow;  // a point that is free now is a new one for all
+    }
   }
 }
 

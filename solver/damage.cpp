@@ -12,9 +12,10 @@ std::int64_t& count_of(Damage& d, kernels::Mode m) {
   return m == kernels::Mode::tension ? d.tension : m == kernels::Mode::shear ? d.shear : d.compression;
 }
 
-void lose_bond(World& w, std::int32_t element) {
+/// While settling, at times below zero, what is loose keeps the damping that brings it to rest.
+void lose_bond(World& w, std::int32_t element, double time) {
   const auto e = static_cast<std::size_t>(element);
-  if (--w.elements.bonds[e] == 0 && w.drop_debris_damping) w.elements.alpha[e] = 0.0;
+  if (--w.elements.bonds[e] == 0 && w.drop_debris_damping && time >= 0.0) w.elements.alpha[e] = 0.0;
 }
 
 CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::Side& s, double time) {
@@ -52,8 +53,8 @@ void book_event(World& w, const kernels::SegmentEvent& event, double time, Damag
   if (slipped_before) d.slipped -= n;
   d.bonded -= n;
   count_of(d, event.broke) += n;
-  lose_bond(w, s.master);
-  if (n == 2) lose_bond(w, s.slave);
+  lose_bond(w, s.master, time);
+  if (n == 2) lose_bond(w, s.slave, time);
   cracks.push_back(crack_row(w, event, s, time));
 }
 

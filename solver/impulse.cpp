@@ -21,6 +21,7 @@ cases::Case undamped(cases::Case c) {
   c.gravity.settle = false;
   c.gravity.acceleration = {};
   c.damping = {};
+  c.loads.clear();
   c.output.history_interval = kImpulseInterval;  // an automatic step divides it
   return c;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "solver/joint_forces.h"
@@ -30,7 +31,7 @@ class Ledger {
   void before_kick(World& w);
   EnergyRow after_drift(const World& w, bool damps_rotation, double time);
 
-  [[nodiscard]] double kinetic_over_elastic() const { return last_.kinetic / (last_.strain + last_.contact + 1e-300); }
+  [[nodiscard]] double kinetic_over_elastic() const { return std::abs(last_.kinetic) / (last_.strain + last_.contact + 1e-300); }
   [[nodiscard]] const EnergyRow& last() const { return last_; }
   [[nodiscard]] double worst_residual() const { return worst_; }
 

@@ -93,7 +93,7 @@ class Structure {
       m.displacement[e] = vec3(x.head<3>()), m.rotation[e] = vec3(x.tail<3>());
       momentum += world_.elements.mass[e] * x.head<3>();
       total += world_.elements.mass[e];
-      largest = std::max(largest, x.head<3>().cwiseAbs().maxCoeff());
+      largest = std::max({largest, x.head<3>().cwiseAbs().maxCoeff(), world_.elements.radius[e] * x.tail<3>().cwiseAbs().maxCoeff()});
     }
     m.mass_share = vec3(momentum.cwiseAbs2() / (total * q.squaredNorm()));
     for (auto* field : {&m.displacement, &m.rotation}) {

@@ -13,7 +13,7 @@ namespace voussoir::solver {
 struct Mode {
   double frequency = 0.0;          // Hz; 0: a mechanism, or a body that nothing holds
   Vec3 mass_share;                 // effective modal mass along x, y, z over the mass that moves
-  std::vector<Vec3> displacement;  // by element, of its centroid; the largest component of the mode is 1 m
+  std::vector<Vec3> displacement;  // by element, of its centroid; the largest component, or rotation times radius, of the mode is 1 m
   std::vector<Vec3> rotation;      // rad by element, same scale
 };
 

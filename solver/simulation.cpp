@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
 constexpr std::int64_t kGuardInterval = 20;  // steps
+constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
 /// Gravity as seen from a base tilted about x and y by angles in degrees.
@@ -46,8 +47,8 @@ double ramp_share(double t, double begin, double end) {
 
 Vec3 displacement_at(const cases::SupportHistory& h, double t) {
   if (h.time.empty() || t < h.time.front()) return {};
-  std::size_t i = 1;
-  while (i + 1 < h.time.size() && h.time[i] < t) ++i;
+  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
+  const auto i = static_cast<std::size_t>(later - h.time.begin());
   if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
   const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
   return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
@@ -62,7 +63,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   list_live_blocks(w);
   full_gravity_ = tilted(c.gravity.acceleration, c.base);
   const double frequency = c.damping.frequency.value_or(0.0);
-  ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : 1.0);
+  ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
   damage_ = initial_damage(w);
   ledger_ = Ledger(w);
   case_alpha_ = w.elements.alpha;
@@ -75,7 +76,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   if (c.gravity.settle && norm(full_gravity_) > 0.0) {
     phase_ = Phase::settling;
     // Near-critical for the slowest sway the case names; else for one that the ramp calls slow.
-    settling_alpha_ = 2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / std::max(ramp_, 1e-3));
+    settling_alpha_ = 2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? ramp_ : kRamp));
     set_damping(settling_alpha_);
   }
   // Rows follow from the state: a drift of no time writes them.

@@ -44,13 +44,26 @@ double distance(const PlaneFields& planes, double s, double t) noexcept {
   return most;
 }
 
+/// True if a point stays with the candidate that it touches: inside of all its faces but the one it touches, and no farther out of that
+/// one than the offset it brought along, on which it still stands.
+bool stays(const Work& w, const Candidate& c, const PlaneFields& planes, int i) noexcept {
+  for (int f = 0; f < planes.count; ++f) {
+    const bool own = c.first_face + f == w.q.face[i];
+    if (planes.g[f].at(w.points.s[i], w.points.t[i]) >= (own ? std::max(0.0, w.q.closure(i)) : 0.0)) return false;
+  }
+  return true;
+}
+
 /// All points against candidate k.
 void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c);
   for (int i = 0; i < w.points.n; ++i) {
-    if (w.q.partner[i] != kNobody && w.q.partner[i] != c.element) continue;
-    look_at_point(w, k, y, planes, i, !apart && distance(planes, w.points.s[i], w.points.t[i]) < 0.0);
+    if (w.q.partner[i] == c.element) {
+      look_at_point(w, k, y, planes, i, stays(w, c, planes, i));
+    } else if (w.q.partner[i] == kNobody) {
+      look_at_point(w, k, y, planes, i, !apart && distance(planes, w.points.s[i], w.points.t[i]) < 0.0);
+    }
   }
 }
 

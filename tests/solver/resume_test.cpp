@@ -54,6 +54,13 @@ struct Outcome {
   std::int64_t retired = 0, searches = 0, touching = 0;
 };
 
+/// Lanes that no side has count as retired from the start.
+std::ptrdiff_t retired_of(const solver::Sides& s) {
+  std::ptrdiff_t n = 0;
+  for (std::size_t id = 0; id < s.joint.size(); ++id) n += s.joint[id] >= 0 && s.retired[id] == 1;
+  return n;
+}
+
 /// A run stopped whenever its steps pass one of `stops`, and gone on with in a new simulation by the next number of threads.
 Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const std::vector<int>& threads, solver::Options o = {},
                        double end = kEnd) {
@@ -79,7 +86,7 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
             out.rows,
             saved,
             r.summary,
-            std::count(w.sides.retired.begin(), w.sides.retired.end(), 1),
+            retired_of(w.sides),
             w.contacts.searches,
             std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; })};
   }
