@@ -67,12 +67,13 @@ def style(number):
     return {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)]}
 
 
-def parser(documentation, output):
-    """Arguments all scripts have: the figure's file and size."""
+def parser(documentation, output, over_time=False):
+    """Arguments all scripts have: the figure's file and size; of those that draw over time, the end of the axis."""
     p = argparse.ArgumentParser(description=documentation, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("-o", "--output", default=output, help=f"picture to write: .png, .pdf or .svg (default {output})")
     p.add_argument("--width", type=float, default=16.0, help="of the figure, cm (default 16)")
-    p.add_argument("--until", type=float, help="end of the time axis, s")
+    if over_time:
+        p.add_argument("--until", type=float, help="end of the time axis, s")
     return p
 
 
