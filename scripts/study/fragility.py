@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the scale of its motion.
 
-usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv fragility.csv] [--states 2 3 4 collapse] [--peak P]
+usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv curves.csv] [--states 2 3 4 collapse] [--peak P]
 
 A curve for each case, direction, record and set of options, P = Phi(ln(x / median) / dispersion), by maximum likelihood over the runs that are
 done, with 95 % bands. A seed is the same house at every scale, so from three seeds on bands are those of houses drawn anew (`by seed`), else of
@@ -13,6 +13,7 @@ m/s2; then x is the peak ground acceleration. Needs what `scripts/setup study` i
 import csv
 import itertools
 import math
+import os
 import pathlib
 import sys
 
@@ -136,6 +137,13 @@ def done_rows(path):
     return done
 
 
+def refuse_table(table, outputs):
+    """The table may have taken days; no file that is written may be it, by whatever name."""
+    for path in outputs:
+        if os.path.exists(path) and os.path.samefile(table, path):
+            sys.exit(f"{path}: is the table itself; wanted another file to write to")
+
+
 def curves(rows, states, peak):
     """(name, state, x, reached, seeds) of each curve."""
     names = {" ".join(row[key] for key in GROUP if row[key]): None for row in rows}
@@ -175,11 +183,12 @@ def title_of(state):
 def main():
     p = run_file.parser(__doc__, "fragility.svg")
     p.add_argument("table")
-    p.add_argument("--csv", default="fragility.csv", help="medians and dispersions (default fragility.csv)")
+    p.add_argument("--csv", default="curves.csv", help="medians and dispersions (default curves.csv)")
     p.add_argument("--states", nargs="+", choices=STATES, default=["2", "3", "4", "collapse"])
     p.add_argument("--peak", type=float, help="of the motion at scale 1, m/s2")
     a = p.parse_args()
     rows = done_rows(a.table)
+    refuse_table(a.table, (a.output, a.csv))
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)

@@ -231,6 +231,27 @@ TEST_CASE("fragility: bands count a house once that is shaken at every level, an
   check(two_levels(true, 0), "by run", median_reach, dispersion_reach);
 }
 
+TEST_CASE("fragility: its files stand where they are looked for, and never on the table") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  folder.write("fragility.csv", two_levels(true));  // a name that a table may have, as in cases/catalogue
+  std::filesystem::create_symlink("fragility.csv", folder.path("link.csv"));
+  const auto fragility_in_folder = [&](const std::string& words) {
+    return code_of("cd " + folder.path() + " && /usr/bin/python3 " + kSource + "/scripts/study/fragility.py fragility.csv " + words +
+                   " >log 2>&1");
+  };
+  for (const char* words : {"--csv fragility.csv", "--csv ./link.csv", "-o fragility.csv"}) {
+    CHECK(fragility_in_folder(words) == 1);
+    CHECK(text_of(folder.path("log")).find("is the table itself; wanted another file") != std::string::npos);
+    CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
+    CHECK_FALSE(std::filesystem::exists(folder.path("fragility.svg")));
+  }
+  REQUIRE_MESSAGE(fragility_in_folder("") == 0, text_of(folder.path("log")));
+  CHECK(column(folder.path("curves.csv"), "state") == std::vector<std::string>{"2", "3", "4", "collapse"});
+  CHECK(std::filesystem::exists(folder.path("fragility.svg")));
+  CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
+}
+
 TEST_CASE("fragility: many runs of a known median and dispersion give them back") {
   if (!can_fit()) return;
   const TempFolder folder;
