@@ -63,6 +63,8 @@ class Fit:
 
 def remark_of(x, reached):
     """Why there is no curve; empty if there is one. Likelihood has a maximum only where outcomes overlap (Albert and Anderson 1984)."""
+    if not x.size:
+        return "no walls: no grades"
     if not reached.any():
         return f"never reached: median above {x.max():g}"
     if reached.all():
@@ -117,6 +119,11 @@ def fit(x, reached, seeds):
     return Fit(coefficients, np.linalg.inv(information), special.ndtri(UPPER), "by run")
 
 
+def tells(row, state):
+    """Whether the run says anything of the state: what has no walls has no damage grade (-1), but may collapse."""
+    return state == "collapse" or int(row["damage_grade"]) >= 0
+
+
 def has_reached(row, state):
     return int(row["collapsed"]) == 1 if state == "collapse" else int(row["damage_grade"]) >= int(state)
 
@@ -148,9 +155,9 @@ def curves(rows, states, peak):
     """(name, state, x, reached, seeds) of each curve."""
     names = {" ".join(row[key] for key in GROUP if row[key]): None for row in rows}
     for name, state in itertools.product(names, states):
-        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name]
+        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name and tells(row, state)]
         yield (name, state, np.array([peak * float(row["scale"]) for row in of_group]),
-               np.array([has_reached(row, state) for row in of_group]), np.array([row["seed"] for row in of_group]))
+               np.array([has_reached(row, state) for row in of_group], dtype=bool), np.array([row["seed"] for row in of_group]))
 
 
 def table_row(name, state, x, reached, result, remark):

@@ -252,6 +252,17 @@ TEST_CASE("fragility: its files stand where they are looked for, and never on th
   CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
 }
 
+TEST_CASE("fragility: what has no walls has no grades, but may collapse") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  const std::string rows = "r,arch,,,0.5,,,done,0,-1\nr,arch,,,2.0,,,done,1,-1\n";
+  REQUIRE_MESSAGE(fragility(folder, two_levels(true) + rows, "1 2 collapse") == 0, text_of(folder.path("log")));
+  const std::string out = folder.path("out.csv"), text = text_of(out);
+  CHECK(column(out, "runs") == std::vector<std::string>{"8", "8", "8", "0", "0", "2"});
+  CHECK(text.find("arch,2,0,0,,,,,,,,no walls: no grades\n") != std::string::npos);
+  CHECK(text.find("arch,collapse,2,1,,,,,,,,no overlap: median 0.5 to 2\n") != std::string::npos);
+}
+
 TEST_CASE("fragility: many runs of a known median and dispersion give them back") {
   if (!can_fit()) return;
   const TempFolder folder;
