@@ -143,14 +143,16 @@ Table<Motion> motion_table() {
   const std::vector<std::pair<std::string, std::string>> directions{{"LTV", "LTV"}, {"LVT", "LVT"}, {"TLV", "TLV"},
                                                                     {"TVL", "TVL"}, {"VLT", "VLT"}, {"VTL", "VTL"}};
   const std::vector<std::pair<std::string, std::string>> units{{"g", "g"}, {"m/s2", "m/s2"}, {"cm/s2", "cm/s2"}};
-  return {"acceleration of the base: a record, or files; any axis may be absent",
-          {value<S>("record", &S::record, "", filled(), "\"bam-like\", a folder that holds record.toml, or a file that holds L, T and V"),
-           choice<S>("direction", &S::direction, "", directions, "which of L, T, V goes to x, y, z"),
-           file_key("x", &S::xyz, 0, "file of the motion along x"), file_key("y", &S::xyz, 1, "file of the motion along y"),
-           file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
-           file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
-           choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"), scale_key()},
-          check_motion};
+  return {
+      "acceleration of the base: a record, or files; any axis may be absent",
+      {value<S>("record", &S::record, "", filled(), "\"bam-like\", a folder that holds record.toml, or a file that holds L, T and V"),
+       choice<S>("direction", &S::direction, "", directions,
+                 "which of L, T, V goes to x, y, z: LTV sends L along the bearing walls of a house that is not turned, TLV across them"),
+       file_key("x", &S::xyz, 0, "file of the motion along x"), file_key("y", &S::xyz, 1, "file of the motion along y"),
+       file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
+       file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
+       choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"), scale_key()},
+      check_motion};
 }
 
 Table<Output> output_table() {

@@ -72,7 +72,8 @@ Table<Reinforcement> reinforcement_table() {
 Table<House> house_table() {
   using S = House;
   return {
-      "a house of four walls: bearing walls along x, non-bearing walls along y",
+      "a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at "
+      "high x), before turn",
       {value<S>("inner_size", &S::inner_size, "m", above(0.0), "inside the walls, along x and y"),
        value<S>("height", &S::height, "m", above(0.0), "of the walls"),
        value<S>("brick", &S::brick, "m", above(0.0), "length, width, height, with mortar"),

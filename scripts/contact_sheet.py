@@ -10,23 +10,23 @@ Needs what `scripts/setup plots` installs.
 
 import argparse
 import os
+import pathlib
 import subprocess
 import sys
 
-import h5py
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 from PIL import Image
 
+import run_file
+from run_file import plt
+
+PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/release/io/voussoir"
 WIDTH = 3.2  # of a picture, inches
 
 
 def end_of(folder):
     """Of a run, s."""
-    with h5py.File(os.path.join(folder, "run.h5")) as file:
-        return float(file["frames/time"][-1])
+    with run_file.open_results(os.path.join(folder, "run.h5")) as file:
+        return float(run_file.frame_times(file)[-1])
 
 
 def stills(folder, view, times, program):
@@ -38,7 +38,10 @@ def stills(folder, view, times, program):
     old = [t for t, path in zip(times, paths) if not os.path.exists(path) or os.path.getmtime(path) < ran]
     if old:
         words = [program, "report", folder, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
-        done = subprocess.run(words)
+        try:
+            done = subprocess.run(words)
+        except OSError as error:
+            sys.exit(f"{program}: {error.strerror}; build it, or name the program by --voussoir")
         if done.returncode != 0:
             sys.exit(done.returncode)  # the program has said why
     return paths
@@ -66,9 +69,12 @@ def main():
     p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
     p.add_argument("--dpi", type=int, default=150, help="pictures are 3.2 inches wide")
     p.add_argument("-o", "--output", default="sheet.png")
-    p.add_argument("--voussoir", default="build/release/io/voussoir", metavar="PROGRAM")
+    p.add_argument("--voussoir", default=PROGRAM, metavar="PROGRAM", help="default: build/release/io/voussoir of the repository")
     a = p.parse_args()
     a.times.sort()
+    last = max(map(end_of, a.folders))
+    if a.times[0] > last + 1e-6:
+        sys.exit(f"--times {a.times[0]:g}: no run goes so far; the longest ends at {last:g} s")
     names = [os.path.basename(os.path.normpath(f)) for f in a.folders]
     sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output, a.dpi)
 

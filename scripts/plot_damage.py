@@ -15,7 +15,7 @@ MODES = {"tension": "#d55e00", "shear": "#0072b2", "compression": "#555555"}
 
 
 def main():
-    p = run_file.parser(__doc__, "damage.png")
+    p = run_file.parser(__doc__, "damage.png", over_time=True)
     p.add_argument("run", nargs="+", help="folder of a run, or LABEL=folder")
     a = p.parse_args()
     runs = [run_file.Run(argument) for argument in a.run]

@@ -27,9 +27,7 @@ class Plan:
 
     def __init__(self, run, time, below):
         file = run.file
-        times = file["frames/time"][:]
-        if not len(times):
-            raise SystemExit(f"{run.label}: has no frames yet")
+        times = run_file.frame_times(file)
         frame = len(times) - 1 if time is None else int(np.argmin(abs(times - time)))
         self.title = f"{run.label}, {times[frame]:.2f} s"
         self.start, self.now = file["model/element/position0"][:], file["frames/position"][frame].astype(float)

@@ -18,7 +18,7 @@ PARTS = {"damping": ("mass damping", "#56b4e9"), "dashpot": ("dashpots", "#0072b
 
 
 def main():
-    p = run_file.parser(__doc__, "energy.png")
+    p = run_file.parser(__doc__, "energy.png", over_time=True)
     p.add_argument("run", help="folder of a run, or LABEL=folder")
     a = p.parse_args()
     run = run_file.Run(a.run)

@@ -49,7 +49,7 @@ def write_peaks(path, rows):
 
 
 def main():
-    p = run_file.parser(__doc__, "histories.png")
+    p = run_file.parser(__doc__, "histories.png", over_time=True)
     p.add_argument("run", nargs="+", help="folder of a run, or LABEL=folder")
     p.add_argument("--show", nargs="+", metavar="NAME:AXIS", help="a panel each (default: all, along the axis that moves more)")
     p.add_argument("--quantity", choices=UNITS, default="displacement")

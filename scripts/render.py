@@ -9,13 +9,11 @@ Needs python3-h5py, python3-numpy, python3-matplotlib. Bricks are light, timber 
 
 import argparse
 
-import h5py
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
+
+import run_file
+from run_file import plt
 
 # Faces of VTK's hexahedron (12) and wedge (13), outward.
 FACES = {
@@ -36,8 +34,8 @@ def rotation(q):
 
 class Run:
     def __init__(self, folder):
-        f = h5py.File(folder + "/run.h5", "r")
-        self.time = f["frames/time"][:]
+        f = run_file.open_results(folder)
+        self.time = run_file.frame_times(f)
         self.frames = f["frames"]
         self.reference = f["model/vertex"][:]
         self.cells, self.kinds = f["model/cells"][:], f["model/cell_type"][:]

@@ -25,23 +25,37 @@ plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.color": "#dddddd",
                      "svg.hashsalt": "voussoir"})
 
 
+def open_results(path):
+    """The run.h5 of a run, named by its folder or by itself."""
+    path = pathlib.Path(path)
+    path = path / "run.h5" if path.is_dir() else path
+    if not path.is_file():
+        sys.exit(f"{path}: no such file; wanted the folder of a run, or its run.h5")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        sys.exit(f"{path}: {error}")
+    if file.attrs.get("format") != "voussoir results":
+        sys.exit(f"{path}: holds no results of Voussoir")
+    return file
+
+
+def frame_times(file):
+    """s; a run at work may have none yet."""
+    times = file["frames/time"][:]
+    if not len(times):
+        sys.exit(f"{file.filename}: has no frames yet")
+    return times
+
+
 class Run:
     """A run's results, of a finished run or of one that goes on."""
 
     def __init__(self, argument):
         """argument: DIR, DIR/run.h5, or either behind "LABEL="."""
         label, found, path = argument.partition("=")
-        path = pathlib.Path(path if found else argument)
-        path = path / "run.h5" if path.is_dir() else path
-        if not path.is_file():
-            sys.exit(f"{path}: no such file; wanted the folder of a run, or its run.h5")
-        self.label = label if found else path.absolute().parent.name
-        try:
-            self.file = h5py.File(path, "r")
-        except OSError as error:
-            sys.exit(f"{path}: {error}")
-        if self.file.attrs.get("format") != "voussoir results":
-            sys.exit(f"{path}: holds no results of Voussoir")
+        self.file = open_results(path if found else argument)
+        self.label = label if found else pathlib.Path(self.file.filename).absolute().parent.name
 
     def base(self):
         """Height of the base, m; 0 without one."""
@@ -67,12 +81,13 @@ def style(number):
     return {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)]}
 
 
-def parser(documentation, output):
-    """Arguments all scripts have: the figure's file and size."""
+def parser(documentation, output, over_time=False):
+    """Arguments all scripts have: the figure's file and size; of those that draw over time, the end of the axis."""
     p = argparse.ArgumentParser(description=documentation, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("-o", "--output", default=output, help=f"picture to write: .png, .pdf or .svg (default {output})")
     p.add_argument("--width", type=float, default=16.0, help="of the figure, cm (default 16)")
-    p.add_argument("--until", type=float, help="end of the time axis, s")
+    if over_time:
+        p.add_argument("--until", type=float, help="end of the time axis, s")
     return p
 
 

@@ -3,20 +3,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the scale of its motion.
 
-usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv fragility.csv] [--states 2 3 4 collapse] [--peak P]
+usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv curves.csv] [--states 2 3 4 collapse] [--peak P]
 
 A curve for each case, direction, record and set of options, P = Phi(ln(x / median) / dispersion), by maximum likelihood over the runs that are
-done, with 95 % bands from the Fisher information. Where the runs determine no curve, the table says why and gives the bracket of the median. --peak: of the
-motion at scale 1, m/s2; then x is the peak ground acceleration. Needs what `scripts/setup study` installs.
+done, with 95 % bands. A seed is the same house at every scale, so from three seeds on bands are those of houses drawn anew (`by seed`), else of
+runs (`by run`). Where the runs determine no curve, the table says why and gives the bracket of the median. --peak: of the motion at scale 1,
+m/s2; then x is the peak ground acceleration. Needs what `scripts/setup study` installs.
 """
 import csv
 import itertools
 import math
+import os
 import pathlib
 import sys
 
 import numpy as np
-from scipy import optimize, special
+from scipy import linalg, optimize, special
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import run_file
@@ -24,15 +26,17 @@ import run_file
 GROUP = ("case", "direction", "record", "options")
 STATES = ("1", "2", "3", "4", "5", "collapse")
 RARER = "rarer under stronger motion"
-NORMAL_95 = special.ndtri(0.975)
-COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_high", "dispersion", "dispersion_low", "dispersion_high", "remark")
+UPPER = 0.975  # of a band of 95 %
+LEAST = 0.1  # of the variance by house over that by run, in any direction: below, outcomes of the few houses cancel there by chance
+COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_high", "dispersion", "dispersion_low", "dispersion_high", "bands",
+           "remark")
 
 
 class Fit:
-    """Phi(a + b ln x): its two coefficients and their covariance."""
+    """Phi(a + b ln x): its two coefficients, their covariance, how many standard errors a band goes out, and what it was taken by."""
 
-    def __init__(self, coefficients, covariance):
-        self.coefficients, self.covariance = coefficients, covariance
+    def __init__(self, coefficients, covariance, quantile, bands):
+        self.coefficients, self.covariance, self.quantile, self.bands = coefficients, covariance, quantile, bands
 
     @property
     def median(self):
@@ -53,12 +57,14 @@ class Fit:
         """Lower end, curve, upper end at x."""
         design = np.column_stack([np.ones_like(x), np.log(x)])
         middle = design @ self.coefficients
-        error = NORMAL_95 * np.sqrt(np.einsum("ij,jk,ik->i", design, self.covariance, design))
+        error = self.quantile * np.sqrt(np.einsum("ij,jk,ik->i", design, self.covariance, design))
         return special.ndtr(middle - error), special.ndtr(middle), special.ndtr(middle + error)
 
 
 def remark_of(x, reached):
     """Why there is no curve; empty if there is one. Likelihood has a maximum only where outcomes overlap (Albert and Anderson 1984)."""
+    if not x.size:
+        return "no walls: no grades"
     if not reached.any():
         return f"never reached: median above {x.max():g}"
     if reached.all():
@@ -69,20 +75,53 @@ def remark_of(x, reached):
     return RARER if x[reached].max() <= x[~reached].min() else ""
 
 
-def fit(x, reached):
-    """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
-    design = np.column_stack([np.ones_like(x), np.log(x)])
+def scores(design, reached, coefficients):
+    """Slopes of each run's log-likelihood."""
     sign = np.where(reached, 1.0, -1.0)
+    eta = sign * (design @ coefficients)
+    hazard = np.exp(-0.5 * eta**2 - 0.5 * math.log(2 * math.pi) - special.log_ndtr(eta))
+    return design * (sign * hazard)[:, None]
 
-    def loss(coefficients):
-        eta = sign * (design @ coefficients)
-        hazard = np.exp(-0.5 * eta**2 - 0.5 * math.log(2 * math.pi) - special.log_ndtr(eta))
-        return -special.log_ndtr(eta).sum(), -(design.T @ (sign * hazard))
 
-    coefficients = optimize.minimize(loss, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-8}).x
+def fisher_information(design, coefficients):
     eta = design @ coefficients
     weight = np.exp(-eta**2 - math.log(2 * math.pi) - special.log_ndtr(eta) - special.log_ndtr(-eta))
-    return Fit(coefficients, np.linalg.inv(design.T @ (weight[:, None] * design)))
+    return design.T @ (weight[:, None] * design)
+
+
+def by_house(score, information, seeds):
+    """Covariance by the sandwich whose clusters are houses, and its quantile; None where the seeds tell too little."""
+    houses = sorted(set(seeds))
+    free = len(houses) - 1
+    if "" in houses or free < 2:
+        return None
+    sums = np.array([score[seeds == house].sum(axis=0) for house in houses])
+    meat = len(houses) / free * sums.T @ sums
+    if linalg.eigvalsh(meat, information)[0] < LEAST:
+        return None
+    bread = np.linalg.inv(information)
+    return bread @ meat @ bread, special.stdtrit(free, UPPER)
+
+
+def fit(x, reached, seeds):
+    """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
+    design = np.column_stack([np.ones_like(x), np.log(x)])
+
+    def loss(coefficients):
+        eta = np.where(reached, 1.0, -1.0) * (design @ coefficients)
+        return -special.log_ndtr(eta).sum(), -scores(design, reached, coefficients).sum(axis=0)
+
+    coefficients = optimize.minimize(loss, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-8}).x
+    information = fisher_information(design, coefficients)
+    houses = by_house(scores(design, reached, coefficients), information, seeds)
+    if houses:
+        return Fit(coefficients, *houses, "by seed")
+    return Fit(coefficients, np.linalg.inv(information), special.ndtri(UPPER), "by run")
+
+
+def tells(row, state):
+    """Whether the run says anything of the state: what has no walls has no damage grade (-1), but may collapse."""
+    return state == "collapse" or int(row["damage_grade"]) >= 0
 
 
 def has_reached(row, state):
@@ -93,7 +132,7 @@ def done_rows(path):
     """Rows of runs that have ended and whose motion has one scale above zero."""
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
-    if not rows or not {"scale", "status", "damage_grade", "collapsed"} <= rows[0].keys():
+    if not rows or not {"scale", "seed", "status", "damage_grade", "collapsed"} <= rows[0].keys():
         sys.exit(f"{path}: no table of a study over several scales, with measures; wanted table.csv of scripts/study/run")
     done = []
     for row in rows:
@@ -105,19 +144,27 @@ def done_rows(path):
     return done
 
 
+def refuse_table(table, outputs):
+    """The table may have taken days; no file that is written may be it, by whatever name."""
+    for path in outputs:
+        if os.path.exists(path) and os.path.samefile(table, path):
+            sys.exit(f"{path}: is the table itself; wanted another file to write to")
+
+
 def curves(rows, states, peak):
-    """(name, state, x, reached) of each curve."""
+    """(name, state, x, reached, seeds) of each curve."""
     names = {" ".join(row[key] for key in GROUP if row[key]): None for row in rows}
     for name, state in itertools.product(names, states):
-        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name]
-        yield name, state, np.array([peak * float(row["scale"]) for row in of_group]), np.array([has_reached(row, state) for row in of_group])
+        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name and tells(row, state)]
+        yield (name, state, np.array([peak * float(row["scale"]) for row in of_group]),
+               np.array([has_reached(row, state) for row in of_group], dtype=bool), np.array([row["seed"] for row in of_group]))
 
 
 def table_row(name, state, x, reached, result, remark):
     row = {"curve": name, "state": state, "runs": len(x), "reached": int(reached.sum()), "remark": remark}
     if result:
-        median_error, dispersion_error = NORMAL_95 * result.log_errors()
-        row |= {"median": result.median, "median_low": result.median * math.exp(-median_error),
+        median_error, dispersion_error = result.quantile * result.log_errors()
+        row |= {"bands": result.bands, "median": result.median, "median_low": result.median * math.exp(-median_error),
                 "median_high": result.median * math.exp(median_error), "dispersion": result.dispersion,
                 "dispersion_low": result.dispersion * math.exp(-dispersion_error),
                 "dispersion_high": result.dispersion * math.exp(dispersion_error)}
@@ -143,18 +190,19 @@ def title_of(state):
 def main():
     p = run_file.parser(__doc__, "fragility.svg")
     p.add_argument("table")
-    p.add_argument("--csv", default="fragility.csv", help="medians and dispersions (default fragility.csv)")
+    p.add_argument("--csv", default="curves.csv", help="medians and dispersions (default curves.csv)")
     p.add_argument("--states", nargs="+", choices=STATES, default=["2", "3", "4", "collapse"])
     p.add_argument("--peak", type=float, help="of the motion at scale 1, m/s2")
     a = p.parse_args()
     rows = done_rows(a.table)
+    refuse_table(a.table, (a.output, a.csv))
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
     numbers, out = {}, []
-    for name, state, x, reached in curves(rows, a.states, a.peak or 1.0):
+    for name, state, x, reached, seeds in curves(rows, a.states, a.peak or 1.0):
         remark = remark_of(x, reached)
-        result = None if remark else fit(x, reached)
+        result = None if remark else fit(x, reached, seeds)
         if result and result.coefficients[1] <= 0:
             result, remark = None, RARER
         draw(panels[a.states.index(state)], numbers.setdefault(name, len(numbers)), name, x, reached, result)

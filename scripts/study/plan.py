@@ -203,7 +203,8 @@ def expand(study, path):
     names = [run["name"] for run in runs]
     for name in names:
         if names.count(name) > 1:
-            raise StudyError(f"{path}: two runs have the name {name}; allowed: cases and records whose files have names of their own")
+            raise StudyError(f"{path}: two runs have the name {name}; allowed: cases and records whose files have names of "
+                             "their own, and scales that differ in their first six digits")
     return runs
 
 

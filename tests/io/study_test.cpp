@@ -59,6 +59,37 @@ std::vector<std::string> column(const std::string& table, const std::string& nam
   return values;
 }
 
+// What fragility.py reads of a study's table.
+const std::string kHead = "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade\n";
+constexpr double kQuartile = 0.6744897501960817;  // of the normal distribution
+
+bool can_fit() {
+  if (code_of("/usr/bin/python3 -c 'import h5py, matplotlib, scipy' 2>/dev/null") == 0) return true;
+  MESSAGE("skipped: no h5py, matplotlib and scipy for /usr/bin/python3; scripts/setup study installs them");
+  return false;
+}
+
+/// Four houses, two levels: one collapses at the scale 0.5 and all but one at 2.0; all are of grade 2; grade 5 is reached at 2.0 alone,
+/// grade 4 from there on.
+std::string two_levels(bool seeded, int stands = 3) {
+  std::string rows = kHead;
+  for (int house = 0; house < 4; ++house) {
+    const auto row = [&](const char* scale, bool collapsed, const char* grade) {
+      rows += std::string("r,house,LTV,,") + scale + ",," + (seeded ? std::to_string(house) : "") + ",done," + (collapsed ? "1," : "0,") +
+              grade + "\n";
+    };
+    row("0.5", house == 0, "2");
+    row("2.0", house != stands, house < 2 ? "5" : "4");
+  }
+  return rows + "r,house,LTV,,4.0,,0,to be done,,\nr,house,LTV,,4.0,,1,numerical failure,0,0\n";
+}
+
+/// The table's curves in the folder's out.csv; what it says is in "log".
+int fragility(const TempFolder& folder, const std::string& table, const std::string& states) {
+  return code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + folder.write("table.csv", table) + " -o " +
+                 folder.path("out.svg") + " --csv " + folder.path("out.csv") + " --states " + states + " >" + folder.path("log") + " 2>&1");
+}
+
 }  // namespace
 
 TEST_CASE("a faulty study file is refused with its key and its value") {
@@ -156,58 +187,96 @@ TEST_CASE("a table in Markdown has the runs that are done, in figures for people
 }
 
 TEST_CASE("fragility: two levels of four runs have a curve through their shares") {
-  if (code_of("/usr/bin/python3 -c 'import matplotlib, scipy' 2>/dev/null") != 0) {
-    MESSAGE("skipped: no matplotlib and scipy for /usr/bin/python3; scripts/setup study installs them");
-    return;
-  }
+  if (!can_fit()) return;
   const TempFolder folder;
-  // One of four collapses at the scale 0.5 and three at 2.0; all are of grade 2; grade 5 is reached at 2.0 alone, grade 4 from there on.
-  std::string rows = "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade\n";
-  for (int seed = 0; seed < 4; ++seed) {
-    const auto row = [&](const char* scale, bool collapsed, const char* grade) {
-      rows += std::string("r,house,LTV,,") + scale + ",," + std::to_string(seed) + ",done," + (collapsed ? "1," : "0,") + grade + "\n";
-    };
-    row("0.5", seed < 1, "2");
-    row("2.0", seed < 3, seed < 2 ? "5" : "4");
-  }
-  rows += "r,house,LTV,,4.0,,0,to be done,,\n";
-  rows += "r,house,LTV,,4.0,,1,numerical failure,0,0\n";
-  const std::string table = folder.write("table.csv", rows), out = folder.path("out.csv");
-  const std::string words =
-      "/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + table + " -o " + folder.path("out.svg") + " --csv " + out;
-  REQUIRE(code_of(words + " --states 2 4 5 collapse >/dev/null 2>&1") == 0);
+  REQUIRE_MESSAGE(fragility(folder, two_levels(true), "2 4 5 collapse") == 0, text_of(folder.path("log")));
+  const std::string out = folder.path("out.csv");
   REQUIRE(column(out, "curve") == std::vector<std::string>(4, "house LTV"));
-  const auto figure = [&](const char* name) { return std::stod(column(out, name).at(3)); };
   // Two levels determine the two parameters: the likelihood is greatest where the curve has the shares 1/4 and 3/4 themselves.
-  constexpr double kQuartile = 0.6744897501960817, kTwoSided95 = 1.959963984540054, kPi = 3.141592653589793;  // of the normal distribution
-  const double dispersion = std::log(2.0 / 0.5) / (2 * kQuartile);
-  CHECK(figure("median") == doctest::Approx(std::sqrt(0.5 * 2.0)).epsilon(1e-4));
-  CHECK(figure("dispersion") == doctest::Approx(dispersion).epsilon(1e-4));
-  // Fisher information of a probit: four runs a level, each phi^2 / (P (1 - P)); the levels lie alike about the median.
-  const double density = std::exp(-0.5 * kQuartile * kQuartile) / std::sqrt(2 * kPi), weight = 4 * density * density / (0.25 * 0.75);
-  const double median_error = dispersion / std::sqrt(2 * weight), dispersion_error = dispersion / (std::log(2.0) * std::sqrt(2 * weight));
-  CHECK(figure("median_high") == doctest::Approx(std::exp(kTwoSided95 * median_error)).epsilon(1e-4));
-  CHECK(figure("dispersion_low") == doctest::Approx(dispersion * std::exp(-kTwoSided95 * dispersion_error)).epsilon(1e-4));
+  CHECK(std::stod(column(out, "median").at(3)) == doctest::Approx(std::sqrt(0.5 * 2.0)).epsilon(1e-4));
+  CHECK(std::stod(column(out, "dispersion").at(3)) == doctest::Approx(std::log(2.0 / 0.5) / (2 * kQuartile)).epsilon(1e-4));
   CHECK(column(out, "runs") == std::vector<std::string>(4, "8"));
   CHECK(text_of(out).find("always reached: median below 0.5") != std::string::npos);
   CHECK(text_of(out).find("no overlap: median 0.5 to 2") != std::string::npos);
   CHECK(text_of(out).find("mixed at 2 alone") != std::string::npos);
 }
 
+TEST_CASE("fragility: bands count a house once that is shaken at every level, and a run without a seed by itself") {
+  if (!can_fit()) return;
+  // The curve is Phi(a + b ln x), a = 0, b = 1 / dispersion: ln median and ln dispersion have the errors of a and b times the dispersion.
+  constexpr double kNormal = 1.959963984540054, kStudent = 3.182446305284263;    // 97.5 %: normal; Student's t, four houses less one
+  const double level = std::log(2.0), dispersion = 2 * level / (2 * kQuartile);  // ln x is -level and level
+  // Slopes of a run's log-likelihood: (1, ln x) times density / probability of what came out, times -1 where that was no collapse.
+  const double density = std::exp(-0.5 * kQuartile * kQuartile) / std::sqrt(2 * 3.141592653589793);
+  const double rare = density / 0.25, common = density / 0.75;
+  // Fisher's information, diagonal: eight runs, density^2 / (P (1 - P)) each.
+  const double of_a = 8 * rare * common, of_b = of_a * level * level;
+  const auto check = [&](const std::string& table, const char* bands, double median_reach, double dispersion_reach) {
+    const TempFolder folder;
+    REQUIRE_MESSAGE(fragility(folder, table, "collapse") == 0, text_of(folder.path("log")));
+    const std::string out = folder.path("out.csv");
+    CHECK(column(out, "bands") == std::vector<std::string>(1, bands));
+    CHECK(std::stod(column(out, "median_high").at(0)) == doctest::Approx(std::exp(median_reach)).epsilon(1e-4));
+    CHECK(std::stod(column(out, "dispersion_low").at(0)) == doctest::Approx(dispersion * std::exp(-dispersion_reach)).epsilon(1e-4));
+  };
+  // Sums over the two runs of a house, of a: rare + common for the one that always collapses, 0 for two, -(rare + common) for the one that
+  // stands; of b, over the level: common - rare for the first and the last, 2 common for the two between. G / (G - 1) is 4 / 3.
+  const double squares_a = 2 * std::pow(rare + common, 2);
+  const double squares_b = (2 * std::pow(common - rare, 2) + 2 * std::pow(2 * common, 2)) * level * level;
+  check(two_levels(true), "by seed", kStudent * dispersion * std::sqrt(4.0 / 3.0 * squares_a) / of_a,
+        kStudent * dispersion * std::sqrt(4.0 / 3.0 * squares_b) / of_b);
+  const double median_reach = kNormal * dispersion / std::sqrt(of_a), dispersion_reach = kNormal * dispersion / std::sqrt(of_b);
+  check(two_levels(false), "by run", median_reach, dispersion_reach);
+  // The house that collapses at 0.5 alone: all sums of a are 0, and a band by house would have no width at the median.
+  check(two_levels(true, 0), "by run", median_reach, dispersion_reach);
+}
+
+TEST_CASE("fragility: its files stand where they are looked for, and never on the table") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  folder.write("fragility.csv", two_levels(true));  // a name that a table may have, as in cases/catalogue
+  std::filesystem::create_symlink("fragility.csv", folder.path("link.csv"));
+  const auto fragility_in_folder = [&](const std::string& words) {
+    return code_of("cd " + folder.path() + " && /usr/bin/python3 " + kSource + "/scripts/study/fragility.py fragility.csv " + words +
+                   " >log 2>&1");
+  };
+  for (const char* words : {"--csv fragility.csv", "--csv ./link.csv", "-o fragility.csv"}) {
+    CHECK(fragility_in_folder(words) == 1);
+    CHECK(text_of(folder.path("log")).find("is the table itself; wanted another file") != std::string::npos);
+    CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
+    CHECK_FALSE(std::filesystem::exists(folder.path("fragility.svg")));
+  }
+  REQUIRE_MESSAGE(fragility_in_folder("") == 0, text_of(folder.path("log")));
+  CHECK(column(folder.path("curves.csv"), "state") == std::vector<std::string>{"2", "3", "4", "collapse"});
+  CHECK(std::filesystem::exists(folder.path("fragility.svg")));
+  CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
+}
+
+TEST_CASE("fragility: what has no walls has no grades, but may collapse") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  const std::string rows = "r,arch,,,0.5,,,done,0,-1\nr,arch,,,2.0,,,done,1,-1\n";
+  REQUIRE_MESSAGE(fragility(folder, two_levels(true) + rows, "1 2 collapse") == 0, text_of(folder.path("log")));
+  const std::string out = folder.path("out.csv"), text = text_of(out);
+  CHECK(column(out, "runs") == std::vector<std::string>{"8", "8", "8", "0", "0", "2"});
+  CHECK(text.find("arch,2,0,0,,,,,,,,no walls: no grades\n") != std::string::npos);
+  CHECK(text.find("arch,collapse,2,1,,,,,,,,no overlap: median 0.5 to 2\n") != std::string::npos);
+}
+
 TEST_CASE("fragility: many runs of a known median and dispersion give them back") {
-  if (code_of("/usr/bin/python3 -c 'import matplotlib, scipy' 2>/dev/null") != 0) return;
+  if (!can_fit()) return;
   const TempFolder folder;
   constexpr double kMedian = 0.8, kDispersion = 0.4;
   constexpr int kRuns = 1000;  // a level, so that shares are within 0.0005 of the probabilities
-  std::string rows = "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade\n";
+  std::string rows = kHead;
   for (const double scale : {0.35, 0.5, 0.7, 1.0, 1.4}) {
     const double probability = 0.5 * std::erfc(-std::log(scale / kMedian) / (kDispersion * std::sqrt(2.0)));
     for (int i = 0; i < kRuns; ++i)
       rows += "r,house,,," + std::to_string(scale) + ",,,done," + (i < std::lround(probability * kRuns) ? "1" : "0") + ",0\n";
   }
-  const std::string table = folder.write("table.csv", rows), out = folder.path("out.csv");
-  REQUIRE(code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + table + " -o " + folder.path("out.svg") + " --csv " +
-                  out + " --states collapse >/dev/null 2>&1") == 0);
+  REQUIRE_MESSAGE(fragility(folder, rows, "collapse") == 0, text_of(folder.path("log")));
+  const std::string out = folder.path("out.csv");
   CHECK(std::stod(column(out, "median").at(0)) == doctest::Approx(kMedian).epsilon(0.002));
   CHECK(std::stod(column(out, "dispersion").at(0)) == doctest::Approx(kDispersion).epsilon(0.01));
+  CHECK(column(out, "bands") == std::vector<std::string>{"by run"});
 }
