@@ -17,6 +17,7 @@
 #include "io/modes_command.h"
 #include "io/motion_command.h"
 #include "io/motion_keys.h"
+#include "io/provenance.h"
 #include "io/report_command.h"
 #include "io/resume_command.h"
 #include "io/run_command.h"
@@ -285,7 +286,7 @@ int main(int argc, char** argv) {
   let_threads_sleep(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
-  app.set_version_flag("--version", "voussoir " VOUSSOIR_VERSION);
+  app.set_version_flag("--version", "voussoir " + io::program_version());
   app.require_subcommand(1);
   app.footer("example: voussoir run flat20n --direction LTV --duration 6");
   Words w;

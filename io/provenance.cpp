@@ -8,6 +8,8 @@
 #include <sstream>
 #include <thread>
 
+#include "solver/saved_state.h"
+
 #ifndef VOUSSOIR_VERSION
 #define VOUSSOIR_VERSION "unknown"
 #endif
@@ -54,9 +56,11 @@ std::string utc_now() {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
+std::string program_version() { return VOUSSOIR_VERSION ", physics " + std::to_string(solver::kPhysicsVersion); }
+
 Provenance provenance(int threads) {
   Provenance p;
-  p.version = VOUSSOIR_VERSION;
+  p.version = program_version();
   p.compiler = without_paths(compiler());
   p.flags = without_paths(VOUSSOIR_FLAGS);
   p.cpu = cpu_name();
