@@ -95,7 +95,6 @@ FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int 
   g.width = box.high.s, g.height = box.high.t;
   g.cell_width = as_drawn(rough.high.s - rough.low.s, cell) / g.columns;
   g.cell_height = as_drawn(rough.high.t - rough.low.t, cell) / g.rows;
-  g.is_rectangle = as_rectangle(g.polygon).has_value();
   return g;
 }
 

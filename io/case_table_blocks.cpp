@@ -24,7 +24,8 @@ Table<SupportMotion> support_motion_table() {
   using S = SupportMotion;
   return {"motion of a fixed block: velocity or file",
           {value<S>("velocity", &S::velocity, "m/s", any(), "constant velocity"),
-           value<S>("file", &S::file, "", filled(), "CSV of t, x, y, z in s and m")},
+           value<S>("file", &S::file, "", filled(),
+                    "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
           [](const S& s, const RuleCheck& check) {
             if (s.velocity && s.file) check.fault("file", "does not go with velocity; give one of them");
             if (!s.velocity && !s.file) check.fault("", "says nothing; give velocity (m/s) or file");
