@@ -162,7 +162,7 @@ class Reader {
 
 CaseText find_case(const std::string& name, const std::string& folder) {
   std::error_code error;
-  const std::string file = (fs::path(folder) / name).lexically_normal().string();
+  const std::string file = (fs::path(folder) / name).string();
   if (is_path(name)) return read_file(file);
   const std::vector<CatalogueEntry> entries = catalogue();
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& e) { return e.name == name; });

@@ -59,8 +59,12 @@ LoadedCase load_case(const std::string& name_or_path, const std::vector<std::str
 /// Reads a case that is already in memory; what it includes is read from files. \throw FileError, CaseFileError as load_case.
 LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overrides = {});
 
-/// The same case with absolute paths to the files that it names, so that it means the same wherever its text lies.
+/// The same case with absolute paths to the files that it names, so that it means the same wherever its text lies. A path that would not be
+/// UTF-8, which TOML cannot hold, stays as it is.
 cases::Case anchored(cases::Case value);
+
+/// The same case with the names of these files alone: does another case mean the same, wherever its files lie?
+cases::Case without_folders(cases::Case value);
 
 /// Every key with its value, defaults included, each with unit, allowed values and a sentence as comment; keys without a value stand as
 /// comments. Reading it gives an equal case, bit for bit (but for `folder`, which is no key).

@@ -137,7 +137,7 @@ void set_source(Node& node, Source source) {
 void apply_overrides(Node& document, const std::vector<std::string>& overrides) {
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     const Override o = parse_override(overrides[i], static_cast<int>(i));
-    if (!is_utf8(o.value)) o.refuse("the value is not in UTF-8");
+    if (!is_utf8(o.text)) o.refuse("is not in UTF-8");
     if (o.value.empty()) {
       remove(document, o);
       continue;

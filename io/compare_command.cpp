@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "io/case_file.h"
 #include "io/hdf5_file.h"
 
 namespace voussoir::io {
@@ -68,6 +69,16 @@ std::optional<double> time_of(const Hdf5File& file, const std::string& dataset, 
   return value;
 }
 
+/// The case of a run, wherever the files that it names lie.
+std::string meaning_of_case(const Hdf5File& run) {
+  const std::string text = run.attribute_text("/case", "toml");
+  try {
+    return resolved_toml(without_folders(read_case({run.path(), text}).value));
+  } catch (const cases::InputError&) {
+    return text;  // of another version
+  }
+}
+
 class Comparer {
  public:
   Comparer(const Hdf5File& a, const Hdf5File& b) : a_(a), b_(b) {}
@@ -114,6 +125,7 @@ class Comparer {
     for (const auto& [name, value] : p) {
       if (group == "/" && name == "parts") continue;  // how the rows are kept, not what they are
       const auto other = q.find(name);
+      if (group == "/case" && name == "toml" && other != q.end() && meaning_of_case(a_) == meaning_of_case(b_)) continue;
       if (other == q.end() || other->second != value) note({group, "attribute " + name, std::nullopt});
     }
     for (const auto& [name, value] : q) {

@@ -45,7 +45,7 @@ std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::arr
 }
 
 Record named_record(const cases::Motion& m, const std::string& case_folder) {
-  if (*m.record == "bam-like") return {*m.record, cases::bam_like()};
+  if (is_built_in_record(*m.record)) return {*m.record, cases::bam_like()};
   const std::string folder = path_from(case_folder, *m.record);
   std::error_code error;
   try {
@@ -79,6 +79,8 @@ void check(const cases::Motion& m) {
 }
 
 }  // namespace
+
+bool is_built_in_record(std::string_view name) { return name == "bam-like"; }
 
 Record read_record_file(const std::string& path, const std::optional<std::string>& unit) {
   Record record{fs::path(path).filename().string(), {}};

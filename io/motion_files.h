@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cases/case.h"
 #include "cases/motion.h"
@@ -22,6 +23,9 @@ struct Record {
 /// The folder's record.toml: L, T and V name files in it (at least one), optional name and unit (where a format does not say; else `unit`
 /// holds). \throw FileError
 Record read_record_folder(const std::string& folder, const std::optional<std::string>& unit);
+
+/// True of records that are part of the program.
+bool is_built_in_record(std::string_view name);
 
 /// A file that holds three components and says which is L, T and V (BHRC V1, GeoNet V2A). \throw FileError
 Record read_record_file(const std::string& path, const std::optional<std::string>& unit);

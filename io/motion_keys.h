@@ -8,11 +8,12 @@
 
 namespace voussoir::io {
 
-/// Keys of [motion] that give way to `key` where it comes later, over an included case or on the command line: a motion has one source.
+/// Keys of [motion] that give way to `key` where it comes later, over an included case or on the command line: a motion has one source,
+/// and `unit` is of its files.
 inline std::span<const std::string_view> give_way_to(std::string_view key) {
-  static constexpr std::array<std::string_view, 6> kToRecord{"x", "y", "z", "L", "T", "V"};
-  static constexpr std::array<std::string_view, 5> kToAxes{"record", "L", "T", "V", "direction"};  // which says where L, T, V go
-  static constexpr std::array<std::string_view, 4> kToComponents{"record", "x", "y", "z"};
+  static constexpr std::array<std::string_view, 7> kToRecord{"x", "y", "z", "L", "T", "V", "unit"};
+  static constexpr std::array<std::string_view, 6> kToAxes{"record", "L", "T", "V", "unit", "direction"};  // which says where L, T, V go
+  static constexpr std::array<std::string_view, 5> kToComponents{"record", "x", "y", "z", "unit"};
   if (key == "record") return kToRecord;
   if (key == "x" || key == "y" || key == "z") return kToAxes;
   if (key == "L" || key == "T" || key == "V") return kToComponents;

@@ -56,7 +56,7 @@ std::string utc_now() {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-std::string program_version() { return VOUSSOIR_VERSION ", physics " + std::to_string(solver::kPhysicsVersion); }
+std::string program_version() { return VOUSSOIR_VERSION " (physics " + std::to_string(solver::kPhysicsVersion) + ")"; }
 
 Provenance provenance(int threads) {
   Provenance p;

@@ -4,25 +4,44 @@
 
 #include "io/case_file.h"
 #include "io/case_tables.h"
+#include "io/case_tree.h"
+#include "io/motion_files.h"
 
 namespace voussoir::io {
 
-cases::Case anchored(cases::Case value) {
-  namespace fs = std::filesystem;
-  const auto anchor = [&](std::string& path) { path = fs::absolute(fs::path(value.folder) / path).lexically_normal().string(); };
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `change` with each path to a file or folder that the case names.
+template <class Change>
+void for_each_path(cases::Case& value, Change change) {
   if (value.motion) {
     for (auto* files : {&value.motion->xyz, &value.motion->ltv}) {
       for (std::optional<std::string>& file : *files) {
-        if (file) anchor(*file);
+        if (file) change(*file);
       }
     }
-    std::error_code none;
-    std::optional<std::string>& record = value.motion->record;
-    if (record && fs::exists(fs::path(value.folder) / *record, none)) anchor(*record);  // else one of the program's
+    if (value.motion->record && !is_built_in_record(*value.motion->record)) change(*value.motion->record);
   }
   for (cases::BlockSpec& block : value.blocks) {
-    if (block.motion && block.motion->file) anchor(*block.motion->file);
+    if (block.motion && block.motion->file) change(*block.motion->file);
   }
+}
+
+}  // namespace
+
+cases::Case anchored(cases::Case value) {
+  for_each_path(value, [&](std::string& path) {
+    std::error_code error;  // canonical: as the system sees it, through links; a FILE#COMPONENT does not exist, and stays at the end
+    const std::string whole = fs::weakly_canonical(fs::absolute(fs::path(value.folder) / path), error).string();
+    if (!error && is_utf8(whole)) path = whole;
+  });
+  return value;
+}
+
+cases::Case without_folders(cases::Case value) {
+  for_each_path(value, [](std::string& path) { path = fs::path(path).filename().string(); });
   return value;
 }
 

@@ -261,7 +261,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
   return facing(patch, m, y, {.element = slave}, face, bodies, faces, o).depth.at(s, t);
 }
 
-// Pass 1 releases points that left their partner and finds the deepest new one for free points; pass 2 evaluates the forces.
+// Pass 1 releases points that left their partner and finds a new one for free points; pass 2 evaluates the forces.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
                           const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
                           std::uint8_t* active) noexcept {

@@ -210,7 +210,8 @@ inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const
   const Facing f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
   const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
   const double depth = taken - f.depth.at(s, t);
-  return depth > kDeepest ? Entry{} : Entry{face, depth};
+  const double stretch = f.depth.at(s, t) / planes.g[face - c.first_face].at(s, t);  // of depths along the patch's own normal
+  return depth > stretch * kDeepest ? Entry{} : Entry{face, depth};
 }
 
 /// Who has a free point that several candidates claim: one with a face before one without, then the element that the patch was joined to,

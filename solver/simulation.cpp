@@ -20,6 +20,7 @@ namespace {
 constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
 constexpr std::int64_t kGuardInterval = 20;  // steps
 constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
+constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
 /// Gravity as seen from a base tilted about x and y by angles in degrees.
@@ -76,7 +77,8 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   if (c.gravity.settle && norm(full_gravity_) > 0.0) {
     phase_ = Phase::settling;
     // Near-critical for the slowest sway the case names; else for one that the ramp calls slow.
-    settling_alpha_ = 2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? ramp_ : kRamp));
+    settling_alpha_ =
+        2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? std::max(ramp_, kShortestRamp) : kRamp));
     set_damping(settling_alpha_);
   }
   // Rows follow from the state: a drift of no time writes them.

@@ -234,8 +234,15 @@ def check_folder(folder, runs):
                              "remove it to run it anew, or give the study another folder")
 
 
-def known_rows(table, runs, folder):
-    """Rows of an earlier table of the study, by run: of those that have ended, are the same by case and overrides, and are not in the folder."""
+def version_of(voussoir):
+    """As the program's results say it: "0.1.0 (physics 7)"."""
+    done = subprocess.run([voussoir, "--version"], capture_output=True, text=True, check=False)
+    return done.stdout.strip().removeprefix("voussoir ")
+
+
+def known_rows(table, runs, folder, voussoir):
+    """Rows of an earlier table of the study, by run: of those that have ended, are the same by case and overrides, and are not in the folder.
+    All must be of this program: rows of another physics are no others of the same kind."""
     try:
         with open(table, newline="") as file:
             rows = list(csv.DictReader(file))
@@ -245,4 +252,9 @@ def known_rows(table, runs, folder):
     for column in ("run", "identity", "status"):
         if rows and column not in rows[0]:
             raise StudyError(f"{table}: no column {column}; wanted a table.csv of the study")
-    return {row["run"]: row for row in rows if row["status"] != "to be done" and identities.get(row["run"]) == row["identity"]}
+    known = {row["run"]: row for row in rows if row["status"] != "to be done" and identities.get(row["run"]) == row["identity"]}
+    others = sorted({row.get("version", "") for row in known.values()} - {version_of(voussoir)})
+    if others:
+        raise StudyError(f"{table}: holds runs of version {' and '.join(others)}, and this is {version_of(voussoir)}: their results may differ. "
+                         "Leave out --known, or name the program of the table by VOUSSOIR=...")
+    return known

@@ -23,12 +23,13 @@ std::string refusal(const std::string& path) {
 
 TEST_CASE("a source of motion takes the place of the included one; two in one file are refused") {
   const TempFolder folder;
-  folder.write("house.toml", "[motion]\nrecord = \"bam-like\"\ndirection = \"TLV\"\nscale = 0.5\n");
+  folder.write("house.toml", "[motion]\nrecord = \"bam-like\"\ndirection = \"TLV\"\nscale = 0.5\nunit = \"g\"\n");
   const cases::Motion axes =
       *io::load_case(folder.write("axes.toml", "include = \"house.toml\"\n[motion]\nx = \"a.csv\"\ny = \"b.csv\"\n")).value.motion;
   CHECK_FALSE(axes.record);
   CHECK(axes.xyz[1] == "b.csv");
   CHECK(axes.direction == "LTV");
+  CHECK_FALSE(axes.unit);  // of the files that have given way
   CHECK(axes.scale[0] == 0.5);
   const cases::Motion parts = *io::load_case(folder.write("parts.toml", "include = \"axes.toml\"\n[motion]\nT = \"t.csv\"\n")).value.motion;
   CHECK_FALSE(parts.xyz[0]);

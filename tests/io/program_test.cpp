@@ -176,9 +176,19 @@ TEST_CASE("files or a record on the command line take the place of those that th
   const Outcome missing = begin("x = \"none.csv\"", "");
   CHECK(missing.code == 3);
   CHECK(says(missing, {"case.toml:", "motion.x = \"none.csv\" cannot be used: ", "none.csv: no such file"}));
-  // What a run keeps of its case means the same from anywhere.
+  // What a run keeps of its case means the same from anywhere, through links too, and is the same wherever its files lie.
   REQUIRE(begin("x = \"rest.csv\"", "").code == 0);
   CHECK(voussoir("check " + folder.path("out/case.toml")).code == 0);
+  std::filesystem::create_directories(folder.path("far/cases"));
+  std::filesystem::copy_file(file, folder.path("far/rest.csv"));
+  std::filesystem::copy_file(folder.path("case.toml"), folder.path("far/cases/case.toml"));
+  std::filesystem::create_directory_symlink(folder.path("far/cases"), folder.path("link"));
+  const std::string linked = folder.path("link/case.toml") + " --set 'motion.x=\"../rest.csv\"'";
+  REQUIRE(voussoir("run " + linked + " --quiet -j 1 -o " + folder.path("other")).code == 0);
+  std::filesystem::remove(file);
+  CHECK(voussoir("check " + folder.path("other/case.toml")).code == 0);
+  CHECK(says(voussoir("compare " + folder.path("out") + " " + folder.path("other")), {"identical"}));
+  std::filesystem::copy_file(folder.path("far/rest.csv"), file);
   const std::string shipped = "record = \"bam-like\"\ndirection = \"TLV\"";
   CHECK(begin(shipped, "--motion x=" + file).code == 0);
   CHECK(says(begin(shipped, "--motion x=" + file + " --direction TLV"), {"direction", "files are given for x, y, z"}));

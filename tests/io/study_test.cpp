@@ -154,6 +154,10 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(column(folder.path("elsewhere/table.csv"), "state_hash") == column(table, "state_hash"));
   CHECK_FALSE(std::filesystem::exists(folder.path("elsewhere/runs/wall-x0")));
   CHECK(std::filesystem::exists(folder.path("elsewhere/runs/wall-x1")));
+  std::string other = text_of(table);
+  other.replace(other.find("physics "), 8, "physics 1");
+  CHECK(elsewhere(folder.write("known.csv", other)) == 2);
+  CHECK(text_of(folder.path("log")).find("known.csv: holds runs of version 0.1.0 (physics 1") != std::string::npos);
   CHECK(elsewhere(folder.write("known.csv", "run,status\na,done\n")) == 2);
   CHECK(text_of(folder.path("log")).find("known.csv: no column identity") != std::string::npos);
 
