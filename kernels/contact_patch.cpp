@@ -188,8 +188,7 @@ VOUSSOIR_INLINE Distances distances_of_held(const PlaneFields& planes, std::int3
   return d;
 }
 
-/// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on
-/// which it still stands.
+/// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on which it still stands.
 VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
 /// Points of the patch against candidate k: few have come in or left. Returns the way [m] that the others have to go until one can, but for

@@ -19,8 +19,7 @@
 /// the patch was joined to, then the one in which the point was deepest.
 namespace voussoir::kernels {
 
-inline constexpr double kDeepest =
-    3e-3;  // m, a point that was deeper than this before was not stopped by a face: it came in through a side
+inline constexpr double kDeepest = 3e-3;   // m, a point that was deeper before its step came in through a side: no face stopped it
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
 inline constexpr int kMostFaces = 64;      // of one element
