@@ -16,7 +16,7 @@ struct Provenance {
   double wall_clock = 0;                 // s
 };
 
-/// "0.1.0 (physics 7)": the second number rises whenever the same input gives other numbers.
+/// "0.1.0 (physics 8)": the second number rises whenever the same input gives other numbers.
 std::string program_version();
 
 /// This program on this machine, started now.

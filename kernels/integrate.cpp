@@ -31,8 +31,10 @@ VOUSSOIR_INLINE MatLanes rotation_minus_identity(QuaternionLanes q) noexcept {
           {2.0 * (xy + wz), -2.0 * (xx + zz), 2.0 * (yz - wx)},
           {2.0 * (xz - wy), 2.0 * (yz + wx), -2.0 * (xx + yy)}};
 }
-VOUSSOIR_INLINE MatLanes transposed(const MatLanes& m) noexcept {
-  return {{m.r0.x, m.r1.x, m.r2.x}, {m.r0.y, m.r1.y, m.r2.y}, {m.r0.z, m.r1.z, m.r2.z}};
+/// Dᵀ v.
+VOUSSOIR_INLINE VecLanes transposed_times(const MatLanes& d, VecLanes v) noexcept {
+  return {d.r0.x * v.x + d.r1.x * v.y + d.r2.x * v.z, d.r0.y * v.x + d.r1.y * v.y + d.r2.y * v.z,
+          d.r0.z * v.x + d.r1.z * v.y + d.r2.z * v.z};
 }
 
 VOUSSOIR_INLINE MatLanes inverse_inertia(const ElementsView& e, std::int64_t i) noexcept {
@@ -40,11 +42,11 @@ VOUSSOIR_INLINE MatLanes inverse_inertia(const ElementsView& e, std::int64_t i) 
   return {{load_lanes(e.ixx + i), xy, xz}, {xy, load_lanes(e.iyy + i), yz}, {xz, yz, load_lanes(e.izz + i)}};
 }
 
-/// ω = R J⁻¹ Rᵀ L.
-VOUSSOIR_INLINE VecLanes spin(const MatLanes& inverse, QuaternionLanes q, VecLanes l) noexcept {
-  const MatLanes d = rotation_minus_identity(q);
-  const VecLanes body = inverse * (l + transposed(d) * l);
-  return body + d * body;
+/// m turned by the rotation vector −h, a series to h⁵: no library trigonometry, whose bits depend on the processor.
+VOUSSOIR_INLINE VecLanes turned_back(VecLanes m, VecLanes h) noexcept {
+  const Lanes h2 = dot(h, h);
+  const VecLanes hm = cross(h, m), hhm = cross(h, hm);
+  return m - (1.0 - h2 * (1.0 / 6.0 - h2 * (1.0 / 120.0))) * hm + (0.5 - h2 * (1.0 / 24.0)) * hhm;
 }
 
 VOUSSOIR_INLINE QuaternionLanes product(QuaternionLanes a, QuaternionLanes b) noexcept {
@@ -52,13 +54,12 @@ VOUSSOIR_INLINE QuaternionLanes product(QuaternionLanes a, QuaternionLanes b) no
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-/// q turned by the rotation vector 2h in space. Series of cos and sin to h⁵ (a norm off by h⁶): no library trigonometry,
-/// whose bits depend on the processor.
+/// q turned by the rotation vector 2h in body axes: series of cos and sin to h⁵ (a norm off by h⁶).
 VOUSSOIR_INLINE QuaternionLanes turned(QuaternionLanes q, VecLanes h) noexcept {
   const Lanes h2 = dot(h, h);
   const Lanes c = 1.0 - h2 * (0.5 - h2 * (1.0 / 24.0));
   const Lanes s = 1.0 - h2 * (1.0 / 6.0 - h2 * (1.0 / 120.0));
-  return product({c, s * h.x, s * h.y, s * h.z}, q);
+  return product(q, {c, s * h.x, s * h.y, s * h.z});
 }
 
 /// One step of the series is exact: the length is 1 but for round-off and the h⁶ of `turned`.
@@ -77,28 +78,56 @@ VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, Vec
   store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
   store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
   store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
-  const auto twist_row = [=](int l) { return twist + (i + l) * kTwistStride; };
-  store_columns(twist_row, 0, v.x, v.y, v.z, w.x);
-  store_columns(twist_row, 4, w.y, w.z, Lanes{}, Lanes{});
+  const SixColumns rows = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
+  for (int l = 0; l < kWidth; ++l) store_row(twist + (i + l) * kTwistStride, rows, l);
 }
 
-/// One step of kWidth elements with the angular velocity w: positions, orientations, rows.
-VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, VecLanes w, double* wrench, double* pose, double* twist,
-                             double dt) noexcept {
-  const Lanes half = lanes(0.5 * dt);
+/// Angular velocity, half a step ahead, of the angular momentum there, in body axes: the orientation half a step ahead is that of now
+/// turned by φ = ½ Δt Ω, so Ω = J⁻¹ exp(−φ) Rᵀ L. The last ω gives a first φ, to first order a second, and that Ω; a φ that is not quite
+/// parallel to Ω turns it as it turns the element. \param m  Rᵀ L  \param last  Rᵀ ω, of the last half step
+VOUSSOIR_INLINE VecLanes spin_ahead(const MatLanes& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
+  const VecLanes guess = half * last;
+  const VecLanes phi = half * (inverse * (m - cross(guess, m)));
+  const VecLanes spin = inverse * turned_back(m, phi);
+  return spin + cross(phi, spin);
+}
+
+/// One step of kWidth elements to the orientation `next` with the angular velocity w: positions, rows.
+VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLanes next, VecLanes w, double* wrench, double* pose,
+                             double* twist, double dt) noexcept {
   const VecLanes v = load3(e.vx, e.vy, e.vz, i), old = load3(e.wx, e.wy, e.wz, i);
   const VecLanes u = load3(e.ux, e.uy, e.uz, i) + lanes(dt) * v;
   store3(e.ux, e.uy, e.uz, i, u);
-  const QuaternionLanes next = normalised(turned(orientation(e, i), half * w));
   store_lanes(e.qw + i, next.w);
   store3(e.qx, e.qy, e.qz, i, {next.x, next.y, next.z});
   store3(e.wx, e.wy, e.wz, i, w);
   Lanes unused;
   VecLanes dash;
   load_columns([=](int r) { return wrench + (i + r) * kWrenchStride; }, 8, unused, dash.x, dash.y, dash.z);
-  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - half * dot(dash, old + w));
+  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - lanes(0.5 * dt) * dot(dash, old + w));
   write_rows(pose, twist, i, u, rotation_minus_identity(next), v, w);
   for (int k = 0; k < kWrenchStride; ++k) store_lanes(wrench + i * kWrenchStride + k * kWidth, Lanes{});
+}
+
+/// The drift of kGroups times kWidth elements, side by side: the chain from ω to the next orientation is long, and one group alone leaves
+/// the machine waiting.
+template <int kGroups>
+VOUSSOIR_INLINE void drift_groups(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t i) noexcept {
+  const Lanes half = lanes(0.5 * dt);
+  QuaternionLanes q[kGroups];
+  MatLanes d[kGroups];
+  VecLanes m[kGroups], spin[kGroups];
+  for (int g = 0; g < kGroups; ++g) {
+    const std::int64_t k = i + g * kWidth;
+    const VecLanes l = load3(e.lx, e.ly, e.lz, k), w = load3(e.wx, e.wy, e.wz, k);
+    q[g] = orientation(e, k);
+    d[g] = rotation_minus_identity(q[g]);
+    m[g] = l + transposed_times(d[g], l);
+    spin[g] = w + transposed_times(d[g], w);
+  }
+  for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia(e, i + g * kWidth), m[g], spin[g], half);
+  for (int g = 0; g < kGroups; ++g) q[g] = normalised(turned(q[g], half * spin[g]));
+  for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, q[g], spin[g] + d[g] * spin[g], wrench, pose, twist, dt);
 }
 
 }  // namespace
@@ -138,21 +167,9 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
 }
 
 void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept {
-  const Lanes quarter = lanes(0.25 * dt);
-  constexpr int kGroups =
-      kLanes / kWidth;  // side by side: the chain from ω to the next ω is long, and one alone leaves the machine waiting
-  for (std::int64_t i = first; i < last; i += kLanes) {
-    VecLanes w[kGroups];
-    // The last ω is as good a start as L at the last orientation, and free.
-    for (int g = 0; g < kGroups; ++g) w[g] = load3(e.wx, e.wy, e.wz, i + g * kWidth);
-    for (int pass = 0; pass < 2; ++pass) {
-      for (int g = 0; g < kGroups; ++g) {
-        const std::int64_t k = i + g * kWidth;
-        w[g] = spin(inverse_inertia(e, k), turned(orientation(e, k), quarter * w[g]), load3(e.lx, e.ly, e.lz, k));
-      }
-    }
-    for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, w[g], wrench, pose, twist, dt);
-  }
+  std::int64_t i = first;
+  for (; i + 2 * kWidth <= last; i += 2 * kWidth) drift_groups<2>(e, wrench, pose, twist, dt, i);
+  if (i < last) drift_groups<1>(e, wrench, pose, twist, dt, i);
 }
 
 }  // namespace voussoir::kernels

@@ -23,6 +23,10 @@ constexpr double kRamp = 1.0;                // s, of gravity, if the case says 
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
+// Elements that are updated at a time: as many as `drift` takes side by side, few enough that their rows stay near.
+constexpr std::int64_t kChunk = 2 * kernels::kLanes;
+std::int64_t end_of_chunk(const World& w, std::int64_t first) { return std::min(first + kChunk, w.elements.rows); }
+
 /// Gravity as seen from a base tilted about x and y by angles in degrees.
 Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
   if (!base) return g;
@@ -214,8 +218,8 @@ void Simulation::kick(const kernels::BodyForces& f) {
   World& w = *world_;
   const auto view = w.elements.view();
 #pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
-    kernels::kick(view, w.elements.wrench.data(), f, i, i + kernels::kLanes);
+  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
+    kernels::kick(view, w.elements.wrench.data(), f, i, end_of_chunk(w, i));
   }
 }
 
@@ -224,9 +228,10 @@ void Simulation::drift(double dt) {
   const auto view = w.elements.view();
   double moved = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : moved)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, i + kernels::kLanes);
-    moved = std::max(moved, measure_moves(w, i, i + kernels::kLanes));
+  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
+    const std::int64_t end = end_of_chunk(w, i);
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, end);
+    moved = std::max(moved, measure_moves(w, i, end));
   }
   moved_ = moved;
 }
@@ -237,10 +242,11 @@ void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   const auto view = w.elements.view();
   double moved = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : moved)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kernels::kLanes) {
-    kernels::kick(view, w.elements.wrench.data(), f, i, i + kernels::kLanes);
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, i + kernels::kLanes);
-    moved = std::max(moved, measure_moves(w, i, i + kernels::kLanes));
+  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
+    const std::int64_t end = end_of_chunk(w, i);
+    kernels::kick(view, w.elements.wrench.data(), f, i, end);
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, end);
+    moved = std::max(moved, measure_moves(w, i, end));
   }
   moved_ = moved;
 }

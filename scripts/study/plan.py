@@ -235,7 +235,7 @@ def check_folder(folder, runs):
 
 
 def version_of(voussoir):
-    """As the program's results say it: "0.1.0 (physics 7)"."""
+    """As the program's results say it: "0.1.0 (physics 8)"."""
     done = subprocess.run([voussoir, "--version"], capture_output=True, text=True, check=False)
     return done.stdout.strip().removeprefix("voussoir ")
 
