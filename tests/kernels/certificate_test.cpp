@@ -103,6 +103,20 @@ TEST_CASE("the certificate never passes a side in which a segment yields, and pa
   CHECK(passed > 0.8 * safe);
 }
 
+TEST_CASE("a compressive strength far above all others keeps no side from its closed form") {
+  Noise noise(8);
+  int safe = 0, passed = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SideUnderTest u(4, 4, 0.5);
+    u.side.strength = {1.27e5, 3.04e4, std::tan(0.5585), i % 2 == 0 ? 1e15 : std::numeric_limits<double>::infinity(), 9.0};
+    const TwoBodies b = random_pose(u, noise, 3e-5 * std::pow(10.0, noise()));
+    safe += by_segments(u, b).result.events == 0;
+    passed += !closed_form(u, b).looked_at;
+  }
+  CHECK(safe > 200);
+  CHECK(passed > 0.95 * safe);
+}
+
 TEST_CASE("the bound over a whole side passes only what the corners pass, and most of what is far from a limit") {
   Noise noise(6);
   int inside = 0, far = 0;

@@ -168,3 +168,29 @@ TEST_CASE("points are not looked at only while both bodies together cannot have 
   CHECK(touches(3e-4, 3e-4));
   CHECK_FALSE(touches(2e-4, 2e-4));
 }
+
+TEST_CASE("a point takes the partner that stops it, then the one it was joined to, then that in which it is deeper") {
+  const Bricks bricks;
+  const auto partner = [&](double z, double base, std::int32_t origin, bool other_way_round) {
+    Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+    for (Twin* t : {&fast, &plain}) {
+      t->base = base;
+      t->patch.origin = origin;
+      if (other_way_round) std::swap(t->candidates[0], t->candidates[1]);
+      TwoBodies b;
+      b.place(0, {0.0, 0.0, z}, {});
+      t->step(b, bricks, {kStep, 1.0, 0.6, false, 2});
+    }
+    CHECK(fast.partner == plain.partner);
+    CHECK(std::count(fast.partner.begin(), fast.partner.begin() + kPoints, fast.partner[0]) == kPoints);
+    return fast.partner[0];
+  };
+  for (const bool other_way_round : {false, true}) {
+    CAPTURE(other_way_round);
+    CHECK(partner(-2e-4, 0.0499, kernels::kNobody, other_way_round) == 1);  // 0.2 mm in the brick, 0.1 mm in the base
+    CHECK(partner(-2e-4, 0.0499, 2, other_way_round) == 2);
+    CHECK(partner(-2e-4, 0.0499, 1, other_way_round) == 1);
+    CHECK(partner(-4e-3, 0.0461, kernels::kNobody, other_way_round) == 2);  // 4 mm in the brick: no face of it stops it
+    CHECK(partner(-4e-3, 0.0461, 1, other_way_round) == 2);
+  }
+}

@@ -119,3 +119,42 @@ TEST_CASE("a support that begins elsewhere than it settled is looked for in its 
   CHECK(contacts.searches == 2);
   CHECK(std::ranges::count(contacts.element, 1) > 0);  // it now stands at the other's end
 }
+
+TEST_CASE("points that a search takes from a partner far away find another in the same step, though nothing else has moved") {
+  cases::Case c = small_wall(1, 0);
+  c.blocks = {brick(0, 0, 0.0, 0.19), brick(0, 1, 0.5, 0.7), brick(1, 0, 0.0, 0.2), brick(0, 2, 0.2, 0.3)};
+  for (const std::size_t i : {0U, 1U, 3U}) c.blocks[i].fixed = true;
+  for (Vec3& corner : *c.blocks[2].box) corner.z += 1e-3;  // in no joint with the first; the last, a tall one, holds it
+  (*c.blocks[3].box)[1].z = (*c.blocks[2].box)[1].z;
+  cases::Model m = cases::build_model(c);
+  const double dt = solver::Simulation(c, m, {}, {}).dt();
+  cases::SupportHistory& away = m.support_motions.emplace_back();
+  away.time = {0.0, dt, 2.0 * dt}, away.displacement = {{}, {}, {-0.4, 0.0, 0.0}};
+  m.blocks[0].support_motion = 0;
+  solver::Simulation sim(c, m, {}, {});
+  solver::World& w = sim.world();
+  const auto place = [&](std::int32_t e, Vec3 u) {
+    const auto i = static_cast<std::size_t>(e);
+    w.elements.ux[i] = u.x, w.elements.uy[i] = u.y, w.elements.uz[i] = u.z;
+    kernels::store_displacement(w.elements.pose.data(), e, u);
+  };
+  place(1, {-0.505, 0.0, -1e-4});  // where the first is, 0.1 mm lower
+  place(2, {0.0, 0.0, -1.2e-3});
+  const auto partners = [&] {  // of the points of the upper brick
+    std::set<std::int32_t> all;
+    for (std::size_t p = 0; p < w.patches.patch.size(); ++p) {
+      const solver::FreePatch& patch = w.patches.patch[p];
+      if (patch.element != 2 || patch.touching == 0) continue;
+      const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
+      all.insert(q.partner, q.partner + w.points.count[static_cast<std::size_t>(patch.set)]);
+    }
+    return all;
+  };
+  sim.step({});
+  CHECK(partners() == std::set<std::int32_t>{0});
+  sim.step({});  // now the first has gone; the next step searches before it looks
+  CHECK(partners() == std::set<std::int32_t>{0});
+  sim.step({});
+  CHECK(w.contacts.searches == 2);
+  CHECK(partners() == std::set<std::int32_t>{1});
+}

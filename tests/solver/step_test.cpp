@@ -316,3 +316,36 @@ TEST_CASE("a wedge that falls on its sharpest corner finds hold") {
   CHECK(std::abs(e.uz[0]) < 0.1);
   MESSAGE("the lowest corner sank by " << -1e3 * least << " mm");
 }
+
+TEST_CASE("what comes loose while a structure settles keeps the damping that brings it to rest, until it shakes") {
+  cases::Case c = small_wall(1, 1, 1e-3);
+  c.gravity.settle = true;
+  c.damping.debris = false;
+  c.blocks.push_back(brick(1, 0, 0.11, 0.31));  // its centroid is beyond the edge of the one below
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, {});
+  const auto& e = sim.world().elements;
+  REQUIRE(e.bonds[1] > 0);
+  for (int i = 0; e.bonds[1] > 0 && i < 200000; ++i) sim.step({});
+  REQUIRE(e.bonds[1] == 0);
+  REQUIRE(sim.time() < 0.0);
+  CHECK(e.alpha[1] == e.alpha[0]);
+  CHECK(e.alpha[1] > 10.0);
+  sim.start_shaking();
+  CHECK(e.alpha[0] == 1.5);
+  CHECK(e.alpha[1] == 0.0);
+}
+
+TEST_CASE("without a ramp of gravity and without a frequency a structure settles as with the usual ramp") {
+  const auto damping = [](std::optional<double> ramp) {
+    cases::Case c = small_wall(1, 1);
+    c.gravity.settle = true;
+    c.gravity.ramp = ramp;
+    c.damping.alpha = {};
+    const cases::Model m = cases::build_model(c);
+    return solver::Simulation(c, m, {}, {}).world().elements.alpha[0];
+  };
+  CHECK(damping(0.0) == damping({}));
+  CHECK(damping(0.5) == doctest::Approx(2.0 * damping({})));
+  CHECK(damping(1e-9) == doctest::Approx(20.0 * damping({})));
+}
