@@ -35,6 +35,8 @@ struct Gravity {
   double settle_limit = 3.0;          // s, after the ramp
 };
 
+inline constexpr double kLongestRun = 1e6;  // s of shaking: far beyond any record, and its steps can still be counted
+
 struct Time {
   std::optional<double> step;            // s; absent = "auto"
   double duration = 10.0;                // s, after settling

@@ -91,7 +91,7 @@ class Gable {
     const std::vector<double> corners = corners_of(section);
     const Interval span = span_at(section, 0.5 * (course.low + course.high));
     std::vector<Piece> all;
-    for (const Interval along : divide(span, wythe.unit, wythe.offset, plan_.brick_length)) {
+    for (const Interval along : divide(span, wythe, plan_.brick_length)) {
       const double low = all.empty() ? -kFar : all.back().high;
       all.push_back({low, along.high == span.high ? kFar : through_corner(metres(along.high), corners), {}, 0.0});
     }

@@ -12,7 +12,7 @@ namespace voussoir::cases {
 namespace {
 
 /// Joins a leftover at the end of `pieces` (its back) to its neighbour. The other end is treated with the pieces mirrored.
-void join_leftover(std::vector<Interval>& pieces, Tick brick_length) {
+void join_leftover(std::vector<Interval>& pieces, Tick brick_length, bool half_at_edge) {
   if (pieces.size() < 2 || pieces.back().length() >= brick_length / 2) return;
   const Tick end = pieces.back().high;
   pieces.pop_back();
@@ -22,7 +22,7 @@ void join_leftover(std::vector<Interval>& pieces, Tick brick_length) {
     return;
   }
   // Too long for a brick. Half a brick on the inside keeps the end piece the longer one, which ties the edge best.
-  last.high = last.low + brick_length / 2;
+  last.high = half_at_edge ? end - brick_length / 2 : last.low + brick_length / 2;
   pieces.push_back({last.high, end});
 }
 
@@ -99,7 +99,10 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
     at += depth;
   };
   if (plan.bond == Bond::running || thickness == width) {
-    while (at < thickness) add(width, length, even ? 0 : length / 2);
+    while (at < thickness) {
+      add(width, length, even ? 0 : length / 2);
+      result.back().half_at_edge = true;
+    }
   } else if (even) {
     while (at + length <= thickness) add(length, width, 0);
     if (at < thickness) add(width, length, 0);
@@ -111,7 +114,8 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
   return result;
 }
 
-std::vector<Interval> divide(Interval span, Tick unit, Tick offset, Tick brick_length) {
+std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length) {
+  const Tick unit = wythe.unit, offset = wythe.offset;
   std::vector<Interval> pieces;
   Tick joint = span.low - offset;
   joint = offset + (joint - (joint % unit + unit) % unit) + unit;  // the first joint above span.low
@@ -122,9 +126,9 @@ std::vector<Interval> divide(Interval span, Tick unit, Tick offset, Tick brick_l
   }
   pieces.push_back({at, span.high});
   mirror(pieces);
-  join_leftover(pieces, brick_length);
+  join_leftover(pieces, brick_length, wythe.half_at_edge);
   mirror(pieces);
-  join_leftover(pieces, brick_length);
+  join_leftover(pieces, brick_length, wythe.half_at_edge);
   return pieces;
 }
 
@@ -132,7 +136,7 @@ std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, i
   std::vector<LaidBrick> bricks;
   for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
     for (const Interval span : free_spans(plan, wall, course)) {
-      for (const Interval along : divide(span, wythe.unit, wythe.offset, plan.brick_length)) {
+      for (const Interval along : divide(span, wythe, plan.brick_length)) {
         bricks.push_back({along, wythe.depth, along.length() == wythe.unit});
       }
     }

@@ -19,6 +19,9 @@ struct LaidBrick {
 struct Wythe {
   Interval depth;
   Tick unit = 0, offset = 0;
+  /// Where a leftover at an edge makes two pieces of one brick: the half brick at the edge. So it must be where the course above is half a
+  /// brick off: its own joint lies half a brick and the leftover from the edge.
+  bool half_at_edge = false;
 };
 
 /// The layers of a course from the outer face inwards.
@@ -29,8 +32,9 @@ struct Wythe {
 std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);
 
 /// Divides a span at the joints offset + unit * i. A leftover at an end shorter than half a brick joins its neighbour; if the two are
-/// longer than a brick, the inner part of them is half a brick and the rest is at the end. \pre span.length() >= brick_length / 2
-std::vector<Interval> divide(Interval span, Tick unit, Tick offset, Tick brick_length);
+/// longer than a brick, the inner part of them is half a brick and the rest is at the end, or the other way round (Wythe::half_at_edge).
+/// \pre span.length() >= brick_length / 2
+std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length);
 
 /// All bricks of a course, by their place along the wall, then through it.
 std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, int course);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/assembly.h"
 
+#include <numeric>
+#include <vector>
+
 #include "geometry/joints.h"
 #include "geometry/message.h"
 #include "geometry/touching.h"
@@ -33,18 +36,40 @@ void add_element(const Part& part, int subject, Assembly& out, std::vector<FaceG
   }
 }
 
-void check_touching(std::span<const Part> parts, const std::vector<Contact>& contacts) {
+/// Sets of blocks that hold together.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Every block stands on the base or an anchored one, if only by way of others.
+void check_held(std::span<const Part> parts, const std::vector<Contact>& contacts) {
+  const std::size_t ground = parts.size();
+  Groups groups(parts.size() + 1);
   std::vector<bool> touches(parts.size(), false);
   for (const Contact& c : contacts) {
-    touches[static_cast<std::size_t>(c.element_a)] = true;
-    if (c.element_b != kBase) touches[static_cast<std::size_t>(c.element_b)] = true;
+    const auto a = static_cast<std::size_t>(c.element_a), b = c.element_b == kBase ? ground : static_cast<std::size_t>(c.element_b);
+    groups.join(a, b);
+    touches[a] = true;
+    if (b != ground) touches[b] = true;
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (touches[i] || parts[i].anchored) continue;
+    if (parts[i].anchored) groups.join(i, ground);
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (groups.of(i) == groups.of(ground)) continue;
     const Box3 box = bounds(*parts[i].shape);
-    throw ModelError(block_prefix(static_cast<int>(i)) + "touches nothing (it reaches from (" + figure(box.low.x) + ", " +
-                         figure(box.low.y) + ", " + figure(box.low.z) + ") to (" + figure(box.high.x) + ", " + figure(box.high.y) + ", " +
-                         figure(box.high.z) + ") m)",
+    throw ModelError(block_prefix(static_cast<int>(i)) + (touches[i] ? "is held by nothing, nor is what it touches" : "touches nothing") +
+                         " (it reaches from (" + figure(box.low.x) + ", " + figure(box.low.y) + ", " + figure(box.low.z) + ") to (" +
+                         figure(box.high.x) + ", " + figure(box.high.y) + ", " + figure(box.high.z) + ") m)",
                      static_cast<int>(i));
   }
 }
@@ -64,7 +89,7 @@ Assembly assemble(std::span<const Part> parts, std::optional<double> base_z) {
   }
   const Scene scene{parts, out.elements, grids, boxes};
   const std::vector<Contact> contacts = find_contacts(scene, base_z);
-  check_touching(parts, contacts);
+  check_held(parts, contacts);
   make_joints(scene, contacts, out);
   return out;
 }

@@ -68,7 +68,7 @@ struct Assembly {
 struct Part {
   const Polyhedron* shape = nullptr;
   double segment_size = 0.0;  // m, > 0
-  bool anchored = false;      // fixed, or allowed to float: may touch nothing
+  bool anchored = false;      // fixed, or allowed to float: holds itself
 };
 
 /// Validates every shape, finds overlaps, touching faces and what they share.
@@ -83,7 +83,7 @@ struct Part {
 ///
 /// \param base_z  height of the base plane [m]; absent: no base.
 /// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the
-/// base, a block that touches nothing and is not anchored. what() starts with "block <index>: ".
+/// base, a block that is held by neither the base nor an anchored one, if only by way of others. what() starts with "block <index>: ".
 /// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer.
 Assembly assemble(std::span<const Part> parts, std::optional<double> base_z);
 

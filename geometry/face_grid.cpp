@@ -34,9 +34,11 @@ struct CellCounts {
   std::int32_t columns, rows;
 };
 
+/// The whole number nearest to extent / size, halves up within 1e-9: of two faces alike, one must not have a cell more by round-off.
+double cells_along(double extent, double size) { return std::max(1.0, std::floor(extent / size + 0.5 + 1e-9)); }
+
 CellCounts count_cells(const Rectangle& box, double size, int subject, int face) {
-  const double columns = std::max(1.0, std::round((box.high.s - box.low.s) / size));
-  const double rows = std::max(1.0, std::round((box.high.t - box.low.t) / size));
+  const double columns = cells_along(box.high.s - box.low.s, size), rows = cells_along(box.high.t - box.low.t, size);
   if (columns * rows <= 1e8) return {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows)};
   throw ModelError(block_prefix(subject) + "the segment size of " + figure(size) + " m is too small: face " + std::to_string(face) +
                        " would have " + figure(columns) + " x " + figure(rows) + " segments (allowed 1e8)",

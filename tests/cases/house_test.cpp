@@ -71,7 +71,7 @@ std::vector<double> lengths_mm(const std::vector<Interval>& pieces) {
 }
 
 std::vector<double> divided_mm(double low, double high, double unit, double offset) {
-  return lengths_mm(divide({ticks(low), ticks(high)}, ticks(unit), ticks(offset), ticks(0.2)));
+  return lengths_mm(divide({ticks(low), ticks(high)}, {{}, ticks(unit), ticks(offset)}, ticks(0.2)));
 }
 
 /// Transverse joints of a layer through the depth of a wall, as (depth cell of half a brick width, place), away from its ends.
@@ -107,7 +107,7 @@ TEST_CASE("pieces of any span fill it and are between half a brick and a brick l
     const Tick low = std::uniform_int_distribution<Tick>(0, ticks(1.0))(random);
     const Tick high = low + ticks(0.1) + std::uniform_int_distribution<Tick>(0, ticks(1.2))(random);
     const Tick unit = i % 2 == 0 ? ticks(0.2) : ticks(0.1);
-    const std::vector<Interval> pieces = divide({low, high}, unit, ticks(0.05), ticks(0.2));
+    const std::vector<Interval> pieces = divide({low, high}, {{}, unit, ticks(0.05)}, ticks(0.2));
     REQUIRE(pieces.front().low == low);
     REQUIRE(pieces.back().high == high);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -203,6 +203,29 @@ TEST_CASE("no upright joint runs through two courses, whatever the thickness and
       const auto lower = upright_joints(plan, wall, 0);
       const auto upper = upright_joints(plan, wall, 1);
       for (const auto& joint : lower) CHECK(upper.count(joint) == 0);
+    }
+  }
+}
+
+TEST_CASE("no upright joint runs through two courses beside an opening, wherever it stands") {
+  for (const Bond bond : {Bond::english, Bond::running}) {
+    for (const double from : {1.0, 1.01, 1.03, 1.05, 1.07, 1.09, 1.1, 1.15}) {
+      CAPTURE(from);
+      House house = *testing::paper_flat20().house;
+      house.bond = bond;
+      house.openings[0].from = from;
+      const HousePlan plan = plan_house(house);
+      const WallPlan& wall = plan.walls[0];
+      for (int course = 0; course < 6; ++course) {
+        const auto lower = upright_joints(plan, wall, course), upper = upright_joints(plan, wall, course + 1);
+        const auto is_jamb = [&](Tick at) {
+          return std::any_of(wall.holes.begin(), wall.holes.end(), [&](const Hole& h) { return at == h.along.low || at == h.along.high; });
+        };
+        for (const auto& joint : lower) {
+          CAPTURE(joint.second);
+          CHECK((is_jamb(joint.second) || upper.count(joint) == 0));
+        }
+      }
     }
   }
 }

@@ -99,6 +99,14 @@ TEST_SUITE("face_grid") {
     }
   }
 
+  TEST_CASE("an edge of some cells and a half has the same number of them wherever the block lies: halves up") {
+    const FaceGrid here = make_face_grid(make_box({0.1, 0, 0}, {0.2, 0.1, 0.3}), 5, 0.04);
+    const FaceGrid there = make_face_grid(make_box({0.2, 0, 0}, {0.3, 0.1, 0.3}), 5, 0.04);  // 0.3 - 0.2 is less than 0.1
+    CHECK(here.columns == 3);
+    CHECK(there.columns == 3);
+    CHECK(here.rows == there.rows);
+  }
+
   TEST_CASE("the whole face is cut into whole, equal cells, row by row") {
     const FaceGrid g = make_face_grid(make_box({0, 0, 0}, {0.2, 0.1, 0.06}), 5, 0.025);
     const std::vector<Piece> pieces = cut(g, g.polygon);

@@ -87,5 +87,15 @@ TEST_SUITE("faults") {
     CHECK(complaint_of({shapes[0]}, std::nullopt, false).mentions("touches nothing"));
   }
 
+  TEST_CASE("blocks that touch each other, and nothing that stands") {
+    const std::vector<Polyhedron> shapes{brick_at({0, 0, 0}), brick_at({1, 0, 1e-5}), brick_at({1, 0, 0.10001})};
+    const Complaint c = complaint_of(shapes, 0.0, false);
+    CHECK(c.mentions("block 1: is held by nothing, nor is what it touches"));
+    CHECK(c.subject == 1);
+    std::vector<Part> parts = parts_of(shapes, 0.05, false);
+    parts[2].anchored = true;
+    CHECK(complaint([&] { assemble(parts, 0.0); }).what.empty());
+  }
+
   TEST_CASE("nothing at all is no fault") { CHECK(complaint_of({}, 0.0, false).what.empty()); }
 }
