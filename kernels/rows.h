@@ -35,6 +35,11 @@ inline void store_displacement(double* rows, std::int64_t e, Vec3 u) noexcept {
   double* r = rows + e * kPoseStride;
   r[3] = u.x, r[7] = u.y, r[11] = u.z;
 }
+inline void store_twist(double* rows, std::int64_t e, const Twist& t) noexcept {
+  double* r = rows + e * kTwistStride;
+  r[0] = t.v.x, r[1] = t.v.y, r[2] = t.v.z;
+  r[3] = t.w.x, r[4] = t.w.y, r[5] = t.w.z;
+}
 inline Twist load_twist(const double* rows, std::int64_t e) noexcept {
   const double* r = rows + e * kTwistStride;
   return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};

@@ -16,6 +16,9 @@ namespace {
 
 double component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
+/// The largest step not above the given one [s] that divides the interval of the samples.
+double dividing_step(double step) { return kImpulseInterval / std::ceil(kImpulseInterval / step * (1.0 - 1e-12)); }
+
 /// The case as it vibrates freely.
 cases::Case undamped(cases::Case c) {
   c.gravity.settle = false;
@@ -23,17 +26,27 @@ cases::Case undamped(cases::Case c) {
   c.damping = {};
   c.loads.clear();
   c.output.history_interval = kImpulseInterval;  // an automatic step divides it
+  if (c.time.step) c.time.step = dividing_step(*c.time.step);
   return c;
+}
+
+/// The model without what moves by itself.
+cases::Model at_rest(cases::Model m) {
+  for (cases::Block& b : m.blocks) b.velocity = b.angular_velocity = {}, b.support_motion = -1;
+  return m;
 }
 
 }  // namespace
 
-ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, const Options& o, int axis,
+ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, const Options& options, int axis,
                                  const std::function<void(double)>& tick) {
   const cases::Case free = undamped(c);
+  const cases::Model still = at_rest(m);
+  Options o = options;
+  if (o.step) o.step = dividing_step(*o.step);
   cases::GroundMotion motion;
   motion.axis[static_cast<std::size_t>(axis)] = {"impulse", kImpulseInterval, {1.0, 0.0}};
-  Simulation sim(free, m, motion, o);
+  Simulation sim(free, still, motion, o);
   const std::int64_t every = std::max<std::int64_t>(1, std::llround(kImpulseInterval / sim.dt()));
   ImpulseResponse response;
   response.displacement.resize(free.output.history.size());

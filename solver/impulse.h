@@ -23,10 +23,10 @@ struct ImpulseResponse {
   std::int64_t broken = 0;                        // segment sides; none, or the frequencies are not those of the whole structure
 };
 
-/// Shakes the base along an axis (0: x, 1: y, 2: z) with 1 m/s2 at time zero and nothing from the next sample on, without gravity or mass
-/// damping. `tick` is called at every sample with the share that is done.
+/// Shakes the base along an axis (0: x, 1: y, 2: z) with 1 m/s2 at time zero and nothing from the next sample on, without gravity, mass
+/// damping, loads, velocities at the start, or motion of supports. A step that the case gives is made to divide the interval. `tick` is called at every sample with the share that is done.
 /// \throw cases::InputError, NumericalError
-ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, const Options& o, int axis,
+ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, const Options& options, int axis,
                                  const std::function<void(double)>& tick);
 
 /// Frequency [Hz] of the largest amplitude of a discrete Fourier transform, the mean left out. \pre an even number of samples, at least 4

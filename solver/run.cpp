@@ -15,6 +15,7 @@ namespace voussoir::solver {
 namespace {
 
 constexpr std::int64_t kTickInterval = 20;  // steps
+constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
 
 std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
 
@@ -112,15 +113,18 @@ class Plan {
 
   /// \return false if the tick stopped it
   bool settle() {
-    while (!sim_.at_rest() && !sim_.settled_too_long()) {
+    // Looked at in intervals of its own: how often rows are written must not decide when the shaking begins.
+    const std::int64_t look = in_steps(kLookForRest, sim_.dt());
+    const auto at_rest = [&] { return (sim_.steps() - 1) % look == 0 && sim_.at_rest(); };
+    while (!at_rest() && !sim_.settled_too_long()) {
       if (!go_on()) return false;
       const double time = sim_.time();
       const bool ledger = sim_.steps() % ledger_ == 0;
-      sim_.step({false, ledger});
+      sim_.step({false, ledger || sim_.steps() % look == 0});
       ++state_.steps;
       if (ledger) report_.ledger(time);
     }
-    state_.settled = sim_.at_rest();
+    state_.settled = at_rest();
     return true;
   }
 
@@ -190,7 +194,7 @@ Summary summarise(const Simulation& sim, const RunState& state) {
   s.peak_base_shear = state.peak_base_shear;
   s.peak_speed = sim.peak_speed();
   s.worst_residual = sim.worst_residual();
-  s.settled = state.settled;
+  s.settled = state.settled && sim.phase() != Phase::settling;
   s.end_time = sim.time();
   return s;
 }

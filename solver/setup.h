@@ -29,6 +29,9 @@ void set_up_side_views(World& w);
 void set_up_side_gather(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
+/// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand
+void set_initial_velocities(World& w);
+
 /// Appends a free patch with no partners.
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);
 

@@ -34,16 +34,13 @@ void size_arrays(Elements& e) {
   e.wrench.assign(n * kernels::kWrenchStride, 0.0);
 }
 
-/// Inverse of the body inertia (reference axes), and the angular momentum of the initial spin.
-void set_inertia(Elements& e, std::size_t i, const Mat3& inertia, Vec3 spin) {
+/// In reference axes.
+void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
   Eigen::Matrix3d j;
   j << inertia.r0.x, inertia.r0.y, inertia.r0.z, inertia.r1.x, inertia.r1.y, inertia.r1.z, inertia.r2.x, inertia.r2.y, inertia.r2.z;
   const Eigen::Matrix3d inverse = j.inverse();
   e.ixx[i] = inverse(0, 0), e.iyy[i] = inverse(1, 1), e.izz[i] = inverse(2, 2);
   e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
-  const Vec3 l = inertia * spin;
-  e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
-  e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
 }
 
 void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, Vec3 centroid) {
@@ -90,13 +87,28 @@ void set_up_elements(World& w, const cases::Case& c) {
     e.mass[i] = density * g.mass.volume;
     e.inv_mass[i] = 1.0 / e.mass[i];
     e.alpha[i] = alpha;
-    e.vx[i] = b.velocity.x, e.vy[i] = b.velocity.y, e.vz[i] = b.velocity.z;
-    set_inertia(e, i, density * g.mass.inertia, b.angular_velocity);
+    set_inverse_inertia(e, i, density * g.mass.inertia);
   }
   const auto base = static_cast<std::size_t>(e.base);
   e.body[base].ref.z = c.base ? c.base->z : 0.0;
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
   e.face_count[base] = 1;
+}
+
+void set_initial_velocities(World& w) {
+  Elements& e = w.elements;
+  std::fill(e.twist.begin(), e.twist.end(), 0.0);
+  for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
+    const cases::Block& b = w.model.blocks[i];
+    const Vec3 v = b.fixed ? Vec3{} : b.velocity, spin = b.fixed ? Vec3{} : b.angular_velocity;
+    const double density = w.model.materials[static_cast<std::size_t>(b.material)].value.density;
+    const Mat3 r = rotation({e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
+    const Vec3 l = r * (density * (w.model.assembly.elements[i].mass.inertia * (transposed(r) * spin)));
+    e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
+    e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
+    e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
+    kernels::store_twist(e.twist.data(), static_cast<std::int64_t>(i), {v, spin});
+  }
 }
 
 void set_up_faces(World& w) {

@@ -84,6 +84,8 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
     settling_alpha_ =
         2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? std::max(ramp_, kShortestRamp) : kRamp));
     set_damping(settling_alpha_);
+  } else {
+    set_initial_velocities(w);
   }
   // Rows follow from the state: a drift of no time writes them.
   kernels::drift(w.elements.view(), w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), 0.0, 0, w.elements.rows);
@@ -132,6 +134,9 @@ void Simulation::move_supports_on() {
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
+    // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
+    const double* dash = e.wrench.data() + i * kernels::kWrenchStride + kernels::kDashpotColumn;
+    e.loss_dashpot[i] += 0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   }
 }
@@ -311,8 +316,7 @@ void Simulation::set_damping(double alpha) {
 void Simulation::start_shaking() {
   Elements& e = world_->elements;
   if (phase_ == Phase::settling) {
-    for (auto* column : {&e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) std::fill(column->begin(), column->end(), 0.0);
-    std::fill(e.twist.begin(), e.twist.end(), 0.0);
+    set_initial_velocities(*world_);
     e.alpha = case_alpha_;
   }
   if (world_->drop_debris_damping) {

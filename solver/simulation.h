@@ -30,7 +30,7 @@ struct Due {
 
 class Simulation {
  public:
-  /// Builds the world; it settles first if the case says so. All arguments must outlive the simulation.
+  /// Builds the world; it settles first if the case says so. The case and the model must outlive it.
   /// \throw cases::InputError
   Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
 
@@ -86,7 +86,7 @@ class Simulation {
   void set_damping(double alpha);
 
   const cases::Case& case_;
-  const cases::GroundMotion& motion_;
+  cases::GroundMotion motion_;
   std::unique_ptr<World> world_;
   Phase phase_ = Phase::shaking;
   std::int64_t step_ = 0;

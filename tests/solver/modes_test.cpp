@@ -98,3 +98,19 @@ TEST_CASE("impulse and eigenvalues agree within a bin") {
     CHECK(std::abs(solver::dominant_frequency(r.displacement[0], solver::kImpulseInterval) - first) < 1.0 / 5.12);
   }
 }
+
+TEST_CASE("samples of the impulse are a hundredth of a second apart whatever step the case gives, and nothing else moves") {
+  cases::Case c = column(6);
+  c.output.history = {{"top", {0.1, 0.1, 5.5 * kHeight}}};
+  const auto response = [&c] { return solver::impulse_response(c, cases::build_model(c), {}, 0, [](double) {}).displacement[0]; };
+  const std::vector<double> usual = response();
+  c.time.step = 3e-4;  // 33 of them are 9.9 ms
+  c.blocks.back().velocity = {0.3, 0.0, 0.0};
+  const std::vector<double> given = response();
+  double largest = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    largest = std::max(largest, std::abs(usual[i]));
+    apart = std::max(apart, std::abs(usual[i] - given[i]));
+  }
+  CHECK(apart < 0.1 * largest);
+}
