@@ -6,7 +6,7 @@
 usage: scripts/plot_debris.py [LABEL=]DIR ... [--time T] [--below 1.0] [-o debris.png]
 
 A plan is cut: it shows what lies or stands lower than --below, so that the roof does not hide the floor. Bricks that have fallen are red,
-fallen timber and voussoirs brown, what stands is grey; the line is the outside of the walls at first.
+fallen timber and voussoirs brown, what stands is grey; the line is the outline of all elements at first.
 """
 
 import math
@@ -76,7 +76,7 @@ def main():
     p = run_file.parser(__doc__, "debris.png")
     p.add_argument("run", nargs="+", help="folder of a run, or LABEL=folder")
     p.add_argument("--time", type=float, help="s (default: the last frame)")
-    p.add_argument("--below", type=float, default=1.0, help="height of the cut, m (default 1)")
+    p.add_argument("--below", type=float, default=1.0, help="height of the cut above z = 0, m (default 1)")
     a = p.parse_args()
     plans = [Plan(run_file.Run(argument), a.time, a.below) for argument in a.run]
     low, high = extent(plans)

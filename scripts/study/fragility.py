@@ -198,6 +198,8 @@ def main():
     refuse_table(a.table, (a.output, a.csv))
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
+    if len(versions := {row.get("version", "") for row in rows}) > 1:
+        sys.exit(f"{a.table}: holds runs of versions {' and '.join(sorted(versions))}, whose results may differ; wanted a table of one")
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
     numbers, out = {}, []
     for name, state, x, reached, seeds in curves(rows, a.states, a.peak or 1.0):

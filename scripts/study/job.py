@@ -111,6 +111,7 @@ def main():
     if (folder / "done.json").exists():
         return DONE
     write(folder / "identity", run["identity"] + "\n")
+    write(folder / "version", plan["version"] + "\n")
     sessions = Sessions(folder)
     code = DONE if finished(folder) else go_on(command(plan, run, folder), folder, sessions, plan["threads"], lock)
     if code not in (DONE, NUMERICAL_FAILURE):

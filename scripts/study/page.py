@@ -60,10 +60,12 @@ def table_row(row, columns):
 
 
 def facts(rows):
-    done = sum(row["status"] != "to be done" for row in rows)
+    done = sum(row["status"] == "done" for row in rows)
+    failed = sum(row["status"] not in ("done", "to be done") for row in rows)
     hours = sum(float(row["core_hours"]) for row in rows)
     collapsed = sum(row.get("collapsed") == "1" for row in rows)
-    return f"{done} of {len(rows)} runs done, {collapsed} collapsed, {hours:.3g} core-hours."
+    failures = f", {failed} stopped by a numerical failure" if failed else ""
+    return f"{done} of {len(rows)} runs done{failures}, {collapsed} collapsed, {hours:.3g} core-hours."
 
 
 def main():

@@ -17,6 +17,7 @@ import tomllib
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
+PLOTS = ("plots/damage_grade.svg", "plots/fallen_mass_fraction.svg", "plots/first_crack_time.svg", "plots/peak_base_shear.svg")
 ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
 
 
@@ -225,9 +226,13 @@ def check_cases(path, runs, voussoir):
             raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
 
 
-def check_folder(folder, runs):
-    """Results that are there must be those of the study as it is now."""
+def check_folder(folder, runs, version):
+    """Results that are there must be those of the study as it is now, and of this program: one table, one physics."""
     for run in runs:
+        made_by = folder / "runs" / run["name"] / "version"
+        if made_by.exists() and made_by.read_text().strip() != version:
+            raise StudyError(f"{made_by.parent}: is a run of version {made_by.read_text().strip()}, and this is {version}: their results may differ. "
+                             "Name the program that began the study by VOUSSOIR=..., or give the study another folder")
         there = folder / "runs" / run["name"] / "identity"
         if there.exists() and there.read_text().strip() != run["identity"]:
             raise StudyError(f"{there.parent}: holds a run of the same name with another case file or other overrides; "

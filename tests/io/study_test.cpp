@@ -139,6 +139,8 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
 
   std::filesystem::remove_all(folder.path("study/runs/wall-x1"));  // a table of what is there does not stand for what is not
   REQUIRE(study(folder, file, "--table") == 0);
+  CHECK(text_of(folder.path("study/index.html")).find("1 of 2 runs done") != std::string::npos);
+  CHECK(text_of(folder.path("study/index.html")).find("data:image/svg+xml") != std::string::npos);  // the plots
   CHECK(column(table, "status") == Values{"done", "to be done"});
   REQUIRE(study(folder, file) == 0);
   CHECK(column(table, "status") == Values{"done", "done"});
@@ -160,6 +162,13 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(text_of(folder.path("log")).find("known.csv: holds runs of version 0.1.0 (physics 1") != std::string::npos);
   CHECK(elsewhere(folder.write("known.csv", "run,status\na,done\n")) == 2);
   CHECK(text_of(folder.path("log")).find("known.csv: no column identity") != std::string::npos);
+
+  const std::string made_by = folder.path("study/runs/wall-x0/version"), version = text_of(made_by);
+  folder.write("study/runs/wall-x0/version", "0.1.0 (physics 1)\n");
+  CHECK(study(folder, file) == 2);
+  CHECK(text_of(folder.path("log")).find("wall-x0: is a run of version 0.1.0 (physics 1), and this is 0.1.0 (physics ") !=
+        std::string::npos);
+  folder.write("study/runs/wall-x0/version", version);
 
   folder.write("two.toml", kCase + "scales = [0.0, 1.0]\nduration = 0.7\n");  // other runs under the same names
   CHECK(study(folder, file) == 2);
@@ -254,6 +263,18 @@ TEST_CASE("fragility: its files stand where they are looked for, and never on th
   CHECK(column(folder.path("curves.csv"), "state") == std::vector<std::string>{"2", "3", "4", "collapse"});
   CHECK(std::filesystem::exists(folder.path("fragility.svg")));
   CHECK(text_of(folder.path("fragility.csv")) == two_levels(true));
+}
+
+TEST_CASE("fragility: runs of two versions are no one table") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  const std::string table =
+      "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade,version\n"
+      "a,house,LTV,,0.5,,1,done,0,2,0.1.0 (physics 7)\nb,house,LTV,,2.0,,1,done,1,5,0.1.0 (physics 8)\n";
+  folder.write("table.csv", table);
+  CHECK(code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + folder.path("table.csv") + " -o " + folder.path("f.svg") +
+                " --csv " + folder.path("c.csv") + " >" + folder.path("log") + " 2>&1") == 1);
+  CHECK(text_of(folder.path("log")).find("versions 0.1.0 (physics 7) and 0.1.0 (physics 8)") != std::string::npos);
 }
 
 TEST_CASE("fragility: what has no walls has no grades, but may collapse") {
