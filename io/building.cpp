@@ -100,7 +100,9 @@ void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
 
 /// Walls with their boxes, house by house and round each; says of each brick which wall it is in.
 void find_walls(const Elements& elements, int quarter_turns, Building& b) {
-  const bool several = std::set<std::int32_t>(elements.house.begin(), elements.house.end()).size() > 1;
+  std::set<std::int32_t> houses(elements.house.begin(), elements.house.end());
+  houses.erase(-1);  // blocks of their own
+  const bool several = houses.size() > 1;
   std::map<WallKey, std::int32_t> numbers;
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
     const std::string side = side_of(elements.tag[e], " wall");

@@ -10,6 +10,7 @@
 #include "io/case_values.h"
 #include "io/catalogue.h"
 #include "io/errors.h"
+#include "io/motion_files.h"
 #include "io/motion_keys.h"
 
 namespace voussoir::io {
@@ -50,6 +51,7 @@ class Reader {
     open_.push_back(text.path);
     Node document = parse(text);
     set_file(document, file);
+    if (file > 0 && !text.built_in) find_files_from(document, text.folder);
     Node whole = included(text, *document.as<Node::Table>());
     make_way(document, whole);
     lay_over(std::move(document), whole);
@@ -76,6 +78,28 @@ class Reader {
     }
     if (auto* table = node.as<Node::Table>()) {
       for (Entry& e : *table) set_file(e.node, file);
+    }
+  }
+
+  /// Files that an included case names lie beside it, not beside the one that includes it.
+  static void find_files_from(Node& document, const std::string& folder) {
+    const auto anchor = [&](Node& table, std::string_view key) {
+      auto* entries = table.as<Node::Table>();
+      Entry* entry = entries == nullptr ? nullptr : find_entry(*entries, key);
+      auto* path = entry == nullptr ? nullptr : entry->node.as<std::string>();
+      if (path == nullptr || path->empty() || is_built_in_record(*path)) return;
+      *path = fs::absolute(fs::path(folder) / *path).lexically_normal().string();
+    };
+    auto* tables = document.as<Node::Table>();
+    if (Entry* motion = find_entry(*tables, "motion")) {
+      for (const std::string_view key : kMotionPaths) anchor(motion->node, key);
+    }
+    Entry* blocks = find_entry(*tables, "block");
+    auto* all = blocks == nullptr ? nullptr : blocks->node.as<Node::Array>();
+    if (all == nullptr) return;
+    for (Node& block : *all) {
+      auto* table = block.as<Node::Table>();
+      if (Entry* motion = table == nullptr ? nullptr : find_entry(*table, "motion")) anchor(motion->node, "file");
     }
   }
 

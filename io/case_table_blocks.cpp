@@ -3,6 +3,7 @@
 #include <set>
 
 #include "io/case_tables.h"
+#include "io/history_name.h"
 
 namespace voussoir::io {
 namespace {
@@ -102,9 +103,8 @@ Table<HistoryPoint> history_table() {
           {required(value<S>("name", &S::name, "", filled(), "its name in the results: /history/<name>")),
            required(value<S>("point", &S::point, "m", any(), "the element whose centroid is nearest at the start is followed"))},
           [](const S& s, const RuleCheck& check) {
-            const bool reserved = s.name == "time" || s.name == "." || s.name == "..";
-            if (reserved || s.name.find('/') != std::string::npos)
-              check.fault("name", "cannot name a group of the results; avoid \"time\" and '/'");
+            if (!can_name_history(s.name))
+              check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
           }};
 }
 

@@ -37,7 +37,7 @@ Key<Time> step_key() {
 Table<Time> time_table() {
   using S = Time;
   return {"time step and duration",
-          {step_key(), value<S>("duration", &S::duration, "s", at_least(0.0), "of the run, after settling"),
+          {step_key(), value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration")},
           nullptr};

@@ -8,7 +8,7 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// When each joint of a run came open, s: as soon as broken segments cover half of it on either face; infinity: never.
+/// When each joint of a run came open, s: as soon as the springs of half of its area are broken; infinity: never.
 /// \param run  its joints and cracks \throw FileError
 std::vector<double> joint_opening_times(const Hdf5File& run);
 

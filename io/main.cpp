@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -258,6 +259,14 @@ int dispatch(const CLI::App& app, Words& w) {
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
 
+/// A long run that is not at its end has its rows in many files, and a dataset over them holds each open.
+void open_many_files() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 /// True if nothing has kept the machine busy in the last minute.
 bool machine_is_quiet() {
   double load = 0.0;
@@ -284,6 +293,7 @@ void let_threads_sleep(char** argv) {
 
 int main(int argc, char** argv) {
   let_threads_sleep(argv);
+  open_many_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   app.set_version_flag("--version", "voussoir " + io::program_version());

@@ -99,7 +99,7 @@ class Measurer {
     for (std::size_t e = 0; e < poses.size(); ++e) {
       const double height = start_[e].centre.z - building_.base, sunk = start_[e].centre.z - poses[e].centre.z;
       sum.add(building_.kind[e], building_.mass[e], sunk, height);
-      fallen_[e] = solver::FallenMass::has_fallen(sunk, height) ? 1 : 0;
+      fallen_[e] = building_.mass[e] > 0 && solver::FallenMass::has_fallen(sunk, height) ? 1 : 0;  // what is fixed has no mass here
       if (fallen_[e] == 0) continue;
       for (Part* part : {&all_, part_of(e)}) {
         if (part == nullptr) continue;

@@ -78,7 +78,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       provenance_(std::move(provenance)),
       options_(options) {
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t] = RowBuffer(schema_[t]);
-  if (options_.keep_until)
+  if (options_.earlier)
     continue_earlier();
   else if (std::filesystem::exists(folder_ + "/run.h5") || std::filesystem::exists(folder_ + "/" + part_name(0)))
     throw FileError(folder_, "holds the results of another run");
@@ -99,7 +99,7 @@ ResultsWriter::~ResultsWriter() {
 }
 
 void ResultsWriter::continue_earlier() {
-  parts_ = keep_parts(folder_, schema_, *options_.keep_until);
+  parts_ = keep_parts(folder_, schema_, *options_.earlier);
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t].continue_after(last_time(folder_, static_cast<RowTable>(t), parts_));
   for (const Part& p : parts_)
     for (std::size_t t = 0; t < kRowTables; ++t)
@@ -255,11 +255,8 @@ void ResultsWriter::write_run(bool merged) {
 }
 
 RowCounts ResultsWriter::rows() const noexcept {
-  RowCounts sum{};
-  for (std::size_t t = 0; t < kRowTables; ++t) {
-    sum[t] = buffers_[t].rows();
-    for (const Part& p : parts_) sum[t] += p.rows[t];
-  }
+  RowCounts sum = rows_of(parts_);
+  for (std::size_t t = 0; t < kRowTables; ++t) sum[t] += buffers_[t].rows();
   return sum;
 }
 

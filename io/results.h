@@ -28,8 +28,8 @@ struct ResultsOptions {
   std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
   bool merge = true;               // finish() puts all rows into run.h5
   std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
-  /// Go on with the results in the folder: keep rows at or before this time [s], drop the later ones. Absent: a new run.
-  std::optional<double> keep_until;
+  /// Go on with the results in the folder. Absent: a new run.
+  std::optional<EarlierRows> earlier;
 };
 
 class ResultsWriter final : public solver::Recorder {
@@ -39,7 +39,7 @@ class ResultsWriter final : public solver::Recorder {
   /// \param folder         of the run, existing (see RunFolder)
   /// \param case_toml      the resolved case
   /// \param history_names  one for each sample of history(), in order
-  /// \throw FileError if the folder holds results already (and keep_until is absent) or cannot be written to
+  /// \throw FileError if the folder holds results already (and `earlier` is absent) or cannot be written to
   /// \throw std::invalid_argument for a bad history name (see row_schema) or an element that is no cell (see model_datasets)
   ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml, std::span<const std::string> history_names,
                 Provenance provenance, const ResultsOptions& options = {});

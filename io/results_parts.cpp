@@ -40,8 +40,8 @@ Part total(std::span<const Part> parts) {
   if (parts.empty()) return sum;
   sum.first_time = parts.front().first_time;
   sum.last_time = parts.back().last_time;
+  sum.rows = rows_of(parts);
   for (const Part& p : parts) {
-    for (std::size_t t = 0; t < kRowTables; ++t) sum.rows[t] += p.rows[t];
     sum.first_time = std::min(sum.first_time, p.first_time);
     sum.last_time = std::max(sum.last_time, p.last_time);
   }
@@ -83,6 +83,13 @@ std::string part_name(std::size_t number) {
   std::string name(32, '\0');
   name.resize(static_cast<std::size_t>(std::snprintf(name.data(), name.size(), "parts/%04zu.h5", number)));
   return name;
+}
+
+RowCounts rows_of(std::span<const Part> parts) noexcept {
+  RowCounts sum{};
+  for (const Part& p : parts)
+    for (std::size_t t = 0; t < kRowTables; ++t) sum[t] += p.rows[t];
+  return sum;
 }
 
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct Part {
 /// "parts/0012.h5"
 [[nodiscard]] std::string part_name(std::size_t number);
 
+/// Rows of all of them.
+[[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
+
 /// Makes a file under a temporary name by `fill`, and gives it its name once it is complete and on disk (see replace_file).
 /// \throw FileError, or what `fill` throws; then the file under this name is as it was
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill);
@@ -38,11 +42,16 @@ void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> pa
 /// The same rows, copied.
 void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schema, std::span<const Part> parts);
 
+/// What of an earlier run's rows stays.
+struct EarlierRows {
+  double until = 0.0;             // s; rows at or before this time stay, the later ones go
+  std::optional<RowCounts> rows;  // as many as must be there up to then; absent: whatever there is
+};
+
 /// The parts of an earlier run up to a time, with the later rows cut off, in files parts/0000.h5, 0001, ... without a gap.
 /// A merged run.h5 becomes the first part. Files of later parts are still there: see remove_parts.
-/// \param until  keep rows at or before this time [s]
-/// \throw FileError, also if the results are of another model or have other histories
-std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, double until);
+/// \throw FileError, also if the results are of another model, have other histories or fewer rows than they must; no row is lost then
+std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier);
 
 /// Removes the files of parts number `from` and later, temporary ones too, and the folder parts/ if it is empty then. Never throws:
 /// what stays is not referred to.

@@ -58,20 +58,27 @@ Part read_part(const std::string& folder, const std::string& name, const RowSche
   return part;
 }
 
-// A part that goes on after the time is written anew without the later rows.
-Part cut_part(const std::string& folder, Part part, const RowSchema& schema, double until) {
+/// What of a part's rows is not later.
+Part part_until(const std::string& folder, Part part, double until) {
   part.last_time = part.first_time;
-  {
-    const Hdf5File file = Hdf5File::open(folder + "/" + part.file);
-    for (std::size_t t = 0; t < kRowTables; ++t) {
-      if (part.rows[t] == 0) continue;
-      const std::vector<double> time = file.read<double>(time_column(t));
-      part.rows[t] = static_cast<std::uint64_t>(std::ranges::upper_bound(time, until) - time.begin());
-      if (part.rows[t] > 0) part.last_time = std::max(part.last_time, time[part.rows[t] - 1]);
-    }
+  const Hdf5File file = Hdf5File::open(folder + "/" + part.file);
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    if (part.rows[t] == 0) continue;
+    const std::vector<double> time = file.read<double>(time_column(t));
+    part.rows[t] = static_cast<std::uint64_t>(std::ranges::upper_bound(time, until) - time.begin());
+    if (part.rows[t] > 0) part.last_time = std::max(part.last_time, time[part.rows[t] - 1]);
   }
-  write_file(folder + "/" + part.file, [&](Hdf5File& out) { copy_rows(out, folder, schema, {&part, 1}); });
   return part;
+}
+
+/// Nothing has been written anew or dropped yet: whoever finds the part that is gone can put it back.
+void check_counts(const std::string& folder, const RowCounts& there, const RowCounts& wanted) {
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    if (there[t] == wanted[t]) continue;
+    throw FileError(folder + "/run.h5", "has " + std::to_string(there[t]) + " rows of " + table_name(static_cast<RowTable>(t)) +
+                                            " up to the checkpoint, which was written after " + std::to_string(wanted[t]) +
+                                            ": parts of the results are gone");
+  }
 }
 
 // A finished run has its rows in run.h5 itself. Parts that a kill left beside it hold the same rows once more.
@@ -93,15 +100,20 @@ void take_merged(const std::string& folder) {
 
 }  // namespace
 
-std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, double until) {
+std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier) {
   take_merged(folder);
   std::vector<Part> parts;
+  bool cut = false;
   for (std::size_t i = 0; std::filesystem::exists(folder + "/" + part_name(i)); ++i) {
     Part part = read_part(folder, part_name(i), schema);
-    if (part.first_time > until) break;
-    const bool last = part.last_time > until;
-    parts.push_back(last ? cut_part(folder, std::move(part), schema, until) : std::move(part));
-    if (last) break;
+    if (part.first_time > earlier.until) break;
+    cut = part.last_time > earlier.until;
+    parts.push_back(cut ? part_until(folder, std::move(part), earlier.until) : std::move(part));
+    if (cut) break;
+  }
+  if (earlier.rows) check_counts(folder, rows_of(parts), *earlier.rows);
+  if (cut) {
+    write_file(folder + "/" + parts.back().file, [&](Hdf5File& out) { copy_rows(out, folder, schema, {&parts.back(), 1}); });
   }
   return parts;
 }

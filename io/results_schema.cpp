@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "io/history_name.h"
+
 namespace voussoir::io {
 namespace {
 
@@ -21,9 +23,8 @@ ColumnSpec integer(const std::string& name, Hdf5Type type, const char* descripti
 void check_names(std::span<const std::string> names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
-    const bool control = std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (name.empty()) throw std::invalid_argument("a history has no name");
-    if (name == "time" || name == "." || name == ".." || name.find('/') != std::string::npos || control)
+    if (!can_name_history(name))
       throw std::invalid_argument("history \"" + name + "\": a name may not be 'time', '.' or '..' nor hold '/' or control characters");
     if (!seen.insert(name).second) throw std::invalid_argument("history \"" + name + "\": the name is given twice");
   }
@@ -48,8 +49,8 @@ TableSpec energy_columns() {
           scalar("/energy/gravity", "J", "stored: potential energy of gravity"),
           scalar("/energy/input", "J", "work put in by ground, loads and supports, with the initial energy"),
           scalar("/energy/dashpot", "J", "lost in the dashpots of contacts"),
-          scalar("/energy/friction", "J", "lost by sliding"),
-          scalar("/energy/fracture", "J", "lost by breaking and slipping of bonds"),
+          scalar("/energy/friction", "J", "lost by sliding, and where bonds that hold slip or are crushed"),
+          scalar("/energy/fracture", "J", "lost where bonds break"),
           scalar("/energy/damping", "J", "lost by mass damping"),
           scalar("/energy/residual", "1", "what the balance leaves over, as a ratio")};
 }

@@ -80,18 +80,11 @@ Extent extent_of(const std::string& run) {
   return {.finished = true, .merged = file.attribute_int("/", "parts") == 0, .end = file.attribute_double("/summary", "end_time")};
 }
 
-void check_rows(const std::string& run, const RowCounts& there, const RowCounts& saved) {
-  for (std::size_t t = 0; t < kRowTables; ++t) {
-    if (there[t] == saved[t]) continue;
-    throw FileError(run, std::string("has ") + std::to_string(there[t]) + " rows of " + table_name(static_cast<RowTable>(t)) +
-                             " up to the checkpoint, which was written after " + std::to_string(saved[t]) +
-                             ": parts of the results are gone");
-  }
-}
-
 /// The new end of the run, whatever has collapsed by then. A collapse may have ended it before its duration.
 void set_end(cases::Case& c, const std::optional<double>& until, double time, const Extent& there) {
   if (!until) return;
+  if (!(*until <= cases::kLongestRun))
+    throw cases::InputError("--until", "= " + cases::text(*until) + " s; allowed: at most " + cases::text(cases::kLongestRun) + " s");
   const double own_end = there.finished && c.time.after_collapse ? there.end : std::max(time, c.time.duration);
   if (*until <= time || *until < own_end) {
     throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
@@ -125,9 +118,8 @@ int resume_command(const ResumeOptions& o) {
   const std::string resolved = resolved_toml(r->value);
   folder.write_case(resolved);
   ResultsOptions keep;
-  keep.keep_until = std::nextafter(r->facts.time, -INFINITY);
+  keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(omp_get_max_threads()), keep);
-  check_rows(run, results.rows(), r->facts.rows);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "io/errors.h"
+#include "io/run_folder.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -34,7 +35,8 @@ std::string read_text_file(const std::string& path, std::size_t largest) {
 void write_text_file(const std::string& path, std::string_view text, bool overwrite) {
   std::error_code error;
   if (!overwrite && fs::exists(path, error)) throw FileError(path, "exists; --overwrite replaces it");
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return write_text_file(path, std::string(text));
+  std::ofstream out(path, std::ios::binary);  // a pipe or a device
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   if (!out.flush()) throw FileError(path, "cannot be written");
 }

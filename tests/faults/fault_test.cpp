@@ -208,6 +208,7 @@ TEST_CASE("--until goes on to where a longer run would have come") {
   REQUIRE(bench.run("short", {"--duration", "0.2037"}) == 0);
   CHECK(bench.resume("short", {"--until", "0.1"}) == 2);
   CHECK(bench.says("--until"));
+  for (const char* never : {"inf", "nan", "1e300"}) CHECK(bench.resume("short", {"--until", never}) == 2);
   CHECK(bench.resume("short", {"--until", "0.45"}) == 0);
   bench.check_same("long", "short");
 }
@@ -305,9 +306,12 @@ TEST_CASE("nothing good to go on from is an error that says why") {
     CHECK(bench.resume("out") == 2);
   }
   SUBCASE("parts of the results are gone") {
-    fs::remove(bench.path("out/parts/0000.h5"));
+    const std::string first = bench.path("out/parts/0000.h5"), aside = bench.path("aside.h5");
+    fs::rename(first, aside);
     CHECK(bench.resume("out") == 3);
     CHECK(bench.says("rows of"));
+    fs::rename(aside, first);  // nothing else is lost: once it is back, the run goes on
+    CHECK(bench.resume("out") == 0);
   }
   SUBCASE("the results are gone") {
     fs::remove(bench.path("out/run.h5"));

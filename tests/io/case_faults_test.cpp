@@ -70,7 +70,7 @@ TEST_CASE("faults: unknown keys come with the nearest one and the list") {
 
 TEST_CASE("faults: wrong types say what was found and what is wanted") {
   CHECK(refusal("[time]\nduration = \"ten\"") ==
-        "test.toml:2: time.duration = \"ten\": found a string in quotes, wanted a number (s, >= 0)");
+        "test.toml:2: time.duration = \"ten\": found a string in quotes, wanted a number (s, in [0, 1e+06])");
   CHECK(refusal("[time]\nstep = \"fast\"") ==
         "test.toml:2: time.step = \"fast\": found a string in quotes, wanted \"auto\" or a number (s, > 0)");
   CHECK(refusal("[gravity]\nsettle = 1") == "test.toml:2: gravity.settle = 1: found an integer, wanted true or false");
@@ -198,6 +198,7 @@ TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal("[motion]\nx = \"f\"\ndirection = \"LTV\"") == "accepted");
   const std::string history = "[[output.history]]\npoint = [0,0,0]\nname = ";
   CHECK(refusal(history + "\"time\"").starts_with("test.toml:3: output.history[0].name = \"time\" cannot name"));
+  CHECK(refusal(history + "\"top\\tleft\"").find("control characters") != std::string::npos);
   CHECK(refusal(history + "\"a/b\"").find("cannot name") != std::string::npos);
   CHECK(refusal(history + "\"a\"\n" + history + "\"a\"") ==
         "test.toml:6: output.history[1].name = \"a\" is the name of another history, too");

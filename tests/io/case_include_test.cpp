@@ -67,6 +67,20 @@ TEST_CASE("a case lies over what it includes, key by key; arrays are replaced") 
   CHECK(c.folder == folder.path());
 }
 
+TEST_CASE("files that an included case names lie beside it") {
+  const TempFolder folder;
+  folder.write("parts/house.toml",
+               "[motion]\nx = \"x.csv\"\ny = \"/data/y.csv\"\n[[block]]\nname = \"a\"\nmaterial = \"adobe\"\nbox = "
+               "[[0,0,0],[1,1,1]]\nfixed = true\nmotion = { file = \"../m.csv\" }\n");
+  const cases::Case c = io::load_case(folder.write("mine/case.toml", "include = \"../parts/house.toml\"\n[motion]\nz = \"z.csv\"\n")).value;
+  CHECK(c.motion->xyz[0] == folder.path("parts/x.csv"));
+  CHECK(c.motion->xyz[1] == "/data/y.csv");
+  CHECK(c.motion->xyz[2] == "z.csv");
+  CHECK(c.blocks.at(0).motion->file == folder.path("m.csv"));
+  folder.write("parts/record.toml", "[motion]\nrecord = \"bam-like\"\n");
+  CHECK(io::load_case(folder.write("mine/other.toml", "include = \"../parts/record.toml\"\n")).value.motion->record == "bam-like");
+}
+
 TEST_CASE("a case may include one of the catalogue") {
   const TempFolder folder;
   const std::string path = folder.write("mine.toml", "include = \"flat20r\"\n[house]\nbearing_wall = 0.3\n");

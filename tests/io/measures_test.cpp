@@ -99,9 +99,13 @@ TEST_CASE("a fixed block is no part of what may fall") {
   m.blocks[0].fixed = true;
   ResultsWriter results(folder.path(), m, kCase, kNames, {}, by_hand());
   put_frame(results, 0.0, {0.05, 0.05, 0.05}, {0.15, 0.05, kHeight});
-  put_frame(results, 0.1, {0.05, 0.05, 0.05}, {0.15, 0.05, 0.05});
+  put_frame(results, 0.1, {0.05, -3.0, 0.01}, {0.15, 0.05, kHeight});  // a support that sinks
+  put_frame(results, 0.2, {0.05, -3.0, 0.01}, {0.15, 0.05, 0.05});
   results.finish();
-  CHECK(measures_of(folder).series.fallen_mass_fraction == std::vector<double>{0.0, 1.0});
+  const Measures measured = measures_of(folder);
+  CHECK(measured.series.fallen_mass_fraction == std::vector<double>{0.0, 0.0, 1.0});
+  CHECK(measured.first_fallen_time == 0.2);
+  CHECK(measured.debris.reach == 0.0);
 }
 
 TEST_CASE("debris reaches as far as the farthest fallen element is from the footprint") {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 ResultsWriter go_on(const std::string& folder, double until) {
   ResultsOptions options = by_hand();
-  options.keep_until = until;
+  options.earlier = EarlierRows{until, {}};
   return {folder, two_cubes(), kCase, kNames, provenance(1), options};
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a resume refuses results of something else") {
   const TempFolder dir;
   write_some(dir.path(), 1);
   ResultsOptions options = by_hand();
-  options.keep_until = 1e9;
+  options.earlier = EarlierRows{1e9, {}};
   const std::vector<std::string> names{"top", "elsewhere"};
   CHECK_THROWS_AS(ResultsWriter(dir.path(), two_cubes(), kCase, names, provenance(1), options), FileError);
   cases::Model one = two_cubes();
