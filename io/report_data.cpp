@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kPlotPoints = 4000;  // of a curve at most: more than a screen has columns
+constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of a hundred seconds; the page shows their peaks
 
 /// Every so many rows are shown of `rows`.
 std::size_t stride_of(std::size_t rows) { return std::max<std::size_t>(1, (rows + kPlotPoints - 1) / kPlotPoints); }
@@ -62,11 +62,15 @@ Json columns(const std::vector<double>& values, const std::vector<std::string>& 
 
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
-/// Ground acceleration at the times of the histories' rows.
+/// Ground acceleration at its own samples, so that its peaks are there.
 Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
+  double step = std::max(until - from, 1e-3);
+  for (const cases::Accelerogram& a : motion.axis)
+    if (a.dt > 0.0) step = std::min(step, a.dt);
+  const auto intervals = static_cast<std::size_t>((until - from) / step + 1e-6);
   std::vector<double> time, value;
-  for (std::size_t i = 0; i < kPlotPoints; ++i) {
-    time.push_back(from + (until - from) * static_cast<double>(i) / (kPlotPoints - 1));
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    time.push_back(from + static_cast<double>(i) * step);
     const Vec3 a = cases::acceleration_at(motion, time.back());
     value.insert(value.end(), {a.x, a.y, a.z});
   }
@@ -108,10 +112,11 @@ Json texts(const Hdf5File& file, const std::string& object, const std::vector<st
 void warn(const char* what, const std::exception& e) { std::fprintf(stderr, "warning: the page has no %s: %s\n", what, e.what()); }
 
 /// The curves of the ground's motion. Its records may be gone: then the page has all but these.
-void add_ground(const LoadedCase& c, const std::vector<double>& times, Json& facts) {
+void add_ground(const LoadedCase& c, const Hdf5File& file, Json& facts) {
+  const auto times = file.read<double>("/history/time");
   if (!c.value.motion || times.empty()) return;
   try {
-    facts["plots"].push_back(ground_plot(load_motion(*c.value.motion, c.value.folder), times.front(), times.back()));
+    facts["plots"].push_back(ground_plot(load_motion(*c.value.motion, c.value.folder), 0.0, times.back()));
   } catch (const std::exception& e) {
     warn("ground motion", e);
   }
@@ -189,7 +194,7 @@ std::string report_data(const std::string& run) {
   Json facts;
   facts["title"] = c ? c->value.title : std::filesystem::path(run).parent_path().filename().string();
   facts["plots"] = Json::array();
-  if (c) add_ground(*c, reader.times(), facts);
+  if (c) add_ground(*c, file, facts);
   add_histories(file, facts["plots"]);
   facts["plots"].push_back(
       table_plot(file, "Broken and slipped segment sides", "", "/damage", {"tension", "shear", "compression", "slipped"}));
@@ -202,6 +207,7 @@ std::string report_data(const std::string& run) {
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = reader.times();
+  facts["base"] = c && !c->value.base ? Json(nullptr) : Json(c ? c->value.base->z : 0.0);
   const std::vector<std::int32_t> part = number_parts(file, facts);
   const PackedFrames frames = pack_frames(reader);
   const CoveredFaces covered = covered_faces(file);

@@ -19,7 +19,7 @@ import run_file
 from render import FACES, rotation
 
 STANDS, MASONRY, ROOF = "#d9d9d9", "#cc4125", "#7f5a33"
-ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column", "ring beam")
+ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column")  # and "left ring beam", ...
 
 
 class Plan:
@@ -34,7 +34,7 @@ class Plan:
         sunk = self.start[:, 2] - self.now[:, 2]
         height = self.start[:, 2] - run.base()
         fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/collapse.h has it
-        is_roof = np.array([tag.decode().startswith(ROOF_TAGS) for tag in file["model/element/tag"][:]])
+        is_roof = np.array([tag.startswith(ROOF_TAGS) or tag.endswith("ring beam") for tag in file["model/element/tag"].asstr()[:]])
         self.colour = np.where(fallen, np.where(is_roof, ROOF, MASONRY), STANDS)
         self.turn = rotation(file["frames/quaternion"][frame].astype(float))
         self.vertices = file["model/vertex"][:]

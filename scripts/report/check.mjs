@@ -48,6 +48,13 @@ for (const part of [0.2, 0.45, 0.6, 1]) {
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(pictures, `frame-${String(frame).padStart(4, "0")}.png`) });
 }
+// every element is in the order, from wherever it is looked at
+const lost = await page.evaluate(`Array.from({ length: 40 }, (_, i) => {
+  report.house.camera.position.set(20 * Math.cos(0.37 * i), 20 * Math.sin(0.37 * i), 3 + 0.3 * i);
+  report.house.draw();
+  return report.run.frames.n - new Set(report.house.order.sorted).size;
+}).reduce((a, b) => Math.max(a, b))`);
+if (lost > 0) faults.push(`${lost} of the elements are not drawn from some side`);
 const panel = await page.evaluate(`(({ scrollWidth, clientWidth }) => [scrollWidth, clientWidth])(document.querySelector("aside"))`);
 if (panel[0] > panel[1]) faults.push(`the side panel is ${panel[0]} pixels wide, with room for ${panel[1]}`);
 const still = Buffer.from(await page.evaluate(`report.still(report.times[report.last], "front", 640, 400)`), "base64");

@@ -159,7 +159,7 @@ TEST_CASE("a surcharge adds its mass to the roof alone, and leaves the joint rul
   const double bare = census(build_model(flat)).mass;
   flat.house->roof.surcharge = 150.0;
   CHECK(census(build_model(flat)).mass == doctest::Approx(bare + 150.0 * 5.4 * 3.4).epsilon(1e-12));
-  CHECK(census(build_model(flat)).step_bound == doctest::Approx(5.03e-5).epsilon(0.001));  // still the lintel's
+  CHECK(census(build_model(flat)).step_bound == doctest::Approx(5.03e-5).epsilon(0.001).scale(0.0));  // still the lintel's
   Case vault = testing::paper_vault20();
   const double bare_vault = census(build_model(vault)).mass;
   vault.house->roof.surcharge = 80.0;

@@ -10,7 +10,9 @@ const css = (hex) => "#" + hex.toString(16).padStart(6, "0");
 const ramp = (a, b) => Float32Array.from({ length: 768 }, (_, i) => a[i % 3] + ((b[i % 3] - a[i % 3]) * Math.floor(i / 3)) / 255);
 
 const kIntact = 0xe4e2dc, kBroken = 0xc8201a, kStill = 0xf2f0e6, kFar = 0x08407c;
-const kParts = [0xd9c7a3, 0x8fb3c9, 0xb5cf9a, 0xe0a58c, 0x8c6239, 0xc6a4cf, 0xe3d06f, 0x9a9a9a];
+const kParts = [
+  0xd9c7a3, 0x8fb3c9, 0xb5cf9a, 0xe0a58c, 0x8c6239, 0xc6a4cf, 0xe3d06f, 0x9a9a9a, 0x4f7f8f, 0x6f8f4f, 0xb5654a, 0x5c4a72, 0xc9b037, 0x4d4d4d, 0xf2c6d0, 0x7fd1c2,
+]; // a house has up to thirteen
 const kLongest = 1; // m; displacements beyond have the last colour
 
 /** Of faces on which a joint has come open. */

@@ -27,20 +27,23 @@ export class House {
     this.renderer = new WebGLRenderer({ canvas, antialias: still || !drawsInSoftware(), alpha: !still });
     if (still) this.renderer.setClearColor(0xffffff);
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(35, 1, 0.05, 500);
+    this.camera = new PerspectiveCamera(35, 1, 1, 2);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
-    this.#layGround();
     this.#build();
     this.#measure();
+    if (run.facts.base !== null) this.#layGround(run.facts.base);
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     this.#resize();
   }
 
-  #layGround() {
-    const grid = new GridHelper(40, 40, 0x888888, 0x888888);
+  /** A grid of metres on the base. */
+  #layGround(height) {
+    const metres = Math.max(40, 2 * Math.ceil(2 * this.size));
+    const grid = new GridHelper(metres, metres, 0x888888, 0x888888);
     grid.rotation.x = Math.PI / 2;
+    grid.position.z = height;
     grid.material.transparent = true;
     grid.material.opacity = 0.35;
     this.scene.add(grid);
@@ -59,13 +62,15 @@ export class House {
   }
 
   #measure() {
-    const c = this.run.frames.centroids, low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-    for (let i = 0; i < c.length; i += 3) {
-      low.min(new Vector3(c[i], c[i + 1], c[i + 2]));
-      high.max(new Vector3(c[i], c[i + 1], c[i + 2]));
+    const v = this.run.vertices, low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+    for (let i = 0; i < v.length; i += 3) {
+      low.min(new Vector3(v[i], v[i + 1], v[i + 2]));
+      high.max(new Vector3(v[i], v[i + 1], v[i + 2]));
     }
     this.centre = low.clone().add(high).multiplyScalar(0.5);
-    this.size = Math.max(0.1, high.distanceTo(low));
+    this.size = high.distanceTo(low);
+    this.camera.near = 0.005 * this.size;
+    this.camera.far = 100 * this.size;
   }
 
   /** From one of the views; `distance` in diagonals of the house. */

@@ -16,26 +16,43 @@ class Report {
     this.last = this.times.length - 1;
     this.at = 0; // frame; between two while it plays
     this.playing = false;
-    this.house = new House(by("view"), run, asked.has("still"));
     this.colours = colourings(run);
-    const from = this.times[0], until = this.times[this.last];
-    this.plots = run.facts.plots.map((p) => new Plot(by("plots"), p, from, until, (t) => this.seek(t)));
+    // Figures and plots need no frames, and the plots reach as far as their rows.
+    const ends = [this.times, ...run.facts.plots.map((p) => p.t)].map((t) => t.at(-1) ?? 0);
+    this.from = this.times[0] ?? 0;
+    this.until = Math.max(this.from, ...ends);
+    this.plots = run.facts.plots.map((p) => this.#plot(p));
     by("title").textContent = document.title = run.facts.title;
     showSummary(by("summary"), run);
+    by("status").textContent = this.last < 0 ? "The run has no frames." : "";
+    if (this.last < 0) return;
+    this.#build(asked.has("still"));
     by("time").max = this.last;
     this.#listen();
     this.#open(asked);
+  }
+
+  #plot(p) { return new Plot(by("plots"), p, this.from, this.until, (t) => this.seek(t)); }
+
+  /** Where the browser cannot draw in three dimensions, the rest of the page is still there. */
+  #build(still) {
+    try {
+      this.house = new House(by("view"), this.run, still);
+    } catch (error) {
+      if (still) throw error;
+      by("status").textContent = `The house cannot be drawn: ${error.message}`;
+    }
   }
 
   #listen() {
     by("time").addEventListener("input", (e) => this.show(Number(e.target.value)));
     by("play").addEventListener("click", () => this.play(!this.playing));
     by("colour").addEventListener("change", () => this.show(this.at));
-    by("camera").addEventListener("change", (e) => this.house.look(e.target.value));
+    by("camera").addEventListener("change", (e) => this.house?.look(e.target.value));
     let down = [0, 0];
     by("view").addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
     by("view").addEventListener("pointerup", (e) => {
-      if (Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(this.house.pick(e.clientX, e.clientY));
+      if (this.house && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(this.house.pick(e.clientX, e.clientY));
     });
     document.addEventListener("keydown", (e) => this.#key(e));
   }
@@ -45,15 +62,15 @@ class Report {
       const known = [...by(id).options].some((o) => o.value === asked.get(name));
       if (known) by(id).value = asked.get(name);
     }
-    this.house.look(by("camera").value);
+    this.house?.look(by("camera").value);
     this.seek(Number(asked.get("t") ?? this.times[0]));
   }
 
   #key(event) {
     const step = event.shiftKey ? 10 : 1, here = Math.round(this.at);
     const to = { ArrowLeft: here - step, ArrowRight: here + step, Home: 0, End: this.last }[event.key];
-    if (event.target.matches("select")) return;
-    if (event.key === " " && !event.target.matches("button")) this.play(!this.playing);
+    if (event.target.matches("select") || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (event.key === " " && !event.target.matches("button")) event.repeat || this.play(!this.playing);
     else if (to !== undefined) this.show(to);
     else return;
     event.preventDefault();
@@ -61,9 +78,10 @@ class Report {
 
   /** Shows frame `at`, which need not be whole. */
   show(at) {
+    if (this.last < 0) return;
     this.at = Math.min(Math.max(at, 0), this.last);
     const { paint, legend, opened } = this.colours[by("colour").value];
-    this.house.show(this.at, paint, opened ? this.time() : undefined);
+    this.house?.show(this.at, paint, opened ? this.time() : undefined);
     if (this.legend !== legend) by("legend").innerHTML = this.legend = legend;
     const t = this.time();
     by("clock").textContent = `${t.toFixed(2)} s`;
@@ -92,18 +110,19 @@ class Report {
 
   play(on) {
     this.playing = on;
+    cancelAnimationFrame(this.next);
     by("play").textContent = on ? "Pause" : "Play";
+    for (const id of ["clock", "picked"]) by(id).setAttribute("aria-live", on ? "off" : "polite"); // else every frame is read out
     if (!on) return;
     if (this.at >= this.last) this.show(0);
     let before = performance.now();
     const tick = (now) => {
-      if (!this.playing) return;
       this.#advance(((now - before) / 1000) * Number(by("speed").value));
       before = now;
       if (this.at >= this.last) this.play(false);
-      else requestAnimationFrame(tick);
+      else this.next = requestAnimationFrame(tick);
     };
-    requestAnimationFrame(tick);
+    this.next = requestAnimationFrame(tick);
   }
 
   /** Goes on by so many seconds of simulated time. */
@@ -127,7 +146,7 @@ class Report {
     if (element >= 0) {
       const frames = this.run.frames, along = (k) => this.times.map((_, f) => frames.displacement(f, element, k));
       const plot = { title: `Displacement of element ${element}`, unit: "m", t: this.times, curves: ["x", "y", "z"].map((name, k) => ({ name, y: along(k) })) };
-      this.own = new Plot(by("plots"), plot, this.times[0], this.times[this.last], (t) => this.seek(t));
+      this.own = this.#plot(plot);
       by("plots").prepend(this.own.svg.parentElement);
       this.plots.push(this.own);
     }
@@ -142,9 +161,7 @@ class Report {
 
 async function open() {
   const run = await loadRun();
-  by("status").textContent = run.facts.times.length > 0 ? "" : "The run has no frames.";
-  if (run.facts.times.length > 0) window.report = new Report(run, new URLSearchParams(location.hash.slice(1)));
-  return window.report;
+  return (window.report = new Report(run, new URLSearchParams(location.hash.slice(1))));
 }
 
 window.opened = open();

@@ -22,9 +22,10 @@ export class FaceOrder {
     const { n, distance, sorted, ends } = this;
     let low = Infinity, high = 0;
     for (let e = 0, at = 0; e < n; ++e, at += kStride) {
-      const x = state[at] - eye.x, y = state[at + 1] - eye.y, z = state[at + 2] - eye.z, d = (distance[e] = Math.sqrt(x * x + y * y + z * z));
-      low = Math.min(low, d);
-      high = Math.max(high, d);
+      const x = state[at] - eye.x, y = state[at + 1] - eye.y, z = state[at + 2] - eye.z;
+      distance[e] = Math.sqrt(x * x + y * y + z * z);
+      low = Math.min(low, distance[e]); // as it is kept, rounded: no element is nearer than the nearest
+      high = Math.max(high, distance[e]);
     }
     const scale = (kLayers - 1) / (high - low || 1), layer = (e) => Math.floor((distance[e] - low) * scale);
     ends.fill(0);

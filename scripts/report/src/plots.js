@@ -12,18 +12,29 @@ function make(name, attributes, parent, text = "") {
   return parent.appendChild(element);
 }
 
-/** Indices that keep the peaks. */
-function peaks(values) {
-  const step = Math.ceil(values.length / kBins), keep = [];
-  for (let i = 0; i < values.length; i += step) {
+/** Of [first, end), some `step` to a bin, the indices that keep the peaks. */
+function peaks(values, first, end, step) {
+  const keep = [];
+  for (let i = first; i < end; i += step) {
     let low = i, high = i;
-    for (let j = i; j < Math.min(i + step, values.length); ++j) {
+    for (let j = i; j < Math.min(i + step, end); ++j) {
       if (values[j] < values[low]) low = j;
       if (values[j] > values[high]) high = j;
     }
     keep.push(...new Set([Math.min(low, high), Math.max(low, high)]));
   }
   return keep;
+}
+
+/** Stretches [first, end) of the values that are there, within [from, until]: rows of settling come before, and what has fallen has no drift. */
+function stretches(times, values, from, until) {
+  const found = [], shown = (i) => values[i] !== null && times[i] >= from && times[i] <= until;
+  for (let i = 0; i < values.length; ++i) {
+    if (!shown(i)) continue;
+    if (i > 0 && shown(i - 1)) ++found[found.length - 1][1];
+    else found.push([i, i + 1]);
+  }
+  return found;
 }
 
 /** Two digits in little room. */
@@ -33,7 +44,7 @@ export class Plot {
   /** \param seek called with the time that a click points at */
   constructor(parent, plot, from, until, seek) {
     Object.assign(this, { from, until });
-    const values = plot.curves.flatMap((c) => c.y).filter((v) => v !== null);
+    const values = plot.curves.flatMap((c) => c.y.filter((v, i) => v !== null && plot.t[i] >= from && plot.t[i] <= until));
     const low = values.reduce((a, b) => Math.min(a, b), 0), high = values.reduce((a, b) => Math.max(a, b), 0);
     this.low = low;
     this.span = high - low || 1;
@@ -65,9 +76,9 @@ export class Plot {
   }
 
   #curve(caption, times, { name, y }, colour) {
-    const shown = peaks(y).filter((i) => y[i] !== null && times[i] >= this.from && times[i] <= this.until);
-    const path = shown.map((i) => `${this.x(times[i]).toFixed(1)},${this.y(y[i]).toFixed(1)}`).join("L");
-    if (path) make("path", { d: "M" + path, style: `stroke:${colour}` }, this.svg);
+    const all = stretches(times, y, this.from, this.until), step = Math.ceil(all.reduce((n, [first, end]) => n + end - first, 0) / kBins);
+    const line = ([first, end]) => "M" + peaks(y, first, end, step).map((i) => `${this.x(times[i]).toFixed(1)},${this.y(y[i]).toFixed(1)}`).join("L");
+    if (all.length > 0) make("path", { d: all.map(line).join(""), style: `stroke:${colour}` }, this.svg);
     const label = caption.appendChild(document.createElement("span"));
     label.textContent = name;
     label.style.color = colour;
