@@ -17,6 +17,7 @@
 #include "io/errors.h"
 #include "io/modes_command.h"
 #include "io/motion_command.h"
+#include "io/motion_files.h"
 #include "io/motion_keys.h"
 #include "io/provenance.h"
 #include "io/report_command.h"
@@ -60,10 +61,11 @@ std::vector<std::string> motion_overrides(const Words& w) {
     given.push_back("motion." + key + "=" + io::toml_string(value));
   };
   if (!w.direction.empty()) give("direction", w.direction);
-  if (!w.record.empty()) give("record", std::filesystem::exists(w.record) ? from_here(w.record) : w.record);
+  const bool in_folder = !io::is_built_in_record(w.record) && std::filesystem::exists(w.record);
+  if (!w.record.empty()) give("record", in_folder ? from_here(w.record) : w.record);
   for (const std::string& m : w.motion) {
     const std::size_t equals = m.find('=');
-    if (equals == std::string::npos) {
+    if (equals == std::string::npos || equals + 1 == m.size()) {
       throw cases::InputError("--motion", io::toml_string(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
     }
     give(m.substr(0, equals), from_here(m.substr(equals + 1)));

@@ -117,7 +117,10 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
   cases::GroundMotion result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t from = turned ? component_index(motion.direction[i]) : i;
-    for (double& a : read[from].acceleration) a *= motion.scale[from];
+    for (double& a : read[from].acceleration) {
+      a *= motion.scale[from];
+      if (!std::isfinite(a)) throw cases::InputError("motion.scale", "makes accelerations that are no finite numbers");
+    }
     result.axis[i] = std::move(read[from]);
   }
   return result;

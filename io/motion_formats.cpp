@@ -74,8 +74,9 @@ struct Choice {
 };
 Choice choice_of(const std::string& path) {
   std::error_code error;
-  const std::size_t mark = path.rfind('#');
-  if (mark == std::string::npos || fs::exists(path, error)) return {path, {}};
+  const std::size_t mark = path.rfind('#'), folder = path.rfind('/');
+  const bool in_folder = folder != std::string::npos && mark != std::string::npos && mark < folder;
+  if (mark == std::string::npos || in_folder || fs::exists(path, error)) return {path, {}};
   return {path.substr(0, mark), path.substr(mark + 1)};
 }
 
@@ -124,6 +125,10 @@ Channel read_channel(const std::string& path, const std::optional<std::string>& 
       throw FileError(choice.file, "no one component is " + shown("#" + choice.component) + "; allowed: " + component_list(channels));
     }
   } else {
+    if (channels.size() == 1 && axis != 0 && channels[0].axis != 0 && channels[0].axis != axis) {
+      throw FileError(choice.file, std::string("holds ") + channels[0].axis + " alone (" + channels[0].component + "), and " + axis +
+                                       " is wanted; to take it all the same, name it: " + component_list(channels));
+    }
     found = channels.size() == 1 ? &channels[0] : only_one(channels, [axis](const Channel& c) { return axis != 0 && c.axis == axis; });
     if (found == nullptr) {
       throw FileError(choice.file, "holds " + std::to_string(channels.size()) +

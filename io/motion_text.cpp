@@ -66,8 +66,7 @@ std::uint64_t stated_count(const Place& at, const std::string& key, std::optiona
 }
 
 double stated_step(const Place& at, const std::string& key, std::optional<double> value) {
-  constexpr double kShortest = 1e-6, kLongest = 10.0;
-  if (!value || *value < kShortest || *value > kLongest) {
+  if (!value || *value < kShortestStep || *value > kLongestStep) {
     at.fail(key + (value ? " is " + cases::text(*value) : " is missing or no number") + "; allowed: from 1e-6 to 10 s");
   }
   return *value;
@@ -123,6 +122,8 @@ std::vector<double> read_columns(MotionText& text, std::uint64_t count, Columns 
     if (!line) text.fail("the file ends after " + std::to_string(values.size()) + " values, the header says " + std::to_string(count));
     const std::uint64_t wanted = std::min<std::uint64_t>(count - values.size(), static_cast<std::uint64_t>(columns.per_line));
     read_line(text, *line, wanted, width, factor, values);
+    if (text.ends_within_line() && line->size() < wanted * width)
+      text.fail("the file ends within its last value, or without the end of a line; wanted: a newline behind it");
   }
   return values;
 }

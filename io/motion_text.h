@@ -38,6 +38,8 @@ class MotionText {
   std::string_view need(const std::string& what);
   /// Passes over `count` lines that must be there.
   void skip(std::uint64_t count, const std::string& what);
+  /// Whether the file ends with the line last given, and that without a newline.
+  [[nodiscard]] bool ends_within_line() const noexcept { return lines_.ended_within(); }
   /// \throw FileError if anything but blank lines follows.
   void expect_end(const std::string& what);
 
@@ -60,6 +62,7 @@ bool begins(std::string_view text, std::string_view word);
 /// A number of values stated by a header; not to be trusted with memory. \throw FileError unless it is a whole number from 2 to 10^15.
 std::uint64_t stated_count(const Place& at, const std::string& key, std::optional<double> value);
 /// A step, s. \throw FileError unless it is from 1e-6 to 10.
+inline constexpr double kShortestStep = 1e-6, kLongestStep = 10.0;  // s, of samples
 double stated_step(const Place& at, const std::string& key, std::optional<double> value);
 /// The unit of acceleration in m/s2. \throw FileError if the name is not known or empty.
 double stated_unit(const Place& at, std::string_view name);

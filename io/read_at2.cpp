@@ -8,6 +8,7 @@
 #include <string>
 
 #include "io/errors.h"
+#include "io/motion_text.h"
 #include "io/read_motion.h"
 #include "io/text_file.h"
 
@@ -19,6 +20,7 @@
 namespace voussoir::io {
 namespace {
 
+constexpr std::size_t kColumn = 15;  // wide in all forms of the format
 constexpr std::string_view kSeparators = " \t,=";
 constexpr const char* kCountForms = "wanted 'NPTS= n, DT= s SEC' or 'n s NPTS, DT'";
 
@@ -80,7 +82,8 @@ void read_count_and_step(const std::string& path, std::string_view line, Header&
     throw FileError(path, 4, "NPTS = " + shown(count) + " is no count of values; allowed: an integer, at least 2 (" + kCountForms + ")");
   }
   const auto dt = finite_number(step);
-  if (!dt || *dt <= 0.0) throw FileError(path, 4, "DT = " + shown(step) + " is no time step; allowed: a number of seconds above 0");
+  if (!dt || *dt < kShortestStep || *dt > kLongestStep)
+    throw FileError(path, 4, "DT = " + shown(step) + " is no time step; allowed: from 1e-6 to 10 s");
   h.dt = *dt;
 }
 
@@ -105,8 +108,10 @@ cases::Accelerogram read_at2(const std::string& path) {
   const Header h = read_header(path, lines);
   const std::string stated = "NPTS = " + std::to_string(h.count);
   cases::Accelerogram a{h.name, h.dt, {}};
+  std::size_t end_before = 0, end = 0;  // of what stands in the line before and in this one
   while (const auto line = lines.next()) {
     std::string_view rest = *line;
+    if (!trimmed(*line).empty()) end_before = end, end = line->find_last_not_of(" \t\r") + 1;
     for (std::string_view token = next_token(rest, " \t"); !token.empty(); token = next_token(rest, " \t")) {
       const auto value = finite_number(token);
       if (!value || !std::isfinite(*value * h.unit)) {
@@ -115,6 +120,10 @@ cases::Accelerogram read_at2(const std::string& path) {
       if (a.acceleration.size() == h.count) throw FileError(path, lines.line(), "more values than " + stated + " of the header");
       a.acceleration.push_back(*value * h.unit);
     }
+  }
+  // Numbers stand in columns, so one that is cut ends before its column does.
+  if (lines.ended_within() && end % kColumn != 0 && end_before > 0 && end_before % kColumn == 0) {
+    throw FileError(path, lines.line(), "the file ends within its last value, or without the end of a line; wanted: a newline behind it");
   }
   if (a.acceleration.size() != h.count) {
     throw FileError(path, lines.line(),

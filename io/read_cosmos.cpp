@@ -95,7 +95,14 @@ std::optional<Channel> read_data(MotionText& text, const Head& h) {
   c.component = component_of(h);
   if (c.component == "UP") c.axis = 'V';
   if (const double peak = entry(h.reals, kPeak); peak != kUnknown) c.stated_peak = std::abs(peak) * unit;
-  c.motion = {h.station + ", " + h.event + ", " + c.component, dt, read_columns(text, count, *columns, unit)};
+  c.motion = {h.station + ", " + h.event + ", " + c.component, dt, read_columns(text, count, *columns, 1.0)};
+  for (double& a : c.motion.acceleration) {
+    if (a == kUnknown) {
+      text.fail("value " + std::to_string(&a - c.motion.acceleration.data() + 1) + " of the data is " + cases::text(kUnknown) +
+                ", which stands for one that is not known; allowed: data without gaps");
+    }
+    a *= unit;
+  }
   return c;
 }
 

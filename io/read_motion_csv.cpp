@@ -8,6 +8,7 @@
 
 #include "cases/names.h"
 #include "io/errors.h"
+#include "io/motion_text.h"
 #include "io/read_motion.h"
 #include "io/text_file.h"
 
@@ -34,9 +35,9 @@ Fields fields_of(std::string_view line) {
   return fields;
 }
 
-/// "m/s2" of "a [m/s2]"; empty without brackets.
+/// "m/s2" of "a [m/s2]" or "a (m/s2)"; empty without brackets.
 std::string_view bracketed(std::string_view field) {
-  const std::size_t open = field.find('['), close = field.find(']');
+  const std::size_t open = field.find_first_of("[("), close = field.find_first_of("])");
   if (open == std::string_view::npos || close == std::string_view::npos || close < open) return {};
   return trimmed(field.substr(open + 1, close - open - 1));
 }
@@ -81,6 +82,8 @@ double step_of(const std::string& path, const std::vector<Row>& rows) {
   if (rows.size() < 2) throw FileError(path, "holds " + std::to_string(rows.size()) + " rows of numbers; allowed: 2 or more");
   const double span = rows.back().time - rows.front().time, dt = span / static_cast<double>(rows.size() - 1);
   if (!(dt > 0.0) || !std::isfinite(dt)) throw FileError(path, rows.back().line, "time does not grow");
+  if (dt < kShortestStep || dt > kLongestStep)
+    throw FileError(path, rows.front().line, "times have steps of " + cases::text(dt) + " s; allowed: from 1e-6 to 10 s");
   if (std::abs(rows.front().time) > kTolerance * dt) {
     throw FileError(path, rows.front().line, "the first time is " + cases::text(rows.front().time) + " s; allowed: 0");
   }

@@ -64,6 +64,7 @@ Record read_record_folder(const std::string& folder, const std::optional<std::st
   record.name = (normal.has_filename() ? normal : normal.parent_path()).filename().string();
   std::optional<std::string> stated = unit;
   std::array<std::optional<std::string>, 3> files;
+  std::array<long, 3> lines{};
   for (const auto& [name, node] : *document.as<Node::Table>()) {
     const long line = node.source.line;
     const auto* value = node.as<std::string>();
@@ -77,11 +78,18 @@ Record read_record_folder(const std::string& folder, const std::optional<std::st
     if (name == "unit" && !acceleration_unit(*value)) {
       throw FileError(path, line, "unit " + shown(*value) + " is not known; allowed: " + kUnitNames);
     }
-    if (component != kComponents.end()) files[static_cast<std::size_t>(component - kComponents.begin())] = *value;
+    if (component == kComponents.end()) continue;
+    const auto i = static_cast<std::size_t>(component - kComponents.begin());
+    files[i] = *value, lines[i] = line;
   }
   if (!files[0] && !files[1] && !files[2]) throw FileError(path, "names no component; allowed: L, T, V, one of them at least");
   for (std::size_t i = 0; i < 3; ++i) {
-    if (files[i]) record.ltv[i] = read_accelerogram((fs::path(folder) / *files[i]).string(), stated, kComponents[i][0]);
+    if (!files[i]) continue;
+    try {
+      record.ltv[i] = read_accelerogram((fs::path(folder) / *files[i]).string(), stated, kComponents[i][0]);
+    } catch (const FileError& e) {
+      throw FileError(path, lines[i], std::string(kComponents[i]) + " cannot be used: " + e.what());
+    }
   }
   return record;
 }

@@ -28,6 +28,16 @@ std::optional<std::array<double, 4>> row_of(std::string_view line) {
   return row;
 }
 
+/// A line in which no field is a number: one that is damaged is no header.
+bool is_header(std::string_view line) {
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    if (finite_number(trimmed(line.substr(0, comma)))) return false;
+    if (comma == std::string_view::npos) return true;
+    line.remove_prefix(comma + 1);
+  }
+}
+
 void read_history(const std::string& path, cases::SupportHistory& history) {
   const std::string text = read_text_file(path, kLargestFile);
   LineReader lines(text);
@@ -36,7 +46,7 @@ void read_history(const std::string& path, cases::SupportHistory& history) {
     const std::string_view line = trimmed(*next);
     if (line.empty() || line.front() == '#') continue;
     const auto row = row_of(line);
-    if (!row && header_allowed && !finite_number(trimmed(line.substr(0, line.find(','))))) {
+    if (!row && header_allowed && is_header(line)) {
       header_allowed = false;
       continue;
     }

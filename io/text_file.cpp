@@ -49,6 +49,7 @@ LineReader::LineReader(std::string_view text) : rest_(text) {
 std::optional<std::string_view> LineReader::next() {
   if (rest_.empty()) return std::nullopt;
   const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+  line_ended_ = end < rest_.size();
   std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

@@ -25,10 +25,13 @@ class LineReader {
   std::optional<std::string_view> next();
   /// Number of the line last given, from 1.
   [[nodiscard]] long line() const noexcept { return line_; }
+  /// Whether the line last given is the last one and has no end: the file may have been cut within it.
+  [[nodiscard]] bool ended_within() const noexcept { return rest_.empty() && !line_ended_; }
 
  private:
   std::string_view rest_;
   long line_ = 0;
+  bool line_ended_ = true;
 };
 
 /// Without blanks at both ends.

@@ -42,6 +42,7 @@ TEST_CASE("CSV: the header line states the unit, comments and blank lines are pa
   CHECK(a.name == "quake");
   CHECK(a.dt == doctest::Approx(0.01).epsilon(1e-14));
   CHECK(a.acceleration == std::vector<double>{1.0, -2.5, 0.5});
+  CHECK(read("t (s), a (cm/s2)\n0, 100\n0.01, -250\n", "g").acceleration == std::vector<double>{1.0, -2.5});
 }
 
 TEST_CASE("CSV: without a unit in the header the caller's holds") {
@@ -84,6 +85,8 @@ TEST_CASE("CSV: faults, with their line") {
   check_fault("t, a, b\n0,1\n1,1\n", ":1: header 't, a, b': wanted two columns");
   check_fault("time only\n0,1\n1,1\n", ":1: header 'time only': wanted two columns");
   check_fault("t [ms], a [g]\n0,1\n1,1\n", ":1: unit of time is 'ms'; allowed: s");
+  check_fault("t (ms), a (g)\n0,1\n5,1\n", ":1: unit of time is 'ms'; allowed: s");
+  check_fault("0,1\n20,1\n40,1\n", ":1: times have steps of 20 s; allowed: from 1e-6 to 10 s");
   check_fault("t [s], a [mph]\n0,1\n1,1\n", ":1: unit of acceleration is 'mph'; allowed: g, m/s2, cm/s2");
   check_fault("0,1\n1,1\n", ": the unit of acceleration is not stated; give the file a header line 't [s], a [m/s2]', or set unit", {});
 }

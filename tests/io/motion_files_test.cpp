@@ -147,6 +147,9 @@ TEST_CASE("faults of the case name the key and what is allowed") {
                       "\"" + direction + "\" is no order of L, T and V; allowed: LTV");
   }
   cases::Motion m = of_record("bam-like");
+  m.scale.fill(1e308);
+  check_input_fault(m, f, "motion.scale", "makes accelerations that are no finite numbers");
+  m.scale.fill(1.0);
   m.unit = "furlongs";
   check_input_fault(m, f, "motion.unit", "\"furlongs\" is no unit of acceleration; allowed: \"g\", \"m/s2\" or \"cm/s2\"");
   m = of_record("bam-like");
@@ -181,6 +184,8 @@ TEST_CASE("faults of record.toml, with their line") {
   const TempFolder folder;
   std::filesystem::create_directories(folder.path("empty"));
   CHECK_THROWS_WITH_AS(load_motion(of_record("empty"), folder.path()), doctest::Contains("record.toml: no such file"), FileError);
+  folder.write("empty/record.toml", "\nV = \"v.csv\"\n");
+  CHECK_THROWS_WITH_AS(load_motion(of_record("empty"), folder.path()), doctest::Contains("record.toml:2: V cannot be used: "), FileError);
 }
 
 TEST_CASE("a record written is the record read") {
@@ -211,5 +216,6 @@ TEST_CASE("the motion of a support: a header may come first, a damaged row may n
   };
   CHECK(load("t,x,y,z\n0,0,0,0\n1,0.1,0,0\n") == 2);
   CHECK(load("0,0,0,0\n1,0.1,0,0\n") == 2);
+  CHECK_THROWS_WITH_AS(load("O.0, 0, 0, 0\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
   CHECK_THROWS_WITH_AS(load("0.0, 0, 0, O\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
 }

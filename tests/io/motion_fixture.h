@@ -84,8 +84,8 @@ inline void check_fault(Reader read, const std::string& text, const std::string&
   }
 }
 
-/// The text cut after every byte is refused, or read as what stands before the cut: whole components, where a format has no mark of its end
-/// with the digits of the last number that are left. Never other values or counts, never a crash.
+/// The text cut after every byte is refused, or read as what stands before the cut, whole components. Never other values or counts, never a
+/// crash.
 inline void check_cuts(Reader read, const std::string& text) {
   const auto whole = read_text(read, text);
   int refused = 0;

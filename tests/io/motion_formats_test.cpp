@@ -107,6 +107,12 @@ TEST_CASE("formats: keys L, T, V take their components of one file; folders and 
   check_near(at_start(io::load_motion(axes, folder.path())), {2, 3, 0});
   axes.xyz[0] = "quake.V1";
   CHECK_THROWS_WITH_AS(io::load_motion(axes, folder.path()), doctest::Contains("holds 3 components; say which is wanted"), FileError);
+  const std::string all = iranian();
+  folder.write("cut.V1", all.substr(0, all.find("/&") + 3));  // its first component alone, which is L
+  m.ltv = {"cut.V1", "cut.V1", std::nullopt};
+  CHECK_THROWS_WITH_AS(io::load_motion(m, folder.path()), doctest::Contains("holds L alone"), FileError);
+  m.ltv = {"cut.V1", "cut.V1#1", std::nullopt};
+  check_near(at_start(io::load_motion(m, folder.path())), {1, 1, 0});
   folder.write("record.toml", "L = \"quake.V1\"\nT = \"quake.V2#90 deg\"\nV = \"quake.V2\"\n");
   const io::Record record = io::read_record_folder(folder.path(), {});
   CHECK(record.ltv[0].acceleration[0] == doctest::Approx(1.0).epsilon(1e-6));

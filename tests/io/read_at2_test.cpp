@@ -105,6 +105,16 @@ TEST_CASE("AT2: other units, no newline at the end, blank lines, plus signs, an 
   CHECK(a.acceleration == std::vector<double>{0.01, -0.02, 0.03});
 }
 
+TEST_CASE("AT2: a file cut within its last value is refused, one without a newline at its end is not") {
+  const std::string text = kHead + kUnit + "NPTS=      7, DT=   .0200 SEC\n" + kSeven;
+  const TempFolder folder;
+  const auto last = [&](std::size_t lost) {
+    return read_at2(folder.write("a.AT2", text.substr(0, text.size() - lost))).acceleration.back();
+  };
+  CHECK(last(0) == last(1));
+  for (std::size_t lost = 2; lost <= 12; ++lost) CHECK_THROWS_AS(last(lost), FileError);
+}
+
 TEST_CASE("AT2: velocity and displacement files are refused by name of the quantity") {
   const std::string numbers = "NPTS= 2, DT= .01 SEC\n .1 .2\n";
   check_fault(kHead + "VELOCITY TIME SERIES IN UNITS OF CM/S\n" + numbers, ":3: the file holds velocity, wanted acceleration");

@@ -77,6 +77,13 @@ TEST_CASE("COSMOS: an unknown peak is not stated") {
   CHECK_FALSE(read_text(read_cosmos, with(kFile, "    -142.963000", "    -999.000000"))[0].stated_peak);
 }
 
+TEST_CASE("COSMOS: a gap in the data is no acceleration") {
+  std::string gap = kGlued;
+  gap.replace(gap.find(" -10.00000"), 10, "-999.00000");
+  CHECK_THROWS_WITH_AS(read_text(read_cosmos, channel(340, kGluedLine, gap)),
+                       doctest::Contains("value 7 of the data is -999, which stands for one that is not known"), voussoir::io::FileError);
+}
+
 TEST_CASE("COSMOS: faults, with their line") {
   check_fault(read_cosmos, "", ":0: the file holds no acceleration");
   check_fault(read_cosmos, "hello\n", ":1: 'hello': wanted the head of a channel, '... (Format v01.20 with 13 text lines)'");
