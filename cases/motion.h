@@ -45,8 +45,8 @@ struct MotionFigures {
 MotionFigures figures(const Accelerogram& a);
 
 /// Peak relative displacement [m] of a damped oscillator from rest, exact for the piecewise linear record (Nigam-Jennings 1969).
-/// The peak is taken over the record's samples: too low for periods below about ten sample steps, and for long ones where the record ends while it
-/// still swings.
+/// The peak is taken over the record's samples: too low for periods below about ten sample steps, and for long ones where the record ends
+/// while it still swings.
 /// \param damping_ratio of critical, 0 <= ratio < 1. \param t_end only samples up to t_end [s] count.
 /// \throw InputError for a frequency or a damping out of range.
 double spectral_displacement(const Accelerogram& a, double frequency_hz, double damping_ratio, double t_end = 1e300);
