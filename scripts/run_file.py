@@ -67,13 +67,19 @@ class Run:
 
     def table(self, group):
         """All columns of a group of rows: {"time": ..., ...}."""
-        return {name: data[:] for name, data in self.file[group].items() if isinstance(data, h5py.Dataset)}
+        columns = {name: data[:] for name, data in self.file[group].items() if isinstance(data, h5py.Dataset)}
+        if not len(columns["time"]):
+            sys.exit(f"{self.label}: has no rows of {group} yet")
+        return columns
 
     def history(self, name, quantity):
         """Time (n) and displacement, velocity or rotation (n x 3) of a followed element."""
         if name not in self.names():
             sys.exit(f"{self.label}: no history '{name}'; there are: {', '.join(self.names()) or 'none'}")
-        return self.file["history/time"][:], self.file[f"history/{name}/{quantity}"][:]
+        time = self.file["history/time"][:]
+        if not len(time):
+            sys.exit(f"{self.label}: the shaking has not begun")
+        return time, self.file[f"history/{name}/{quantity}"][:]
 
 
 def style(number):
