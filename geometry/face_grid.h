@@ -15,7 +15,7 @@ namespace voussoir::geometry {
 struct FaceGrid {
   Vec3 origin;  // m, the corner of the rectangle, global axes
   Vec3 axis_s, axis_t, normal;
-  Polygon polygon;  // the face itself
+  Polygon polygon;                             // the face itself
   double width = 0.0, height = 0.0;            // m, of the rectangle
   std::int32_t columns = 1, rows = 1;          // n = max(1, round(edge / size))
   double cell_width = 0.0, cell_height = 0.0;  // m

@@ -38,8 +38,8 @@ struct BodyForces {
 void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
-/// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose and twist rows, books
-/// the work of the dashpots' torques, clears the wrench rows.
+/// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose and twist
+/// rows, books the work of the dashpots' torques, clears the wrench rows.
 void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -41,8 +41,8 @@ void advance_contacts(World& w, int share, int shares, ContactRoom& room);
 /// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
 void gather_contacts(World& w, std::int32_t element);
 
-/// Turns a side that has come apart into a free patch of its master, and one of its slave if it stood for both faces. Points that touch keep
-/// their partner and slip, and a closure with which their force goes on.
+/// Turns a side that has come apart into a free patch of its master, and one of its slave if it stood for both faces. Points that touch
+/// keep their partner and slip, and a closure with which their force goes on.
 void retire_side(World& w, std::int32_t side);
 
 /// Appends the free patch that a retired side leaves to its master, or (mirrored) the one that it leaves to its slave if it stood for both

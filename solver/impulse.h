@@ -24,8 +24,8 @@ struct ImpulseResponse {
 };
 
 /// Shakes the base along an axis (0: x, 1: y, 2: z) with 1 m/s2 at time zero and nothing from the next sample on, without gravity, mass
-/// damping, loads, velocities at the start, or motion of supports. A step that the case gives is made to divide the interval. `tick` is called at every sample with the share that is done.
-/// \throw cases::InputError, NumericalError
+/// damping, loads, velocities at the start, or motion of supports. A step that the case gives is made to divide the interval. `tick` is
+/// called at every sample with the share that is done. \throw cases::InputError, NumericalError
 ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, const Options& options, int axis,
                                  const std::function<void(double)>& tick);
 
