@@ -130,7 +130,8 @@ History spread_apart(const Arch& arch, const Expected& e) {
 double compare(const Arch& arch, const History& h, const Expected& e) {
   const std::string what = "arch on spreading supports, n = " + std::to_string(arch.points) + ": ";
   double off = 0.0;
-  for (std::size_t i = 0; i < h.spread.size() && h.spread[i] < 0.95 * e.spread; ++i) off = std::max(off, std::abs(h.sinking[i] - h.hinged[i]));
+  for (std::size_t i = 0; i < h.spread.size() && h.spread[i] < 0.95 * e.spread; ++i)
+    off = std::max(off, std::abs(h.sinking[i] - h.hinged[i]));
   expect_near(what + "spread at which it falls [m]", h.spread.back(), e.spread, 2e-2);
   expect_below(what + "sinking of the crown off that of three hinges [m], until 95 % of that", off, 5e-4);
   return h.spread.back();
