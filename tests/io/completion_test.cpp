@@ -2,24 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstdio>
 #include <string>
+
+#include "tests/io/shell.h"
 
 // What bash offers after some words of the command line, the last of them unfinished.
 namespace {
 
 std::string offered(const std::string& words) {
-  const std::string script = "source " + std::string(VOUSSOIR_SOURCE_DIR) +
-                             R"(/scripts/completion.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _voussoir; echo -n "${COMPREPLY[@]}")";
-  const std::string command = "bash -c '" + script + "' bash " + VOUSSOIR_PROGRAM + " " + words;
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
-  CHECK(pclose(pipe) == 0);
-  return text;
+  const std::string script = "source " + shell::source("scripts/completion.bash") +
+                             R"(; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _voussoir; echo -n "${COMPREPLY[@]}")";
+  const shell::Outcome o = shell::run("bash -c " + shell::quoted(script) + " bash " + shell::kProgram + " " + words);
+  CHECK(o.code == 0);
+  return o.text;
 }
 
 }  // namespace

@@ -1,20 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
 // The scripts that draw figures, on a run of the program. They need packages of Python that the program does not: where those are absent
 // this says so and passes. In an SVG every word of a figure is text.
 namespace {
 
-const std::string kScripts = std::string(VOUSSOIR_SOURCE_DIR) + "/scripts/";
+using shell::text_of;
 
 constexpr const char* kCase = R"(title = "two bonded blocks"
 [gravity]
@@ -49,10 +46,7 @@ box = [[0, 0, 0.2], [0.2, 0.2, 0.4]]
 z = 0.0
 )";
 
-int code_of(const std::string& command) {
-  const int status = std::system((command + " >/dev/null 2>&1").c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
+int code_of(const std::string& command) { return shell::code_of(command + " >/dev/null 2>&1"); }
 
 /// A Python that has the packages; empty if none has.
 std::string python() {
@@ -63,15 +57,12 @@ std::string python() {
   return "";
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string script(const char* name) { return " " + shell::source(std::string("scripts/") + name) + " "; }
 
 /// The figure that the script draws with these words, as text.
-std::string figure(const std::string& python, const TempFolder& folder, const std::string& words) {
+std::string figure(const std::string& python, const TempFolder& folder, const char* name, const std::string& words) {
   const std::string path = folder.path("figure.svg");
-  REQUIRE(code_of(python + " " + kScripts + words + " -o " + path) == 0);
+  REQUIRE(code_of(python + script(name) + words + " -o " + path) == 0);
   return text_of(path);
 }
 
@@ -84,29 +75,29 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   if (py.empty()) return;
   const TempFolder folder;
   const std::string run = folder.path("run"), table = folder.path("spectra.csv");
-  const std::string voussoir = VOUSSOIR_PROGRAM;
+  const std::string voussoir = shell::kProgram;
   REQUIRE(code_of(voussoir + " run " + folder.write("case.toml", kCase) + " -j 1 -o " + run) == 0);
   REQUIRE(code_of(voussoir + " motion bam-like --spectra " + table) == 0);
 
-  std::string drawn = figure(py, folder, "plot_histories.py First=" + run + " Second=" + run);
+  std::string drawn = figure(py, folder, "plot_histories.py", "First=" + run + " Second=" + run);
   for (const char* word : {"upper", "First", "Second", "time, s"}) CHECK(has(drawn, word));
-  drawn = figure(py, folder, "plot_histories.py " + run + " --show upper:z --quantity velocity");
+  drawn = figure(py, folder, "plot_histories.py", run + " --show upper:z --quantity velocity");
   CHECK(has(drawn, "velocity z, m/s"));
   const std::string peaks = folder.path("peaks.csv");
-  figure(py, folder, "plot_histories.py First=" + run + " --show upper:z --until 0.002 --peaks " + peaks);
+  figure(py, folder, "plot_histories.py", "First=" + run + " --show upper:z --until 0.002 --peaks " + peaks);
   const std::string rows = text_of(peaks);
   CHECK(rows.starts_with("run,history,axis,peak [m],time [s]\nFirst,upper,z,"));
   CHECK(std::stod(rows.substr(rows.rfind(',') + 1)) <= 0.002);
-  drawn = figure(py, folder, "plot_damage.py " + run);
+  drawn = figure(py, folder, "plot_damage.py", run);
   for (const char* word : {"run", "tension", "shear", "compression"}) CHECK(has(drawn, word));
-  drawn = figure(py, folder, "plot_debris.py First=" + run + " " + run + " --below 5");
+  drawn = figure(py, folder, "plot_debris.py", "First=" + run + " " + run + " --below 5");
   for (const char* word : {"First, 0.10 s", "run, 0.10 s", "y, m"}) CHECK(has(drawn, word));
-  drawn = figure(py, folder, "plot_energy.py Pair=" + run);
+  drawn = figure(py, folder, "plot_energy.py", "Pair=" + run);
   for (const char* word : {"Pair", "ground and gravity", "fracture", "energy, kJ", "residual"}) CHECK(has(drawn, word));
-  drawn = figure(py, folder, "plot_spectra.py " + table + " --quantity Sd --over period");
+  drawn = figure(py, folder, "plot_spectra.py", table + " --quantity Sd --over period");
   for (const char* word : {"bam-like L, 2 %", "bam-like V, 2 %", "period, s", "displacement, m"}) CHECK(has(drawn, word));
 
-  CHECK(code_of(py + " " + kScripts + "plot_histories.py " + folder.path("nowhere")) == 1);
-  CHECK(code_of(py + " " + kScripts + "plot_histories.py " + run + " --show lower:x") == 1);
-  CHECK(code_of(py + " " + kScripts + "plot_spectra.py " + folder.path("case.toml")) == 1);
+  CHECK(code_of(py + script("plot_histories.py") + folder.path("nowhere")) == 1);
+  CHECK(code_of(py + script("plot_histories.py") + run + " --show lower:x") == 1);
+  CHECK(code_of(py + script("plot_spectra.py") + folder.path("case.toml")) == 1);
 }

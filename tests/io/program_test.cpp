@@ -1,37 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
 // The program as a user meets it: exit codes, messages, and that nothing is touched when the input is bad.
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string text;  // both streams
-};
+using shell::Outcome;
 
-Outcome run(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  Outcome o;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  return o;
-}
-
-Outcome voussoir(const std::string& words) { return run(std::string(VOUSSOIR_PROGRAM) + " " + words + " 2>&1"); }
+/// The program; both of its streams.
+Outcome voussoir(const std::string& words) { return shell::run(shell::kProgram + " " + words + " 2>&1"); }
 
 constexpr const char* kHead = R"(title = "test"
 [gravity]
@@ -250,8 +236,7 @@ TEST_CASE("SIGTERM stops a run after its step, with the results so far and exit 
 
 #if defined(__x86_64__)
 TEST_CASE("memory is asked for ahead of its use: compilers may take that for nothing and leave it out (kernels/fetch.h)") {
-  const Outcome o =
-      run(std::string("objdump -d --no-show-raw-insn ") + VOUSSOIR_PROGRAM + " | awk '/>:$/{ours = /voussoir/} ours && /prefetch/'");
+  const Outcome o = shell::run("objdump -d --no-show-raw-insn " + shell::kProgram + " | awk '/>:$/{ours = /voussoir/} ours && /prefetch/'");
   CHECK(o.code == 0);
   CHECK(o.text.find("prefetch") != std::string::npos);
 }

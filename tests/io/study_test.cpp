@@ -1,30 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
 // scripts/study on a study of two runs of a second. Where Snakemake or its Python's packages are absent this says so and passes.
 namespace {
 
-const std::string kSource = VOUSSOIR_SOURCE_DIR;
-const std::string kCase = "cases = [\"" + kSource + "/tests/faults/data/wall.toml\"]\n";
+using shell::code_of;
+using shell::text_of;
 
-int code_of(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
+const std::string kCase = "cases = [\"" VOUSSOIR_SOURCE_DIR "/tests/faults/data/wall.toml\"]\n";
+
+std::string script(const char* name) { return "/usr/bin/python3 " + shell::source(std::string("scripts/study/") + name) + " "; }
 
 bool can_study() {
   if (code_of("snakemake --version >/dev/null 2>&1 && /usr/bin/python3 -c 'import h5py, matplotlib' 2>/dev/null") == 0) return true;
@@ -32,15 +28,10 @@ bool can_study() {
   return false;
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The study in the folder's "study", or another; what it says is in "log".
 int study(const TempFolder& folder, const std::string& file, const std::string& words = "--cores 2", const std::string& name = "study") {
-  return code_of("VOUSSOIR=" VOUSSOIR_PROGRAM " /usr/bin/python3 " + kSource + "/scripts/study/run " + file + " -o " + folder.path(name) +
-                 " " + words + " >" + folder.path("log") + " 2>&1");
+  return code_of("VOUSSOIR=" + shell::kProgram + " " + script("run") + file + " -o " + folder.path(name) + " " + words + " >" +
+                 folder.path("log") + " 2>&1");
 }
 
 /// Column of the table, a value a run.
@@ -86,8 +77,8 @@ std::string two_levels(bool seeded, int stands = 3) {
 
 /// The table's curves in the folder's out.csv; what it says is in "log".
 int fragility(const TempFolder& folder, const std::string& table, const std::string& states) {
-  return code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + folder.write("table.csv", table) + " -o " +
-                 folder.path("out.svg") + " --csv " + folder.path("out.csv") + " --states " + states + " >" + folder.path("log") + " 2>&1");
+  return code_of(script("fragility.py") + folder.write("table.csv", table) + " -o " + folder.path("out.svg") + " --csv " +
+                 folder.path("out.csv") + " --states " + states + " >" + folder.path("log") + " 2>&1");
 }
 
 }  // namespace
@@ -187,7 +178,7 @@ TEST_CASE("a table in Markdown has the runs that are done, in figures for people
       "arch,done,-1,0.5,,-1.0,,0,-1.0,0.25,,1.0,0.5,,7,0,0,0,1000.0,1e-06,0.01,\n"
       "waits,to be done,,,,,,,,,,,,,,,,,,,0,\n";
   const std::string table = folder.write("table.csv", head + rows), out = folder.path("table.md");
-  REQUIRE(code_of("/usr/bin/python3 " + kSource + "/scripts/study/markdown.py " + table + " >" + out) == 0);
+  REQUIRE(code_of(script("markdown.py") + table + " >" + out) == 0);
   const std::string text = text_of(out);
   const auto has = [&](const char* line) { return text.find(line) != std::string::npos; };
   CHECK(std::count(text.begin(), text.end(), '\n') == 5);
@@ -250,8 +241,7 @@ TEST_CASE("fragility: its files stand where they are looked for, and never on th
   folder.write("fragility.csv", two_levels(true));  // a name that a table may have, as in cases/catalogue
   std::filesystem::create_symlink("fragility.csv", folder.path("link.csv"));
   const auto fragility_in_folder = [&](const std::string& words) {
-    return code_of("cd " + folder.path() + " && /usr/bin/python3 " + kSource + "/scripts/study/fragility.py fragility.csv " + words +
-                   " >log 2>&1");
+    return code_of("cd " + folder.path() + " && " + script("fragility.py") + "fragility.csv " + words + " >log 2>&1");
   };
   for (const char* words : {"--csv fragility.csv", "--csv ./link.csv", "-o fragility.csv"}) {
     CHECK(fragility_in_folder(words) == 1);
@@ -272,8 +262,8 @@ TEST_CASE("fragility: runs of two versions are no one table") {
       "run,case,direction,record,scale,options,seed,status,collapsed,damage_grade,version\n"
       "a,house,LTV,,0.5,,1,done,0,2,0.1.0 (physics 7)\nb,house,LTV,,2.0,,1,done,1,5,0.1.0 (physics 8)\n";
   folder.write("table.csv", table);
-  CHECK(code_of("/usr/bin/python3 " + kSource + "/scripts/study/fragility.py " + folder.path("table.csv") + " -o " + folder.path("f.svg") +
-                " --csv " + folder.path("c.csv") + " >" + folder.path("log") + " 2>&1") == 1);
+  CHECK(code_of(script("fragility.py") + folder.path("table.csv") + " -o " + folder.path("f.svg") + " --csv " + folder.path("c.csv") +
+                " >" + folder.path("log") + " 2>&1") == 1);
   CHECK(text_of(folder.path("log")).find("versions 0.1.0 (physics 7) and 0.1.0 (physics 8)") != std::string::npos);
 }
 

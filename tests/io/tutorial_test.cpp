@@ -1,24 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
+
+#include "tests/io/shell.h"
 
 // What cases/tutorial tells a new user must be so: the page shows the cases that lie beside it, and the program takes them.
 namespace {
 
-const std::string kFolder = std::string(VOUSSOIR_SOURCE_DIR) + "/cases/tutorial/";
-
-std::string text_of(const std::string& name) {
-  std::ifstream file(kFolder + name);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string text_of(const std::string& name) { return shell::text_of(VOUSSOIR_SOURCE_DIR "/cases/tutorial/" + name); }
 
 /// The blocks of a page that are marked as of this language.
 std::vector<std::string> blocks_of(const std::string& page, const std::string& language) {
@@ -31,9 +23,8 @@ std::vector<std::string> blocks_of(const std::string& page, const std::string& l
   return blocks;
 }
 
-int code_of(const std::string& words) {
-  const int status = std::system((std::string(VOUSSOIR_PROGRAM) + " " + words + " >/dev/null 2>&1").c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+int check(const std::string& name, const std::string& words = "") {
+  return shell::code_of(shell::kProgram + " check " + shell::source("cases/tutorial/" + name) + " " + words + " >/dev/null 2>&1");
 }
 
 }  // namespace
@@ -43,7 +34,7 @@ TEST_CASE("tutorial: the page shows its cases, and the program takes them") {
   REQUIRE(shown.size() == 2);
   CHECK(shown[0] == text_of("hut.toml"));
   CHECK(shown[1] == text_of("hut-strong.toml"));
-  CHECK(code_of("check " + kFolder + "hut.toml") == 0);
-  CHECK(code_of("check " + kFolder + "hut-strong.toml") == 0);
-  CHECK(code_of("check " + kFolder + "hut.toml --set house.height=2.1") == 2);  // the fault that the page shows
+  CHECK(check("hut.toml") == 0);
+  CHECK(check("hut-strong.toml") == 0);
+  CHECK(check("hut.toml", "--set house.height=2.1") == 2);  // the fault that the page shows
 }

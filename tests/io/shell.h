@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+/// What tests of commands share. The program and the sources may lie in folders with spaces.
+namespace shell {
+
+/// One word of a command, whatever it holds.
+inline std::string quoted(const std::string& word) {
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+  return result + "'";
+}
+
+inline const std::string kProgram = quoted(VOUSSOIR_PROGRAM);
+/// A file of the project.
+inline std::string source(const std::string& path) { return quoted(VOUSSOIR_SOURCE_DIR "/" + path); }
+
+struct Outcome {
+  int code = -1;  // 1000 and its number if a signal ended it
+  std::string text;
+};
+/// Runs a command; what it says on its standard output.
+inline Outcome run(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  Outcome o;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  return o;
+}
+inline int code_of(const std::string& command) { return run(command).code; }
+
+inline std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace shell
