@@ -88,6 +88,28 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   CHECK(std::any_of(s.world().patches.patch.begin(), s.world().patches.patch.end(), [](const auto& p) { return p.touching > 0; }));
 }
 
+TEST_CASE("the bits of joints of two sides and of timber depend neither on the number of threads nor on how forces are scattered") {
+  const cases::Case c = mixed_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options gather;
+  gather.gather = true;
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
+  runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
+  const solver::World& w = runs[0]->sim.world();
+  CHECK(std::ranges::count(w.sides.faces, 1) > 60);
+  CHECK(std::ranges::count(w.sides.faces, 2) > 20);
+  std::int64_t most_slips = 0;
+  for (int part = 0; part < 36; ++part) {
+    step_side_by_side(runs, 100);
+    most_slips = std::max(most_slips, checked_slips(runs[0]->sim));
+  }
+  CHECK(most_slips > 50);
+  CHECK(runs[0]->sim.damage().tension > 500);
+  CHECK(w.contacts.searches > 10);
+}
+
 TEST_CASE("what is known of pairs saves looks at points and changes no bit, through cracking, falling and contact") {
   const cases::Case c = small_wall(4, 8);
   const cases::Model m = cases::build_model(c);

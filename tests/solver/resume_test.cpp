@@ -23,9 +23,10 @@ using namespace voussoir::testing;
 
 namespace {
 
-/// A wall that settles, cracks and falls, pushed by a load and by a moving support: every piece of state there is.
+/// A wall with timber and with joints of one and two sides that settles, cracks and falls, pushed by a load and by a moving support: every
+/// piece of state there is.
 cases::Case everything() {
-  cases::Case c = small_wall(4, 8);
+  cases::Case c = mixed_wall(4, 8);
   c.gravity.settle = true;
   c.gravity.ramp = 0.05;
   c.gravity.settle_limit = 0.05;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "cases/case.h"
@@ -40,6 +41,29 @@ inline cases::Case small_wall(int length, int courses, double strength = 1.0) {
       x = end;
     }
   }
+  return c;
+}
+
+/// The same with its odd courses a hair off, so that grids do not coincide and bed joints have two sides; with a course of timber, whose
+/// nails yield, and a plank as long as the wall on top.
+inline cases::Case mixed_wall(int length, int courses) {
+  cases::Case c = small_wall(length, courses);
+  c.materials["timber"] = {600.0, 9.8e8, 0.3};
+  cases::JointLaw nails = c.joint_laws["mortar"];
+  nails.tension = 5e4, nails.cohesion = 1e4;
+  c.joint_laws["nails"] = nails;
+  c.joints.between.push_back({{"adobe", "timber"}, "nails"});
+  for (cases::BlockSpec& b : c.blocks) {
+    auto& [low, high] = *b.box;
+    const bool odd = std::lround(low.z / 0.1) % 2 == 1;
+    for (double* x : {&low.x, &high.x}) {
+      if (odd && *x > 0.05 && *x < 0.2 * length - 0.05) *x -= 0.01;
+    }
+    if (b.name.starts_with("c3_")) b.material = "timber";
+  }
+  cases::BlockSpec plank = brick(courses, 0, 0.0, 0.2 * length);
+  plank.material = "timber";
+  c.blocks.push_back(plank);
   return c;
 }
 

@@ -93,6 +93,33 @@ cases::Case as_blocks() {
   return c;
 }
 
+/// The blocks where a map along the axes brings them.
+void place(cases::Case& c, Vec3 (*map)(Vec3)) {
+  for (cases::BlockSpec& b : c.blocks) {
+    const Vec3 p = map((*b.box)[0]), q = map((*b.box)[1]);
+    b.box = {
+        {Vec3{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)}, {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}}};
+  }
+}
+Vec3 mirror(Vec3 x) { return {-x.x, x.y, x.z}; }
+Vec3 quarter_turn(Vec3 x) { return {-x.y, x.x, x.z}; }
+
+/// The courses at odd heights a hair aside within the wall, so that the grids of bed joints do not coincide; one course of timber.
+cases::Case with_timber(cases::Case c) {
+  c.materials["timber"] = {600.0, 9.8e8, 0.3};
+  double length = 0.0;
+  for (const cases::BlockSpec& b : c.blocks) length = std::max(length, (*b.box)[1].x);
+  for (cases::BlockSpec& b : c.blocks) {
+    auto& [low, high] = *b.box;
+    const auto course = std::lround(low.z / (high.z - low.z));
+    for (double* x : {&low.x, &high.x}) {
+      if (course % 2 == 1 && *x > 0.01 && *x < length - 0.01) *x -= 0.01;
+    }
+    if (course == 3) b.material = "timber";
+  }
+  return c;
+}
+
 }  // namespace
 
 TEST_CASE("V12: turned by a right angle, with the motion") {
@@ -107,8 +134,7 @@ TEST_CASE("V12: turned by a right angle, with the motion") {
     }
     return 0.5 * (low + high);
   };
-  const auto turn = [](Vec3 x) { return Vec3{-x.y, x.x, x.z}; };
-  expect_same("turned by 90 degrees", shaken_wall(), turned, {turn, middle(b) - turn(middle(a))});
+  expect_same("turned by 90 degrees", shaken_wall(), turned, {quarter_turn, middle(b) - quarter_turn(middle(a))});
 }
 
 TEST_CASE("V12: moved by 1 km") {
@@ -125,12 +151,33 @@ TEST_CASE("V12: renumbered") {
 
 TEST_CASE("V12: mirrored") {
   cases::Case other = as_blocks();
-  for (cases::BlockSpec& b : other.blocks) {
-    const auto [low, high] = *b.box;
-    b.box = {{Vec3{-high.x, low.y, low.z}, Vec3{-low.x, high.y, high.z}}};
-  }
+  place(other, mirror);
   other.motion->scale[0] *= -1.0;
-  expect_same("mirrored", as_blocks(), other, {[](Vec3 x) { return Vec3{-x.x, x.y, x.z}; }, {}});
+  expect_same("mirrored", as_blocks(), other, {mirror, {}});
+}
+
+TEST_CASE("V12: joints of two sides, and a course of timber") {
+  const cases::Case first = with_timber(as_blocks());
+  const Run run(first);
+  CHECK(std::ranges::count(run.sim().world().sides.faces, 1) > 60);
+  SUBCASE("renumbered") {
+    cases::Case other = first;
+    std::ranges::rotate(other.blocks, other.blocks.begin() + 31);
+    std::ranges::reverse(other.blocks.begin(), other.blocks.begin() + 20);
+    expect_same("two sides, renumbered", first, other, {});
+  }
+  SUBCASE("mirrored") {
+    cases::Case other = first;
+    place(other, mirror);
+    other.motion->scale[0] *= -1.0;
+    expect_same("two sides, mirrored", first, other, {mirror, {}});
+  }
+  SUBCASE("turned") {
+    cases::Case other = first;
+    place(other, quarter_turn);
+    other.motion->scale = {-first.motion->scale[1], first.motion->scale[0], first.motion->scale[2]};
+    expect_same("two sides, turned by 90 degrees", first, other, {quarter_turn, {}});
+  }
 }
 
 }  // namespace voussoir::testing
