@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <numbers>
 #include <system_error>
 
@@ -82,6 +83,27 @@ std::vector<Component> components_of(std::vector<Source>& sources) {
   return all;
 }
 
+/// A name that several arguments share says nothing: these are called by what the user called them.
+void tell_apart(std::vector<Source>& sources, const std::vector<std::string>& arguments) {
+  const auto name_of = [](Source& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
+  std::map<std::string, int> uses;
+  for (Source& s : sources) ++uses[name_of(s)];
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (uses[name_of(sources[i])] == 1) continue;
+    sources[i].record.name = arguments[i];
+    for (Component& c : sources[i].of_file) c.record = arguments[i];
+  }
+}
+
+void write_record(const Source& source, const std::string& argument, const MotionOptions& o) {
+  if (!source.of_file.empty()) throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, or a folder");
+  for (const cases::Accelerogram& a : source.record.ltv) {
+    if (a.acceleration.size() == 1)
+      throw cases::InputError("--until", cases::text(*o.until) + " s leaves one sample; allowed: " + cases::text(a.dt) + " s or more");
+  }
+  write_record_folder(source.record, *o.write, o.overwrite);
+}
+
 void print_table(const std::vector<Component>& components, std::ostream& out) {
   std::size_t width = 6;
   for (const Component& c : components) width = std::max(width, c.record.size());
@@ -144,11 +166,8 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
     }
     sources.push_back(std::move(s));
   }
-  if (o.write) {
-    if (!sources[0].of_file.empty())
-      throw cases::InputError("--write", shown(arguments[0]) + " is a single file; allowed: bam-like, or a folder");
-    write_record_folder(sources[0].record, *o.write, o.overwrite);
-  }
+  if (o.write) write_record(sources[0], arguments[0], o);
+  tell_apart(sources, arguments);
   const std::vector<Component> components = components_of(sources);
   if (o.spectra) write_spectra(components, o);
   print_table(components, out);

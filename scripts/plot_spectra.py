@@ -18,14 +18,16 @@ OVER = {"frequency": "frequency [Hz]", "period": "period [s]"}
 
 
 def curves(paths, over, quantity):
-    """{(record, component, damping): [(frequency or period, value)]}, in the order of the files."""
+    """{label: [(frequency or period, value)]}, in the order of the files; with the file's name if there are several."""
     found = {}
     for path in paths:
         try:
             with open(path, newline="") as file:
                 for row in csv.DictReader(file):
-                    key = (row["record"], row["component"], row["damping"])
-                    found.setdefault(key, []).append((float(row[OVER[over]]), float(row[f"{quantity} [{UNITS[quantity]}]"])))
+                    label = f"{row['record']} {row['component']}, {100 * float(row['damping']):g} %"
+                    if len(paths) > 1:
+                        label = f"{path}: {label}"
+                    found.setdefault(label, []).append((float(row[OVER[over]]), float(row[f"{quantity} [{UNITS[quantity]}]"])))
         except (OSError, KeyError, TypeError, ValueError) as error:
             sys.exit(f"{path}: no table of `voussoir motion --spectra`: {error}")
     if not found:
@@ -41,9 +43,9 @@ def main():
     p.add_argument("--mark", type=float, nargs="+", default=[], metavar="HZ", help="frequencies to mark")
     a = p.parse_args()
     figure, (axes,) = run_file.panels(1, a.width, 8.0)
-    for number, ((record, component, damping), points) in enumerate(curves(a.table, a.over, a.quantity).items()):
+    for number, (label, points) in enumerate(curves(a.table, a.over, a.quantity).items()):
         x, y = zip(*sorted(points))
-        axes.loglog(x, y, label=f"{record} {component}, {100 * float(damping):g} %", **run_file.style(number))
+        axes.loglog(x, y, label=label, **run_file.style(number))
     for frequency in a.mark:
         axes.axvline(frequency if a.over == "frequency" else 1.0 / frequency, color="grey", linewidth=0.8)
     axes.set(xlabel=OVER[a.over].replace(" [", ", ").rstrip("]"), ylabel=f"{NAMES[a.quantity]}, {UNITS[a.quantity]}")

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -112,6 +113,17 @@ TEST_CASE("motion: spectra as a table") {
   CHECK(std::stod(row[7]) == doctest::Approx(w * w * sd).epsilon(1e-4));
 }
 
+TEST_CASE("motion: files of one name are called by their paths") {
+  const TempFolder folder;
+  const std::string a = folder.write("a/pulse.csv", kPulse), b = folder.write("b/pulse.csv", kPulse);
+  const auto lines = printed({a, "bam-like", b});
+  REQUIRE(lines.size() == 2 + 5);
+  CHECK(words_of(lines[2])[0] == a);
+  CHECK(words_of(lines[3])[0] == "bam-like");
+  CHECK(words_of(lines[6])[0] == b);
+  CHECK(words_of(printed({a})[2])[0] == "pulse.csv");
+}
+
 TEST_CASE("motion: nothing that exists is written over unless told to") {
   const TempFolder folder;
   MotionOptions o;
@@ -159,6 +171,10 @@ TEST_CASE("motion: faults of the request") {
   no_damping.damping = {};
   no_damping.spectra = folder.path("s.csv");
   write.write = folder.path("w");
+  MotionOptions one_sample = write;
+  one_sample.until = 1e-4;
+  check({"bam-like"}, one_sample, "--until", "0.0001 s leaves one sample; allowed: 0.00");
+  CHECK_FALSE(std::filesystem::exists(folder.path("w")));
   check({}, {}, "", "no record named; allowed: files");
   check({pulse}, unit, "--unit", "'ft'; allowed: \"g\"");
   check({pulse}, until, "--until", "0 s; allowed: above 0");
