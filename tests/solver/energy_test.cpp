@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/errors.h"
+#include "solver/run.h"
 #include "solver/setup.h"
 #include "solver/simulation.h"
+#include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 
 // Energy that joints and contacts take, and give back no more of: the ledger closes whatever the sign of a loss, so signs are looked at
@@ -57,6 +60,31 @@ TEST_CASE("a wall that is shaken, cracks and falls loses energy and gains none, 
       CHECK(least > -1e-6);
       CHECK(before.friction > 0.0);
       CHECK(before.fracture > 0.0);
+    }
+  }
+}
+
+TEST_CASE("a run in which energy comes from nowhere stops, and says how much, when and what to try") {
+  cases::Case c = small_wall(3, 4, 1e9);
+  c.output.ledger_interval = 0.005;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  for (const double push : {0.0, 0.05}) {  // m/s
+    solver::Simulation sim(c, m, g, {});
+    solver::RunState plan;
+    RowHash rows;
+    const auto tick = [&](const solver::RunStatus& status) {
+      if (status.time < 0.1 && status.time + 0.05 > 0.1) sim.world().elements.vy[4] += push;
+      return true;
+    };
+    const auto run = [&] { solver::run(sim, plan, c, 0.2, rows, tick); };
+    if (push == 0.0) {
+      run();
+      CHECK(sim.worst_residual() < 1e-4);
+    } else {
+      CHECK_THROWS_WITH_AS(run(), doctest::Contains("of the energy in play at t = 0."), solver::NumericalError);
+      CHECK(sim.energy().residual > solver::kResidualLimit);
+      CHECK(sim.time() < 0.2);
     }
   }
 }
