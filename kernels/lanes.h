@@ -23,6 +23,9 @@ typedef double Lanes __attribute__((vector_size(32)));
 typedef long long LaneMask __attribute__((vector_size(32)));
 #endif
 
+/// The same number of floats.
+typedef float Floats __attribute__((vector_size(4 * kWidth)));
+
 VOUSSOIR_INLINE Lanes load_lanes(const double* p) noexcept {
   Lanes x;
   __builtin_memcpy(&x, p, sizeof x);

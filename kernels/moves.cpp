@@ -21,10 +21,16 @@ VOUSSOIR_INLINE Real squared_move(Real dx, Real dy, Real dz, Real dw, Real da, R
 VOUSSOIR_INLINE Lanes difference(const double* a, const double* b, std::int64_t i) noexcept {
   return load_lanes(a + i) - load_lanes(b + i);
 }
+/// To the digits of a float, whose root takes a third of the time. No float is too small for the square.
 VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, std::int64_t i) noexcept {
   const VecLanes v{load_lanes(x + i), load_lanes(y + i), load_lanes(z + i)};
-  return sqrt(dot(v, v));
+  Floats f = __builtin_convertvector(dot(v, v) + 1e-30, Floats);
+  for (int l = 0; l < kWidth; ++l) f[l] = std::sqrt(f[l]);
+  return __builtin_convertvector(f, Lanes);
 }
+
+// `move_of` of a sum is at most the sum of those of its parts, and that of a part at most sqrt(2.2) of its way.
+constexpr double kMoveOfWay = 1.5;
 
 }  // namespace
 
@@ -33,21 +39,26 @@ double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) n
                                 e.qy[i] - at.qy[i], e.qz[i] - at.qz[i], at.radius[i]));
 }
 
-double measure_moves(const ElementsView& e, const SearchedPoses& at, double dt, double* path, std::int64_t first,
+double measure_moves(const ElementsView& e, const SearchedPoses& at, double dt, double limit, Ways ways, std::int64_t first,
                      std::int64_t last) noexcept {
   const Lanes step = lanes(1.001 * dt);  // a little more for round-off and what `drift` cuts off
+  constexpr unsigned kAll = (1U << kWidth) - 1U;
   Lanes farthest{};
   for (std::int64_t i = first; i < last; i += kWidth) {
     const Lanes radius = load_lanes(at.radius + i);
-    farthest = max(farthest, squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i),
-                                          difference(e.qw, at.qw, i), difference(e.qx, at.qx, i), difference(e.qy, at.qy, i),
-                                          difference(e.qz, at.qz, i), radius));
     const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
-    store_lanes(path + i, load_lanes(path + i) + step * (speed + spin * radius));
+    const Lanes path = load_lanes(ways.path + i) + step * (speed + spin * radius);
+    store_lanes(ways.path + i, path);
+    if (bits(path <= load_lanes(ways.until + i)) == kAll) continue;
+    const Lanes move =
+        sqrt(squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i), difference(e.qw, at.qw, i),
+                          difference(e.qx, at.qx, i), difference(e.qy, at.qy, i), difference(e.qz, at.qz, i), radius));
+    store_lanes(ways.until + i, path + (limit - move) * (1.0 / kMoveOfWay));
+    farthest = max(farthest, move);
   }
   double most = 0.0;
   for (int l = 0; l < kWidth; ++l) most = farthest[l] > most ? farthest[l] : most;
-  return std::sqrt(most);
+  return most > limit ? most : 0.0;
 }
 
 }  // namespace voussoir::kernels

@@ -233,7 +233,7 @@ void remember_pose(World& w, std::size_t e) {
   const Elements& el = w.elements;
   c.at_ux[e] = el.ux[e], c.at_uy[e] = el.uy[e], c.at_uz[e] = el.uz[e];
   c.at_qw[e] = el.qw[e], c.at_qx[e] = el.qx[e], c.at_qy[e] = el.qy[e], c.at_qz[e] = el.qz[e];
-  c.path[e] = 0.0;
+  c.path[e] = c.until[e] = 0.0;
 }
 
 kernels::SearchedPoses searched_poses(const World& w) {
@@ -264,20 +264,28 @@ double mark_moved(World& w, double farther_than, Anew& anew) {
 }  // namespace
 
 double measure_moves(World& w, std::int64_t first, std::int64_t last) {
-  return kernels::measure_moves(w.elements.view(), searched_poses(w), w.dt, w.contacts.path.data(), first, last);
+  Contacts& c = w.contacts;
+  return kernels::measure_moves(w.elements.view(), searched_poses(w), w.dt, c.farthest(), {c.path.data(), c.until.data()}, first, last);
+}
+
+double measure_move(World& w, std::int32_t element) {
+  if (w.contacts.stale) return 0.0;  // nobody has searched yet
+  const double moved = kernels::move_of(w.elements.view(), searched_poses(w), element);
+  return moved > w.contacts.farthest() ? moved : 0.0;
 }
 
 bool search_due(World& w, double moved) {
   Contacts& c = w.contacts;
   const bool new_patches = c.countdown > 0 && --c.countdown == 0;
-  return c.stale || new_patches || moved > 0.5 * c.skin;
+  return c.stale || new_patches || moved > c.farthest();
 }
 
 void search_all(World& w) {
   Contacts& c = w.contacts;
   c.active.clear(), c.first_slot.clear();  // nothing of them stays, and sorting gives the patches other numbers
   if (patches_are_scattered(w)) sort_patches(w);
-  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.path}) column->resize(w.elements.ux.size());
+  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.path, &c.until})
+    column->resize(w.elements.ux.size());
   for (std::size_t e = 0; e < w.elements.ux.size(); ++e) remember_pose(w, e);
   Anew anew{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
             std::vector<std::uint8_t>(w.patches.patch.size(), 1)};

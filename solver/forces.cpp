@@ -33,11 +33,12 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   if (w.contacts.gather_stale) build_gather(w);
   const int rounds = joint_rounds(w);
   stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  deal_joints(w, omp_get_max_threads(), stage.colours);
 #pragma omp parallel
   {
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
     for (int r = 0; r < rounds; ++r) {
-      advance_joints(w, time, step, r, mine.joints);
+      advance_joints(w, time, step, r, stage.colours, mine.joints);
       advance_contacts(w, r, rounds, mine.contacts);
     }
     gather(w);

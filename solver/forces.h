@@ -19,6 +19,7 @@ struct ThreadRoom {
 struct ForceStage {
   JointEvents events;  // of the last step
   std::vector<ThreadRoom> by_thread;
+  std::vector<TaskShares> colours;
 };
 
 /// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has no joints

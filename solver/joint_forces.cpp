@@ -148,7 +148,17 @@ int joint_rounds(const World& w) {
   return w.options.gather ? 1 : std::max(1, colours);
 }
 
-void advance_joints(World& w, double time, std::int64_t step, int round, JointFindings& found) {
+void deal_joints(const World& w, int threads, std::vector<TaskShares>& colours) {
+  const Sides& s = w.sides;
+  const std::span<const double> places = s.task_place;
+  colours.resize(s.colour_first.size() - 1);
+  for (std::size_t c = 0; c < colours.size(); ++c) {
+    const auto first = static_cast<std::size_t>(s.colour_first[c]), last = static_cast<std::size_t>(s.colour_first[c + 1]);
+    colours[c].deal(places.subspan(first, last - first), threads);
+  }
+}
+
+void advance_joints(World& w, double time, std::int64_t step, int round, std::vector<TaskShares>& colours, JointFindings& found) {
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
@@ -168,11 +178,11 @@ void advance_joints(World& w, double time, std::int64_t step, int round, JointFi
     return;
   }
   const auto c = static_cast<std::size_t>(round);
-  if (c + 1 >= s.colour_first.size()) return;  // no joint
-#pragma omp for schedule(dynamic) nowait
-  for (std::int32_t t = s.colour_first[c]; t < s.colour_first[c + 1]; ++t) {
-    blocks(s.live_first[static_cast<std::size_t>(t)], s.live_first[static_cast<std::size_t>(t) + 1]);
-  }
+  if (c >= colours.size()) return;  // no joint
+  colours[c].take(omp_get_thread_num(), [&](std::int32_t i) {
+    const auto task = static_cast<std::size_t>(s.task_order[static_cast<std::size_t>(s.colour_first[c] + i)]);
+    blocks(s.live_first[task], s.live_first[task + 1]);
+  });
 }
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {

@@ -108,7 +108,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_side_gather(*w);
   set_up_loads(*w, c);
   w->contacts.skin = choose_skin(m);
-  w->contacts.path.assign(w->elements.ux.size(), 0.0);
+  for (auto* column : {&w->contacts.path, &w->contacts.until}) column->assign(w->elements.ux.size(), 0.0);
   return w;
 }
 

@@ -121,9 +121,9 @@ void Simulation::place_supports() {
     const Vec3 u = displacement_at(*s.history, t);
     const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
     world_->contacts.path[i] += jump;
-    moved_ += jump;
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
     kernels::store_displacement(e.pose.data(), s.element, u);
+    moved_ = std::max(moved_, measure_move(*world_, s.element));
   }
 }
 

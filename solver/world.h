@@ -67,6 +67,8 @@ struct Sides {
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
+  std::vector<std::int32_t> task_order;    // the tasks of each colour in the order of their elements,
+  std::vector<double> task_place;          // and where these lie among all, from 0 to 1
   std::int32_t overflow_colour = -1;       // one task, run serially; −1: none
   std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
   std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
@@ -129,12 +131,13 @@ struct Contacts {
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
-  Array<double> path;                                             // m, bound on the way of any point of each element since (derived)
-  std::vector<std::int32_t> active;                               // patches with candidates
-  std::vector<std::int64_t> first_slot;                           // by active patch, count + 1 entries
-  std::vector<std::int32_t> master;                               // by active patch: its element (derived)
-  Array<std::int32_t> element;                                    // by slot: who may be touched (state)
-  Array<kernels::Candidate> candidate;                            // by slot: the same, and what is known of the pair (derived)
+  Array<double> path, until;                                      // m, see kernels::Ways (derived)
+  [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
+  std::vector<std::int32_t> active;                                      // patches with candidates
+  std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries
+  std::vector<std::int32_t> master;                                      // by active patch: its element (derived)
+  Array<std::int32_t> element;                                           // by slot: who may be touched (state)
+  Array<kernels::Candidate> candidate;                                   // by slot: the same, and what is known of the pair (derived)
   Array<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
