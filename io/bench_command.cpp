@@ -18,6 +18,7 @@
 #include "io/restored_run.h"
 #include "io/run_command.h"
 #include "io/support_motion.h"
+#include "io/waiting_threads.h"
 #include "solver/field_table.h"
 #include "solver/machine.h"
 #include "solver/memory.h"
@@ -167,6 +168,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
     advance_to(sim, o.after);
     if (!gather) {
       print_subject(census, sim.world());
+      std::printf("waiting threads          %s\n", waiting_threads().c_str());
       std::printf("machine at best          %.1f Gflop/s on one thread; %.1f GB/s on %d\n\n", 1e-9 * solver::peak_flops(1),
                   1e-9 * solver::peak_bandwidth(most), most);
       print_columns(header());

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -25,6 +24,7 @@
 #include "io/run_command.h"
 #include "io/summary_command.h"
 #include "io/verify_command.h"
+#include "io/waiting_threads.h"
 #include "solver/errors.h"
 
 namespace {
@@ -269,32 +269,11 @@ void open_many_files() {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// True if nothing has kept the machine busy in the last minute.
-bool machine_is_quiet() {
-  double load = 0.0;
-  return getloadavg(&load, 1) == 1 && load < 0.3;
-}
-
-/// Lets waiting threads sleep soon, unless the user has chosen otherwise. By default they spin for milliseconds, which is harmless on a
-/// quiet machine and ruinous on a busy one: with another process running beside, two threads were 20 times slower than one. A
-/// tenth of a millisecond is right for a quiet one: it covers what a step does on one thread, and waking takes nearly as long. On a busy
-/// one they sleep at once.
-/// The OpenMP runtime reads this before main, so the program starts itself anew.
-void let_threads_sleep(char** argv) {
-  for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"}) {
-    if (std::getenv(name) != nullptr) return;
-  }
-  setenv("GOMP_SPINCOUNT", machine_is_quiet() ? "10000" : "100", 1);
-  setenv("KMP_BLOCKTIME", "0", 1);
-  std::error_code none;
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();
-  execv(self.c_str(), argv);  // returns only if it could not
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  let_threads_sleep(argv);
+  const std::string command = argc > 1 ? argv[1] : "";
+  io::let_threads_sleep(argv, command == "run" || command == "resume" || command == "bench");  // these take long enough to look
   open_many_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
