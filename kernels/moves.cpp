@@ -39,26 +39,26 @@ double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) n
                                 e.qy[i] - at.qy[i], e.qz[i] - at.qz[i], at.radius[i]));
 }
 
-double measure_moves(const ElementsView& e, const SearchedPoses& at, double dt, double limit, Ways ways, std::int64_t first,
-                     std::int64_t last) noexcept {
-  const Lanes step = lanes(1.001 * dt);  // a little more for round-off and what `drift` cuts off
+double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
+  const SearchedPoses& at = m.at;
+  const Lanes step = lanes(1.001 * m.dt);  // a little more for round-off and what `drift` cuts off
   Lanes farthest{};
   for (std::int64_t i = first; i < last; i += kWidth) {
     const Lanes radius = load_lanes(at.radius + i);
     const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
-    const Lanes path = load_lanes(ways.path + i) + step * (speed + spin * radius);
-    store_lanes(ways.path + i, path);
-    if (bits(path <= load_lanes(ways.until + i)) == kAll) continue;
+    const Lanes path = load_lanes(m.path + i) + step * (speed + spin * radius);
+    store_lanes(m.path + i, path);
+    if (bits(path <= load_lanes(m.until + i)) == kAll) continue;
     const Lanes move =
         sqrt(squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i), difference(e.qw, at.qw, i),
                           difference(e.qx, at.qx, i), difference(e.qy, at.qy, i), difference(e.qz, at.qz, i), radius));
-    store_lanes(ways.until + i, path + (limit - move) * (1.0 / kMoveOfWay));
+    store_lanes(m.until + i, path + (m.limit - move) * (1.0 / kMoveOfWay));
     farthest = max(farthest, move);
   }
   double most = 0.0;
   for (int l = 0; l < kWidth; ++l) most = farthest[l] > most ? farthest[l] : most;
-  return most > limit ? most : 0.0;
+  return most > m.limit ? most : 0.0;
 }
 
 }  // namespace voussoir::kernels

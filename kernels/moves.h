@@ -19,16 +19,17 @@ struct SearchedPoses {
 /// What any point of an element has moved since [m], or a little more.
 double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept;
 
-/// By element [m].
-struct Ways {
-  double* path;   // bound on the way that any point of it has gone since it was searched
-  double* until;  // as long as the path is no longer than this, `move_of` is at most the limit
+/// What elements have moved, by element.
+struct Moves {
+  SearchedPoses at;
+  double dt;      // s
+  double limit;   // m, that nobody asks about less; always the same
+  double* path;   // m, bound on the way that any point of it has gone since it was searched
+  double* until;  // m, as long as the path is no longer than this, `move_of` is at most the limit
 };
 
-/// Adds to the paths of the elements [first, last), both multiples of kLanes, what they go in a step of dt with the velocities they have.
-/// \param limit  m, always the same
+/// Adds to the paths of the elements [first, last), both multiples of kLanes, what they go in a step with the velocities they have.
 /// \return the largest `move_of` over the limit, 0 if none is: most elements need no look at where they were
-double measure_moves(const ElementsView& e, const SearchedPoses& at, double dt, double limit, Ways ways, std::int64_t first,
-                     std::int64_t last) noexcept;
+double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kernels/moves.h"
 #include "solver/world.h"
 
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
 
-/// Bounds the way that any point of the elements [first, last) has gone since they were searched last (Contacts::path). Returns how far
-/// any of them has moved [m], 0 if none has by more than Contacts::farthest: exact in any order. Call once a step.
-double measure_moves(World& w, std::int64_t first, std::int64_t last);
-/// The same of an element that has been put elsewhere, without its way.
+/// For kernels::measure_moves, once a step: how far an element may move before it is searched again is the limit.
+kernels::Moves moves_of(World& w);
+/// What that returns, of an element that has been put elsewhere.
 double measure_move(World& w, std::int32_t element);
 
-/// True if some element has moved too far since it was searched; `moved`: the largest of measure_moves.
+/// True if some element has moved too far since it was searched; `moved`: the largest of kernels::measure_moves.
 /// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
 bool search_due(World& w, double moved);
 

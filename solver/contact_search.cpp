@@ -263,9 +263,9 @@ double mark_moved(World& w, double farther_than, Anew& anew) {
 
 }  // namespace
 
-double measure_moves(World& w, std::int64_t first, std::int64_t last) {
+kernels::Moves moves_of(World& w) {
   Contacts& c = w.contacts;
-  return kernels::measure_moves(w.elements.view(), searched_poses(w), w.dt, c.farthest(), {c.path.data(), c.until.data()}, first, last);
+  return {searched_poses(w), w.dt, c.farthest(), c.path.data(), c.until.data()};
 }
 
 double measure_move(World& w, std::int32_t element) {

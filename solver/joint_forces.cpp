@@ -64,16 +64,6 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool look_clo
   }
 }
 
-/// True if nothing has happened in a block: then its constants are all there is to it.
-bool is_whole(const Sides& s, std::size_t block) {
-  constexpr std::array kAllWhole = [] {
-    std::array<kernels::Quick, kernels::kLanes> all{};
-    all.fill(kernels::Quick::whole);
-    return all;
-  }();
-  return std::memcmp(&s.quick[block * kernels::kLanes], kAllWhole.data(), sizeof kAllWhole) == 0;
-}
-
 /// Lanes of a block that are as named.
 unsigned lanes_that_are(const Sides& s, std::size_t block, kernels::Quick quick) {
   unsigned lanes = 0;
@@ -81,6 +71,17 @@ unsigned lanes_that_are(const Sides& s, std::size_t block, kernels::Quick quick)
     lanes |= static_cast<unsigned>(s.quick[block * kernels::kLanes + l] == quick) << l;
   }
   return lanes & s.live_lanes[block];
+}
+
+/// True if nothing has happened in a block: then its constants are all there is to it.
+bool is_whole(const Sides& s, std::size_t block) {
+  constexpr std::array kAllWhole = [] {
+    std::array<kernels::Quick, kernels::kLanes> all{};
+    all.fill(kernels::Quick::whole);
+    return all;
+  }();
+  if (std::memcmp(&s.quick[block * kernels::kLanes], kAllWhole.data(), sizeof kAllWhole) == 0) return true;
+  return lanes_that_are(s, block, kernels::Quick::whole) == s.live_lanes[block];  // the last block of a task has lanes without a side
 }
 
 /// Asks for what a block's sides take: the rows of their elements, constants, and of those whose segments are looked at where these lie.

@@ -231,12 +231,13 @@ void Simulation::kick(const kernels::BodyForces& f) {
 void Simulation::drift(double dt) {
   World& w = *world_;
   const auto view = w.elements.view();
+  const kernels::Moves moves = moves_of(w);
   double moved = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : moved)
   for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
     const std::int64_t end = end_of_chunk(w, i);
     kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, end);
-    moved = std::max(moved, measure_moves(w, i, end));
+    moved = std::max(moved, kernels::measure_moves(view, moves, i, end));
   }
   moved_ = moved;
 }
@@ -245,13 +246,14 @@ void Simulation::drift(double dt) {
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
   const auto view = w.elements.view();
+  const kernels::Moves moves = moves_of(w);
   double moved = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : moved)
   for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
     const std::int64_t end = end_of_chunk(w, i);
     kernels::kick(view, w.elements.wrench.data(), f, i, end);
     kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, end);
-    moved = std::max(moved, measure_moves(w, i, end));
+    moved = std::max(moved, kernels::measure_moves(view, moves, i, end));
   }
   moved_ = moved;
 }

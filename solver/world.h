@@ -131,7 +131,7 @@ struct Contacts {
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
-  Array<double> path, until;                                      // m, see kernels::Ways (derived)
+  Array<double> path, until;                                      // m, see kernels::Moves (derived)
   [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
   std::vector<std::int32_t> active;                                      // patches with candidates
   std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries

@@ -27,7 +27,7 @@ TEST_CASE("no point of an element moves farther than what is said of its move an
   for (int k = 0; k < 400; ++k) {
     f.step();
     const std::vector<double> known = until;
-    most = kernels::measure_moves(f.view(), at, kStep, kLimit, {f.path.data(), until.data()}, 0, kCount);
+    most = kernels::measure_moves(f.view(), {at, kStep, kLimit, f.path.data(), until.data()}, 0, kCount);
     double plain = 0.0;
     for (std::size_t i = 0; i < kCount; ++i) plain = std::max(plain, kernels::move_of(f.view(), at, static_cast<std::int64_t>(i)));
     REQUIRE(most == doctest::Approx(plain > kLimit ? plain : 0.0).epsilon(1e-14));
