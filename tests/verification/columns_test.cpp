@@ -159,6 +159,28 @@ TEST_CASE("V2: cantilever, end load") {
   expect_near("V2 end load, deflection at z = L [m]", got, bending + shear, 1e-4);
 }
 
+TEST_CASE("V2: cantilever of oblong section, end load along either edge") {
+  const double b = 0.1, d = 0.2, size = 0.025, length = 2.0, load = 0.1;  // m along x, m along y, m, m, N
+  const int n = 10;
+  for (const bool along_x : {true, false}) {
+    cases::Case c =
+        testing::load("column_bend", {"segments.size=0.025", "damping.alpha=" + std::string(along_x ? "11.7" : "23.4"), "time.duration=6"})
+            .value;
+    for (cases::BlockSpec& block : c.blocks) (*block.box)[0].x = -0.5 * b, (*block.box)[1].x = 0.5 * b;
+    c.loads[0].force = along_x ? Vec3{load, 0.0, 0.0} : Vec3{0.0, load, 0.0};
+    Run run(c);
+    run.until(c.time.duration);
+    const double depth = along_x ? b : d, breadth = along_x ? d : b, points = depth / size;
+    const double inertia = breadth * std::pow(depth, 3) / 12.0 * (1.0 - 1.0 / (points * points));
+    const double bending = load * std::pow(length, 3) / (3.0 * Adobe::plane * inertia) * (1.0 + 1.0 / (2.0 * n * n));
+    const double shear = load * length / (Adobe::shear * b * d) * (1.0 - 1.0 / (2.0 * n));
+    const Quaternion q = run.orientation(9);
+    const double half = 0.5 * length / n;
+    const double got = along_x ? run.displacement(9).x + 2.0 * q.y * half : run.displacement(9).y - 2.0 * q.x * half;
+    expect_near("V2 oblong section, deflection along " + std::string(along_x ? "x" : "y") + " [m]", got, bending + shear, 1e-4);
+  }
+}
+
 TEST_CASE("V2: cantilever, frequencies") {
   const Column c;
   const BendingModes modes = bending_modes(c);

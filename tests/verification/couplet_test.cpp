@@ -136,6 +136,42 @@ TEST_CASE("V5: the envelope of Eqs. 5-7") {
   write(curve);
 }
 
+TEST_CASE("V5: the envelope does not know the direction of shear in the joint") {
+  for (const double angle : {30.0, 135.0, 250.0}) {  // degrees
+    const Vec3 along{std::cos(radians(angle)), std::sin(radians(angle)), 0.0};
+    for (const double sigma : {0.0, -1.0e5, -3.0e5}) {
+      const double tau = envelope(sigma);
+      Press press;
+      press.move({0, 0, sigma / kStiffness}, 1e-3, [](Vec3) {});
+      Vec3 last;
+      press.move((1.001 * tau / kShearStiffness) * along, 1e-4, [&](Vec3 f) {
+        if (!press.failed()) last = f;
+      });
+      CHECK(press.failed());
+      const std::string where =
+          " at " + std::to_string(static_cast<int>(sigma)) + " Pa, " + std::to_string(static_cast<int>(angle)) + " degrees";
+      expect_near("V5 envelope, shear" + where + " [Pa]", std::hypot(last.x, last.y) / kArea, tau, 1e-3);
+      expect_below("V5 envelope, shear across its direction" + where + ", over the limit",
+                   std::abs(last.x * along.y - last.y * along.x) / kArea / tau, 1e-3);
+    }
+  }
+}
+
+TEST_CASE("V5: tension while shear is held at half of the cohesion") {
+  Press press;
+  const double tau = 0.5 * kCohesion;
+  press.move({tau / kShearStiffness, 0, 0}, 1e-3, [](Vec3) {});
+  CHECK(!press.failed());
+  Vec3 last;
+  press.move({0, 0, 1.001 * kTension / kStiffness}, 1e-4, [&](Vec3 f) {
+    if (!press.failed()) last = f;
+  });
+  CHECK(press.damage().tension > 0);
+  CHECK(press.damage().slipped == 0);
+  expect_near("V5 tension under shear [Pa]", -last.z / kArea, kTension, 1e-3);
+  expect_near("V5 shear held under tension [Pa]", std::abs(last.x) / kArea, tau, 1e-3);
+}
+
 TEST_CASE("V5: bond wrench about the long edge, and its convergence with the size of segments") {
   const double continuum = kTension * kWidth * kDepth * kDepth / 6.0;
   Series got{"computed", "o", {}, {}}, exact{"1/n", "--", {}, {}};

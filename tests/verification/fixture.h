@@ -149,7 +149,10 @@ inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
   e.qw[i] = 1.0, e.qx[i] = e.qy[i] = e.qz[i] = 0.0;
   for (auto* column : {&e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) (*column)[i] = 0.0;
   kernels::drift(e.view(), e.wrench.data(), e.pose.data(), e.twist.data(), 0.0, 0, e.rows);  // rows follow from the state
-  solver::list_candidates(run.sim().world());                                                // no way that bodies have gone tells of this
+  // No way that bodies have gone tells of this.
+  solver::World& w = run.sim().world();
+  solver::list_candidates(w);
+  std::ranges::fill(w.contacts.until, 0.0);
 }
 
 /// Stores of a row: what contact may take from, never add to.

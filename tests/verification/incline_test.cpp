@@ -15,6 +15,26 @@ TEST_CASE("V3: block slides on an incline") {
   expect_near("V3 acceleration down the incline [m/s2]", (run.velocity(0).x - v0) / (run.time() - t0), expected, 5e-3);
 }
 
+TEST_CASE("V3: block slides down any fall line") {
+  const double slope = radians(40.0), mu = std::tan(radians(30.0));
+  for (const double angle : {30.0, 200.0}) {  // degrees, of the fall line from x
+    const Vec3 down{std::cos(radians(angle)), std::sin(radians(angle)), 0.0};
+    const double along = kGravity * std::sin(slope), across = kGravity * std::cos(slope);
+    cases::Case c = load("incline").value;
+    c.base->tilt = {0.0, 0.0};
+    c.gravity.acceleration = {along * down.x, along * down.y, -across};
+    Run run(c);
+    run.until(0.3);
+    const double t0 = run.time();
+    const Vec3 v0 = run.velocity(0);
+    run.until(1.0);
+    const Vec3 a = (1.0 / (run.time() - t0)) * (run.velocity(0) - v0);
+    const std::string where = ", fall line at " + std::to_string(static_cast<int>(angle)) + " degrees";
+    expect_near("V3 acceleration" + where + " [m/s2]", dot(a, down), along - mu * across, 5e-3);
+    expect_below("V3 acceleration across it" + where + " [m/s2]", std::abs(a.x * down.y - a.y * down.x), 5e-3 * (along - mu * across));
+  }
+}
+
 TEST_CASE("V3: block sticks on an incline") {
   Run run("incline_stick");
   CHECK(run.settle());
