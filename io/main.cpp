@@ -273,7 +273,8 @@ void open_many_files() {
 
 int main(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
-  io::let_threads_sleep(argv, command == "run" || command == "resume" || command == "bench");  // these take long enough to look
+  io::let_threads_sleep(
+      argv, command == "run" || command == "resume" || command == "modes" || command == "bench");  // these take long enough to look
   open_many_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};

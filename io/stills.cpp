@@ -50,12 +50,13 @@ struct Still {
 void check_times(const std::string& run, const std::vector<double>& times) {
   const std::vector<double> frames = Hdf5File::open(run).read<double>("/frames/time");
   if (frames.empty()) throw FileError(run, "holds no frames");
-  // A picture shows the nearest frame, and the last one stands a part of an interval before the end.
-  const double reach = frames.size() > 1 ? 0.5 * (frames[1] - frames[0]) : 0.0;
+  // A picture shows the nearest frame. The run may go on behind the last one, by less than the time between two.
+  const double interval = frames.size() > 1 ? frames[1] - frames[0] : 0.0;
   for (const double t : times)
-    if (!(t >= frames.front() - reach && t <= frames.back() + reach))
+    if (!(t >= frames.front() && t < frames.back() + std::max(interval, 1e-9)))
       throw cases::InputError("--stills", cases::text(t) + " s is not in the run; allowed: " + cases::text(frames.front()) + " to " +
-                                              cases::text(frames.back()) + " s");
+                                              cases::text(frames.back()) +
+                                              " s, where its last frame stands, or by less than a frame later");
 }
 
 std::vector<Still> planned(const StillsOptions& o) {

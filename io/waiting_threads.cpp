@@ -17,12 +17,12 @@ namespace {
 
 constexpr const char* kQuiet = "10000";  // turns
 constexpr const char* kBusy = "100";
-constexpr double kIdle = 0.85;                          // of the processors' time, on a quiet machine
+constexpr double kAtWork = 0.3;                         // of one processor's time, on a quiet machine, whatever it has
 constexpr auto kLook = std::chrono::milliseconds{100};  // the system counts in hundredths of a second
 
 /// Since the machine was started, of all processors together.
 struct ProcessorTimes {
-  double idle = 0.0, all = 0.0;
+  double idle = 0.0, all = 0.0;  // ticks
 };
 ProcessorTimes processor_times() {
   std::ifstream file("/proc/stat");
@@ -44,7 +44,8 @@ bool machine_is_quiet() {
   const ProcessorTimes before = processor_times();
   std::this_thread::sleep_for(kLook);
   const ProcessorTimes after = processor_times();
-  return after.all > before.all && after.idle - before.idle > kIdle * (after.all - before.all);
+  const double all = after.all - before.all, idle = after.idle - before.idle;
+  return all > 0.0 && (all - idle) * static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN)) < kAtWork * all;
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ VOUSSOIR_INLINE Real squared_move(Real dx, Real dy, Real dz, Real dw, Real da, R
 VOUSSOIR_INLINE Lanes difference(const double* a, const double* b, std::int64_t i) noexcept {
   return load_lanes(a + i) - load_lanes(b + i);
 }
-/// To the digits of a float, whose root takes a third of the time. No float is too small for the square.
+/// To the digits of a float, whose root takes a third of the time. The square of a slow one is below the smallest float, and nothing would
+/// be no bound: hence a little more.
 VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, std::int64_t i) noexcept {
   const VecLanes v{load_lanes(x + i), load_lanes(y + i), load_lanes(z + i)};
   Floats f = __builtin_convertvector(dot(v, v) + 1e-30, Floats);

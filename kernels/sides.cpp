@@ -59,44 +59,54 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   return true;
 }
 
+/// Where a side of the group that begins at `at` notes that it left something in the buffer for pairs, if there is one.
+VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, int at) noexcept {
+  return rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
+}
+
+/// The sides `live` of a group, whatever they are. Returns those whose segments were looked at. On its own, so that groups in which all are
+/// whole need no room for what it takes.
+[[gnu::noinline]] unsigned advance_any(const SideBlock& block, int at, unsigned live, const BlockState& state, const Rows& rows,
+                                       StepClock clock, FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
+  const SideConstants& constants = *block.constants;
+  const QuickBits is = quick_bits(state.quick);
+  const unsigned whole = live & is.whole >> at, steady = live & is.steady >> at;
+  const unsigned open = state.look_closely ? 0U : live & is.open >> at;
+  Kinematics k = kinematics(block, at, rows.pose);
+  const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
+  if (still_open == live) {
+    mark(marks(rows, state, at), 0, 0);
+    return 0;
+  }
+  SumLanes sums{};
+  unsigned certain = 0;
+  if (whole != 0) {
+    certain = certain_of(constants, at, whole, k, o);
+    sums = elastic_sums(constants, at, k);
+  }
+  if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, steady_lanes(state.quick + at), sums));
+  const unsigned left = live & ~(certain | still_open);
+  unsigned touching = 0;
+  if (left != 0) touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);
+  scatter(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
+  mark(marks(rows, state, at), certain | left, touching);
+  return left;
+}
+
 }  // namespace
 
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
-  const SideConstants& constants = *block.constants;
   const QuickBits is = quick_bits(state.quick);
   unsigned looked_at = 0;
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned live = state.live >> at & kGroup;
     if (live == 0) continue;
-    std::uint8_t* on = rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
-    const unsigned whole = live & is.whole >> at, steady = live & is.steady >> at;
-    if (whole == live && advance_whole(block, at, live, state.first, rows, o)) {
-      mark(on, live, 0);
-      continue;
+    if ((live & ~(is.whole >> at)) == 0 && advance_whole(block, at, live, state.first, rows, o)) {
+      mark(marks(rows, state, at), live, 0);
+    } else {
+      looked_at |= advance_any(block, at, live, state, rows, clock, o, result, sink) << at;
     }
-    const unsigned open = state.look_closely ? 0U : live & is.open >> at;
-    Kinematics k = kinematics(block, at, rows.pose);
-    const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
-    if (still_open == live) {
-      mark(on, 0, 0);
-      continue;
-    }
-    SumLanes sums{};
-    unsigned certain = 0;
-    if (whole != 0) {
-      certain = certain_of(constants, at, whole, k, o);
-      sums = elastic_sums(constants, at, k);
-    }
-    if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, steady_lanes(state.quick + at), sums));
-    const unsigned left = live & ~(certain | still_open);
-    unsigned touching = 0;
-    if (left != 0) {
-      touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);
-      looked_at |= left << at;
-    }
-    scatter(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
-    mark(on, certain | left, touching);
   }
   return looked_at;
 }

@@ -252,7 +252,7 @@ void order_tasks(World& w) {
   const auto place = [&](std::int32_t task) {
     double sum = 0.0;
     const auto first = s.task_first[static_cast<std::size_t>(task)], last = s.task_first[static_cast<std::size_t>(task) + 1];
-    for (std::int32_t b = first; b < last; ++b) sum += *s.blocks[static_cast<std::size_t>(b)].master;
+    for (std::int32_t b = first; b < last; ++b) sum += s.blocks[static_cast<std::size_t>(b)].master[0];  // the first lane is never empty
     return sum / (last - first) / static_cast<double>(w.elements.rows);
   };
   std::vector<std::pair<double, std::int32_t>> order;

@@ -207,7 +207,7 @@ TEST_CASE("what people look at: written at the end of a run if asked for, or lat
   CHECK(o.code == 2);
   CHECK(says(o, {"--stills", "9 s", "0 to 0.01 s"}));
   ::setenv("CHROMIUM", "/nowhere/chromium", 1);
-  o = voussoir("report --stills 0.005 --view front,top " + out);
+  o = voussoir("report --stills 0.005,0.0149 --view front,top " + out);  // the latter nearest to the last frame
   ::unsetenv("CHROMIUM");
   CHECK(o.code == 3);
   CHECK(says(o, {"/nowhere/chromium", "cannot start", "Debian: chromium"}));

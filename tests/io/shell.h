@@ -32,6 +32,7 @@ struct Outcome {
 inline Outcome run(const std::string& command) {
   FILE* pipe = popen(command.c_str(), "r");
   Outcome o;
+  if (pipe == nullptr) return o;
   std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
   const int status = pclose(pipe);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "solver/errors.h"
 #include "solver/run.h"
@@ -82,7 +83,15 @@ TEST_CASE("a run in which energy comes from nowhere stops, and says how much, wh
       run();
       CHECK(sim.worst_residual() < 1e-4);
     } else {
-      CHECK_THROWS_WITH_AS(run(), doctest::Contains("of the energy in play at t = 0."), solver::NumericalError);
+      std::string said;
+      try {
+        run();
+      } catch (const solver::NumericalError& e) {
+        said = e.what();
+      }
+      for (const char* part :
+           {"the energy ledger is off by 0.", "of the energy in play at t = 0.", "allowed: 0.01", "fastest is ", "try --dt "})
+        CHECK_MESSAGE(said.find(part) != std::string::npos, said);
       CHECK(sim.energy().residual > solver::kResidualLimit);
       CHECK(sim.time() < 0.2);
     }
