@@ -74,7 +74,7 @@ Table<JointLaw> joint_law_table() {
           {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
            required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
            required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0), "angle of friction phi")),
-           required(value<S>("compression", &S::compression, "Pa", above(0.0), "compressive strength f_m")),
+           required(value<S>("compression", &S::compression, "Pa", above(0.0), "compressive strength f_m of the bond; contacts bear any pressure")),
            value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
            value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
            value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),

@@ -188,6 +188,9 @@ VOUSSOIR_INLINE Distances distances_of_held(const PlaneFields& planes, std::int3
   return d;
 }
 
+// A point that stands out of its face may lie beyond the radius of its partner that ways are about, by less than the rest.
+constexpr double kHeldRoom = 0.95;
+
 /// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on which it still stands.
 VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
@@ -206,7 +209,7 @@ double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
     if (bits(held) != 0) {
       const Distances d = distances_of_held(planes, c.first_face, w.q.face + i, s, t);
       in = (in & ~held) | (held & (d.beside < 0.0) & (d.own < kept_out_to(w.q, i)));
-      room = select(held, -d.beside, room);
+      room = select(held, -kHeldRoom * d.beside, room);
     }
     unsigned rest = bits((in & free) | (~in & held));
     if (w.points.n - i < kWidth) {

@@ -44,10 +44,11 @@ struct Patch {
   std::int32_t origin = kNobody;                 // the element it was joined to, if it comes from a broken joint
   std::uint8_t face_number = 0, face_count = 0;  // of `face` among those of its element, which lie together; how many these are
   Vec3 centre, es, et;
-  double normal_sign = 1.0;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
+  std::int32_t origin_face = -1;                        // of `origin`
+  float normal_sign = 1.0F;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
   double s_low = 0, s_high = 0, t_low = 0, t_high = 0;  // m, rectangle round its points
   double origin_tan_phi = 0.0;                          // friction against `origin`
-  double origin_kn = 0.0, origin_ks = 0.0;              // Pa/m, stiffness of the joint it comes from
+  double origin_kn = 0.0, origin_ks = 0.0;              // Pa/m, stiffness of the joint it comes from, against `origin_face`
 };
 
 /// Springs of kWidth points of a patch, which go through the kernel side by side: whole cache lines, so that a few points that touch cost

@@ -156,6 +156,20 @@ VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, d
   return {f.global(x[0]), f.global(x[1]), f.global(x[2])};
 }
 
+/// Largest |u_s|² over the rectangles round the points: it is convex, so at a corner.
+Lanes largest_slide2(const SideConstants& c, int at, const FieldTable& f) noexcept {
+  Lanes most{};
+  for (const double* s : {c.s_low + at, c.s_high + at}) {
+    for (const double* t : {c.t_low + at, c.t_high + at}) {
+      const auto u = [&](int k) {
+        return load_lanes(f.value[0][k]) + (load_lanes(s) * load_lanes(f.value[1][k]) + load_lanes(t) * load_lanes(f.value[2][k]));
+      };
+      most = max(most, square(u(1), u(2)));
+    }
+  }
+  return most;
+}
+
 /// How the faces of each lane's side lie to each other.
 void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned chosen, DamagedSide* result) noexcept {
   const Lanes gap = least_opening(*block.constants, at, load_lanes(f.value[0][0]), load_lanes(f.value[1][0]), load_lanes(f.value[2][0]));
@@ -163,7 +177,7 @@ void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned
     const Lanes n = load_lanes(f.value[k][0]);
     return n * n + square(load_lanes(f.value[k][1]), load_lanes(f.value[k][2]));
   };
-  const Lanes slide2 = square(load_lanes(f.value[0][1]), load_lanes(f.value[0][2])), tilt2 = norm2(1) + norm2(2);
+  const Lanes slide2 = largest_slide2(*block.constants, at, f), tilt2 = norm2(1) + norm2(2);
   for (int l = 0; l < kWidth; ++l) {
     if (!(chosen >> l & 1U)) continue;
     result[l].gap = gap[l], result[l].slide2 = slide2[l], result[l].tilt2 = tilt2[l];
@@ -178,7 +192,7 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
                          EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   FieldTable fields;
-  const FrameLanes f = frame_of(k.n, k.es);
+  const FrameLanes f = frame_of(block, at, k, k.n);
   put_fields(block, at, k, f, rows, fields);
   SumRows by_lane[kWidth];
   Literal found_literally;

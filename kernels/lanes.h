@@ -55,6 +55,12 @@ VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
   return r;
 #endif
 }
+/// The way back: lane i is true where bit i is set.
+VOUSSOIR_INLINE LaneMask lanes_of(unsigned bits) noexcept {
+  LaneMask m;
+  for (int i = 0; i < kWidth; ++i) m[i] = -static_cast<long long>(bits >> i & 1U);
+  return m;
+}
 /// kWidth bytes, widened to lanes.
 VOUSSOIR_INLINE LaneMask widened(const unsigned char* p) noexcept {
   typedef unsigned char Bytes __attribute__((vector_size(kWidth)));

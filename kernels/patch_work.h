@@ -114,7 +114,7 @@ inline void release(ContactPoints q, int i) noexcept {
 /// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
 inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const Face* t, const ContactOptions& o) noexcept {
   Stiffness k;
-  if (slave == p.origin) {
+  if (slave == p.origin && face == p.origin_face) {
     k.kn = p.origin_kn, k.ks = p.origin_ks;
   } else {
     k.kn = 1.0 / (t[p.face].compliance_n + t[face].compliance_n);

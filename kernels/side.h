@@ -21,9 +21,9 @@ namespace voussoir::kernels {
 struct alignas(64) SideConstants {
   double ca[3][kLanes], cb[3][kLanes];  // m, from the centroid of master / slave to the centre of the side
   double es[3][kLanes], et[3][kLanes];  // unit tangents; es × et is the outward normal of the master
-  double mean[kLanes];                  // 1/2: force acts at the midpoint along the mean normal; 0: literally at the master point (Eq. 11)
-  double kn[kLanes], ks[kLanes];        // Pa/m
-  double area[kLanes];                  // m2, Σ dA with the factor of Eq. 11 (1 if merged or on the base, else 1/2)
+  double mean[kLanes];  // 1/2: force acts at the midpoint along the mean normal; 0: at the master point (on the base; literally, Eq. 11)
+  double kn[kLanes], ks[kLanes];                 // Pa/m
+  double area[kLanes];                           // m2, Σ dA with the factor of Eq. 11 (1 if merged or on the base, else 1/2)
   double sss[kLanes], sst[kLanes], stt[kLanes];  // m4, Σ s² dA, Σ s t dA, Σ t² dA, same factor; Σ s dA = Σ t dA = 0
   double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, rectangle round all contact points
   double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
@@ -35,7 +35,7 @@ inline constexpr std::size_t kSideNumbers = sizeof(SideConstants) / (sizeof(doub
 struct SideBlock {
   const SideConstants* constants = nullptr;
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
-  std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which takes no force
+  std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which does not move and takes no force
 };
 
 /// One side, taken out of its block, for the segment-by-segment kernels.
@@ -43,6 +43,7 @@ struct Side {
   std::int32_t master = 0, slave = 0;
   Vec3 ca, cb, es, et;
   double mean = 0.0;
+  bool on_base = false;
   double factor = 0.0;  // of Eq. 11, on the segment areas
   Stiffness k;
   Strength strength;
@@ -159,7 +160,7 @@ struct DamagedSide {
   double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step
   int held = 0, events = 0;
   bool touching = false;
-  double slide2 = 0.0, tilt2 = 0.0;  // m2, rad2: relative slide of the faces at the centre, and tilt
+  double slide2 = 0.0, tilt2 = 0.0;  // m2, rad2: largest slide of the faces over the rectangle round the points, and tilt
   double gap = 0.0;                  // m, least opening over the rectangle round the points
   AffineField u;                     // how the faces stood
 };

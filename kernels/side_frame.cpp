@@ -10,7 +10,7 @@ Local in_frame(Vec3 v, Vec3 n, Vec3 t1, Vec3 t2) noexcept { return {dot(v, n), d
 
 }  // namespace
 
-// THEORY.md (6)-(9). All fields are exactly affine over a side, because both bodies are rigid. Differences of R − I are taken before
+// THEORY.md (6)-(10a). All fields are exactly affine over a side, because both bodies are rigid. Differences of R − I are taken before
 // anything is added, so an opening of 1e-12 m on a body 5 m away keeps its digits.
 SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist& ta, const Twist& tb) noexcept {
   SideFrame f;
@@ -21,8 +21,9 @@ SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist
   f.es = side.es + carried * side.es;
   f.et = side.et + carried * side.et;
   const Vec3 n0 = cross(side.es, side.et);
-  f.n = normalised(n0 + carried * n0);
-  f.t1 = normalised(f.es - dot(f.es, f.n) * f.n);
+  f.n = side.on_base ? n0 : normalised(n0 + carried * n0);
+  const Vec3 along = side.on_base ? side.es : f.es;
+  f.t1 = normalised(along - dot(along, f.n) * f.n);
   f.t2 = cross(f.n, f.t1);
   f.arm_a = side.ca + a.d * side.ca + side.mean * d;
   f.arm_b = side.cb + b.d * side.cb - (1.0 - side.mean) * d;
@@ -56,6 +57,7 @@ Side side_of(const SideBlock& block, int l, const SideParts& parts) noexcept {
           .es = vec(b.es),
           .et = vec(b.et),
           .mean = b.mean[l],
+          .on_base = (block.on_base >> l & 1U) != 0,
           .factor = parts.factor,
           .k = {b.kn[l], b.ks[l], parts.cn, parts.cs},
           .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l]}};

@@ -61,6 +61,9 @@ VOUSSOIR_INLINE void kinematics_of_axis(const SideConstants& s, int at, int i, c
   k.et.*x = et.*x + dot(carried, et);
 }
 
+/// Lanes whose slave is the base.
+VOUSSOIR_INLINE unsigned based(const SideBlock& block, int at) noexcept { return block.on_base >> at & ((1U << kWidth) - 1U); }
+
 VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& block, int at, const double* pose) noexcept {
   const RowPointers a = row_pointers(pose, kPoseStride, block.master + at), b = row_pointers(pose, kPoseStride, block.slave + at);
   const SideConstants& s = *block.constants;
@@ -69,6 +72,7 @@ VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& block, int at, const doub
   kinematics_of_axis(s, at, 0, a, b, n0, &VecLanes::x, k);
   kinematics_of_axis(s, at, 1, a, b, n0, &VecLanes::y, k);
   kinematics_of_axis(s, at, 2, a, b, n0, &VecLanes::z, k);
+  if (const unsigned base = based(block, at); base != 0) k.n = select3(lanes_of(base), n0, k.n);  // THEORY.md (10a)
   return k;
 }
 
@@ -97,6 +101,13 @@ VOUSSOIR_INLINE FrameLanes frame_of(VecLanes n, VecLanes es) noexcept {
   const VecLanes along = es - dot(es, n) * n;
   const VecLanes t1 = (1.0 / sqrt(dot(along, along))) * along;
   return {n, t1, cross(n, t1)};
+}
+
+/// That of the sides of a block, to which the base does not turn with their masters.
+/// \param n  of length 1
+VOUSSOIR_INLINE FrameLanes frame_of(const SideBlock& block, int at, const Kinematics& k, VecLanes n) noexcept {
+  const unsigned base = based(block, at);
+  return frame_of(n, base == 0 ? k.es : select3(lanes_of(base), load3(block.constants->es, at), k.es));
 }
 
 /// Least u_n = dn + s an + t bn over the rectangles round the points.

@@ -84,7 +84,7 @@ VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, i
     certain = certain_of(constants, at, whole, k, o);
     sums = elastic_sums(constants, at, k);
   }
-  if (steady != 0) certain |= steady & bits(stay_steady(constants, *state.steady, at, k, steady_lanes(state.quick + at), sums));
+  if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.quick + at), sums));
   const unsigned left = live & ~(certain | still_open);
   unsigned touching = 0;
   if (left != 0) touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);

@@ -32,9 +32,10 @@ VOUSSOIR_INLINE MovedLanes moved_since(const SideConstants& s, int at, LocalLane
 
 /// Sums of tractions of the chosen lanes, put into `sums`; others keep theirs.
 /// \return lanes in which certainly no segment changes
-VOUSSOIR_INLINE LaneMask stay_steady(const SideConstants& s, const SteadySides& known, int at, const Kinematics& k, LaneMask chosen,
+VOUSSOIR_INLINE LaneMask stay_steady(const SideBlock& block, const SteadySides& known, int at, const Kinematics& k, LaneMask chosen,
                                      SumLanes& sums) noexcept {
-  const FrameLanes frame = frame_of((1.0 / sqrt(dot(k.n, k.n))) * k.n, k.es);
+  const SideConstants& s = *block.constants;
+  const FrameLanes frame = frame_of(block, at, k, (1.0 / sqrt(dot(k.n, k.n))) * k.n);
   const LocalLanes d = frame.local(k.d), ds = frame.local(k.a), dt = frame.local(k.b);
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at);
   const MovedLanes m = moved_since(s, at, d - load_local(known.d, at), ds - load_local(known.ds, at), dt - load_local(known.dt, at));

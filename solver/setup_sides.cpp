@@ -158,8 +158,8 @@ kernels::SideConstants constants_of(const World& w, const NewSide& side, const k
   put(c.et, side.frame.axis_t);
   // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
   // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
-  // comparison.
-  *c.mean = w.options.merge_sides ? 0.5 : 0.0;
+  // comparison. So is a force at the master point along the normal of the base, THEORY.md (10a).
+  *c.mean = w.options.merge_sides && side.slave != w.elements.base ? 0.5 : 0.0;
   set_moments(c, side);
   *c.kn = side.k.kn, *c.ks = side.k.ks;
   *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;

@@ -28,6 +28,18 @@ double least_opening(const SideConstants& b, int l, const SideFrame& f) noexcept
   return f.d.n + std::min(b.s_low[l] * f.ds.n, b.s_high[l] * f.ds.n) + std::min(b.t_low[l] * f.dt.n, b.t_high[l] * f.dt.n);
 }
 
+/// Largest |u_s|² at the corners of it.
+double largest_slide2(const SideConstants& b, int l, const SideFrame& f) noexcept {
+  double most = 0.0;
+  for (const double s : {b.s_low[l], b.s_high[l]}) {
+    for (const double t : {b.t_low[l], b.t_high[l]}) {
+      const Local u = f.d + (s * f.ds + t * f.dt);
+      most = std::max(most, u.s1 * u.s1 + u.s2 * u.s2);
+    }
+  }
+  return most;
+}
+
 /// Force and torque on the master, then on the slave.
 void add_pair(double* master, double* slave, Vec3 f, Vec3 ta, Vec3 tb) noexcept {
   const double a[6] = {f.x, f.y, f.z, ta.x, ta.y, ta.z}, b[6] = {-f.x, -f.y, -f.z, tb.x, tb.y, tb.z};
@@ -37,7 +49,7 @@ void add_pair(double* master, double* slave, Vec3 f, Vec3 ta, Vec3 tb) noexcept 
   }
 }
 
-void hand_out(const Side& side, std::int64_t id, bool on_base, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
+void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
   PairWrench w;
   to_wrench(f, r.total, w.force, w.torque_a, w.torque_b);
   to_wrench(f, r.dash, w.dash_force, w.dash_torque_a, w.dash_torque_b);
@@ -51,7 +63,7 @@ void hand_out(const Side& side, std::int64_t id, bool on_base, const SideFrame& 
     return;
   }
   double* a = rows.wrench + static_cast<std::int64_t>(side.master) * kWrenchStride;
-  double* b = on_base ? nullptr : rows.wrench + static_cast<std::int64_t>(side.slave) * kWrenchStride;
+  double* b = side.on_base ? nullptr : rows.wrench + static_cast<std::int64_t>(side.slave) * kWrenchStride;
   add_pair(a, b, w.force, w.torque_a, w.torque_b);
   add_pair(a + kDashpotColumn, b == nullptr ? nullptr : b + kDashpotColumn, w.dash_force, w.dash_torque_a, w.dash_torque_b);
 }
@@ -105,14 +117,14 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
     const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
-    hand_out(side, state.first + l, (block.on_base >> l & 1U) != 0, f, r, rows);
+    hand_out(side, state.first + l, f, r, rows);
     result[l] = {.friction = r.friction,
                  .impact = r.impact,
                  .fracture = r.fracture,
                  .held = r.held,
                  .events = sink.count - before,
                  .touching = r.touching,
-                 .slide2 = f.d.s1 * f.d.s1 + f.d.s2 * f.d.s2,
+                 .slide2 = largest_slide2(*block.constants, l, f),
                  .tilt2 = dot(f.ds, f.ds) + dot(f.dt, f.dt),
                  .gap = least_opening(*block.constants, l, f),
                  .u = {f.d, f.ds, f.dt}};

@@ -31,6 +31,15 @@ TwoBodies random_pose(const SideUnderTest& u, Noise& noise, double opening) {
   return b;
 }
 
+/// The master turned by up to 0.2 rad on the base, and apart from it by about `opening` [m].
+TwoBodies random_pose_on_base(const SideUnderTest& u, Noise& noise, double opening) {
+  TwoBodies b;
+  const Vec3 turn = noise.vector(0.2);
+  b.place(0, {}, turn);
+  b.place(0, noise.vector(opening) - kernels::load_pose(b.pose.data(), 0).d * u.side.ca, turn);
+  return b;
+}
+
 /// Strengths apart by powers of ten, so that now this limit comes first and now that.
 kernels::Strength random_strength(Noise& noise) {
   const auto factor = [&] { return std::pow(10.0, noise()); };
@@ -41,11 +50,13 @@ kernels::Strength random_strength(Noise& noise) {
 
 TEST_CASE("the closed form of a whole side equals the sum over its segments to 1e-11") {
   Noise noise(1);
-  for (const double mean : {0.5, 0.0}) {
+  for (const double mean : {0.5, 0.0, -1.0}) {
     for (int i = 0; i < 200; ++i) {
-      SideUnderTest u(1 + i % 8, 1 + i % 5, mean);
+      SideUnderTest u(1 + i % 8, 1 + i % 5, std::max(mean, 0.0));
       u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
-      const TwoBodies b = random_pose(u, noise, 1e-6);
+      const bool on_base = mean < 0.0;
+      if (on_base) u.put_onto_base();
+      const TwoBodies b = on_base ? random_pose_on_base(u, noise, 1e-6) : random_pose(u, noise, 1e-6);
       const SideStep c = closed_form(u, b);
       const SideStep s = by_segments(u, b);
       REQUIRE_FALSE(c.looked_at);
@@ -149,8 +160,8 @@ TEST_CASE("the base takes no force") {
   Noise noise(4);
   SideUnderTest u(4, 4, 0.0);
   u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
-  u.side.slave = 2;
-  const TwoBodies b = random_pose(u, noise, 1e-6);
+  u.put_onto_base();
+  const TwoBodies b = random_pose_on_base(u, noise, 1e-6);
   const SideStep c = closed_form(u, b);
   CHECK_FALSE(c.looked_at);
   CHECK(norm(c.force_a) > 0.0);

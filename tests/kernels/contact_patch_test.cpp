@@ -120,6 +120,27 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
                             << not_looked);
 }
 
+TEST_CASE("a patch keeps the stiffness of its broken joint against the face it was joined to, and against no other") {
+  const Bricks bricks;
+  const auto push = [&](std::int32_t origin, std::int32_t origin_face) {
+    Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+    TwoBodies b;
+    b.place(0, {0.0, 0.0, -1e-5}, {}), b.move(0, {0.0, 0.0, -0.5}, {});  // it was outside before
+    for (Twin* t : {&fast, &plain}) {
+      t->patch.origin = origin, t->patch.origin_face = origin_face, t->patch.origin_kn = 3e8;
+      t->step(b, bricks, {kStep, 0.0, 0.6, false, 2});
+    }
+    compare(fast, plain, 1e3);
+    return norm(fast.wrench[0].force);
+  };
+  constexpr std::int32_t kUpper = 11, kLower = 10;  // of brick 1
+  const kernels::Face &a = bricks.faces[4], &b = bricks.faces[kUpper];
+  const double area = 0.5 * 0.0008 * kPoints;
+  CHECK(push(kernels::kNobody, -1) == doctest::Approx(1e-5 * area / (a.compliance_n + b.compliance_n)).epsilon(1e-9));
+  CHECK(push(1, kUpper) == doctest::Approx(1e-5 * area * 3e8).epsilon(1e-9));
+  CHECK(push(1, kLower) == push(kernels::kNobody, -1));
+}
+
 TEST_CASE("points that one partner lets go find the next in the same step") {
   const Bricks bricks;
   Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);

@@ -77,6 +77,9 @@ struct SideUnderTest {
     first_time.assign(padded, 0.0), springs.assign(padded / kernels::kWidth, {});
   }
 
+  /// Against the base instead of the other body.
+  void put_onto_base() { side.slave = 2, side.on_base = true, side.mean = 0.0, side.factor = 1.0; }
+
   kernels::PointsView points() const { return {s.data(), t.data(), area.data(), n}; }
   kernels::SegmentsView segments() { return {bond.data(), first_mode.data(), first_time.data(), springs.data()}; }
 
@@ -93,7 +96,7 @@ struct SideUnderTest {
     }
     const auto put = [lane](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z; };
     put(c.ca, side.ca), put(c.cb, side.cb), put(c.es, side.es), put(c.et, side.et);
-    if (side.slave == 2) b.on_base |= 1U << lane;
+    if (side.on_base) b.on_base |= 1U << lane;
     b.master[lane] = side.master, b.slave[lane] = side.slave, c.mean[lane] = side.mean;
     c.kn[lane] = side.k.kn, c.ks[lane] = side.k.ks;
     c.tension[lane] = side.strength.tension, c.cohesion[lane] = side.strength.cohesion, c.tan_phi[lane] = side.strength.tan_phi;

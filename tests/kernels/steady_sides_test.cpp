@@ -45,6 +45,11 @@ struct Pose {
 TwoBodies place(const SideUnderTest& side, Vec3 together, Vec3 turned, const Pose& p) {
   TwoBodies b;
   b.place(0, together, turned);
+  if (side.side.on_base) {  // the master in that pose, turned on its centre
+    b.place(0, {}, turned - p.turn);
+    b.place(0, -p.u - kernels::load_pose(b.pose.data(), 0).d * side.side.ca, turned - p.turn);
+    return b;
+  }
   const Vec3 between = side.side.ca - side.side.cb;
   b.place(1, together + kernels::load_pose(b.pose.data(), 0).d * between + p.u, turned + p.turn);
   return b;
@@ -71,7 +76,9 @@ TEST_CASE("a side said to be steady is one in which no segment changes, and has 
   for (int i = 0; i < 20000; ++i) {
     const kernels::FailureOptions o = options(i);
     SideUnderTest u = damaged(noise, i % 2 ? 0.5 : 0.0);
-    const Vec3 together = noise.vector(0.3), turned = noise.vector(0.2);
+    const bool on_base = i % 3 == 0;
+    if (on_base) u.put_onto_base();
+    const Vec3 together = noise.vector(0.3), turned = noise.vector(on_base ? 1e-4 : 0.2);
     const Pose first = Pose{}.and_also(noise, 2e-5);
     const SideStep looked = step(kernels::advance_sides, u, place(u, together, turned, first), o);
     if (!looked.looked_at || !make_steady(u, looked, kAnywhere, o)) continue;

@@ -68,6 +68,27 @@ TEST_CASE("energy ledger of bonds torn by a slide: a brick shears off, one half 
   expect_below("ledger: residual after a slide has torn bonds", run.sim().energy().residual, 1e-5);
 }
 
+TEST_CASE("a joint is twisted off: its corners slide by half a segment") {
+  // Shear alone can end its bonds. The outer points lie 0.0875 and 0.0375 m from the middle.
+  cases::Case c = load("couplet", {"joint_laws.normal.tension=1e12", "joint_laws.normal.compression=1e12", "time.step=2e-5"}).value;
+  c.loads.clear();
+  Run run(c);
+  const std::size_t side = joint_of(run);
+  const double expected = 2.0 * std::asin(0.5 * 0.0125 / std::hypot(0.0875, 0.0375));  // rad
+  solver::Elements& e = run.sim().world().elements;
+  double angle = 0.0;
+  while (angle < 0.2 && run.sim().world().sides.retired[side] == 0) {
+    angle += 1e-4;
+    place(run, 1, {}, {});
+    e.qw[1] = std::cos(0.5 * angle), e.qz[1] = std::sin(0.5 * angle);
+    kernels::drift(e.view(), e.wrench.data(), e.pose.data(), e.twist.data(), 0.0, 0, e.rows);
+    run.sim().step({});
+  }
+  expect_within("twist at which a joint comes apart [rad]", angle, expected, 2e-4);
+  CHECK(run.sim().damage().shear > 0);
+  CHECK(run.sim().damage().bonded == 0);
+}
+
 TEST_CASE("a joint that bends far but still holds stays a joint") {
   // Soft: it turns by more than the 0.15 rad at which the faces of a broken joint go separate ways. Its outer row breaks in tension.
   cases::Case c = load("couplet", {"block[1].angular_velocity=[0.0,45.0,0.0]", "time.step=2e-5", "materials.adobe.young=9.8e5",
