@@ -51,6 +51,12 @@ inline void expect_within(const std::string& what, double got, double expected, 
   write(ManualRow{what, "absolute", expected, got, error, limit});
   CHECK_MESSAGE(error <= limit, what);
 }
+/// A row that is known to miss and fails no test; scripts/verify says when that changes (known_misses.txt).
+inline void report_within(const std::string& what, double got, double expected, double limit) {
+  const double error = std::abs(got - expected);
+  MESSAGE(what, ": expected ", expected, ", got ", got, ", off by ", error, ", limit ", limit);
+  write(ManualRow{what, "absolute", expected, got, error, limit});
+}
 inline void expect_below(const std::string& what, double got, double limit) {
   MESSAGE(what, ": got ", got, ", limit ", limit);
   write(ManualRow{what, "at most", 0.0, got, got, limit});
