@@ -120,10 +120,7 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("--frames", w.frames, "interval of frames, s");
   run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
-  run->add_option(
-         "--scatter", w.scatter,
-         "how forces are summed (not [scatter], random strength). colour: tasks of one colour at a time add to the elements; gather: each "
-         "element adds up its own")
+  run->add_option("--scatter", w.scatter, "how forces are summed: colour by colour, or gather, by element (not the random [scatter])")
       ->check(CLI::IsMember({"colour", "gather"}));
   add_checkpoints(run, w.run.checkpoints);
   run->add_flag("--verify", w.verify, "no results: try in about a minute that threads and stops do not change a bit of this case");
