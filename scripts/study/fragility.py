@@ -28,6 +28,7 @@ STATES = ("1", "2", "3", "4", "5", "collapse")
 RARER = "rarer under stronger motion"
 UPPER = 0.975  # of a band of 95 %
 LEAST = 0.1  # of the variance by house over that by run, in any direction: below, outcomes of the few houses cancel there by chance
+MARKERS = (("o", 3), ("s", 5), ("^", 8), ("D", 10), ("v", 12))  # hollow, one about the other: shares are often the same
 COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_high", "dispersion", "dispersion_low", "dispersion_high", "bands",
            "remark")
 
@@ -175,11 +176,12 @@ def draw(axes, number, name, x, reached, result):
     """The runs' shares at each level; the curve with its band, if there is one."""
     look = run_file.style(number)
     levels = np.unique(x)
-    axes.plot(levels, [reached[x == level].mean() for level in levels], "o", color=look["color"], markersize=3, label=None if result else name)
+    marker, size = MARKERS[number % len(MARKERS)]
+    axes.plot(levels, [reached[x == level].mean() for level in levels], marker, color=look["color"], markersize=size, markerfacecolor="none", clip_on=False, label=name)
     if result:
         grid = np.geomspace(0.5 * x.min(), 1.5 * x.max(), 200)
         low, middle, high = result.band(grid)
-        axes.plot(grid, middle, label=name, **look)
+        axes.plot(grid, middle, **look)
         axes.fill_between(grid, low, high, color=look["color"], alpha=0.12, linewidth=0)
 
 
@@ -210,9 +212,9 @@ def main():
         draw(panels[a.states.index(state)], numbers.setdefault(name, len(numbers)), name, x, reached, result)
         out.append(table_row(name, state, x, reached, result, remark))
     for axes, state in zip(panels, a.states):
-        axes.set(ylabel="probability", ylim=(-0.03, 1.03))
+        axes.set(ylabel="probability", ylim=(-0.05, 1.05))
         axes.set_title(title_of(state), loc="left")
-    panels[0].legend(loc="upper left")
+    panels[0].legend(loc="lower right")
     panels[-1].set_xlabel("peak ground acceleration, m/s²" if a.peak else "scale of the motion")
     run_file.save(figure, a.output)
     with open(a.csv, "w", newline="") as file:
