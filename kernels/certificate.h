@@ -27,24 +27,6 @@ VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
   return e * e > kSeries * kSeries;
 }
 
-VOUSSOIR_INLINE Lanes magnitude(Lanes x) noexcept { return max(x, -x); }
-
-/// Lanes whose every segment is inside all limits by a bound over the whole rectangle, at a third of the price of `certified`: |u_n − d_n|
-/// is at most S |a_n| + T |b_n| with |s| ≤ S and |t| ≤ T, and the square of a sum of three at most three times the sum of the squares.
-/// Not for a limit that falls below c under tension (ShearInTension::coulomb).
-VOUSSOIR_INLINE LaneMask well_inside(const SideConstants& s, int at, const Kinematics& k) noexcept {
-  const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at);
-  const Lanes ft = kMargin * load_lanes(s.tension + at), c = kMargin * load_lanes(s.cohesion + at);
-  const Lanes fm = kMargin * load_lanes(s.compression + at), fm2 = fm * fm;
-  const Lanes reach_s = max(-load_lanes(s.s_low + at), load_lanes(s.s_high + at));
-  const Lanes reach_t = max(-load_lanes(s.t_low + at), load_lanes(s.t_high + at));
-  const Lanes dn = dot(k.d, k.n), an = reach_s * dot(k.a, k.n), bn = reach_t * dot(k.b, k.n);
-  const Lanes u2 = dot(k.d, k.d) + ((reach_s * reach_s) * dot(k.a, k.a) + (reach_t * reach_t) * dot(k.b, k.b));
-  const Lanes tau2 = (3.0 * (ks * ks)) * ((1.0 + kRound) * u2 - (dn * dn + (an * an + bn * bn)));
-  const Lanes swing = magnitude(an) + magnitude(bn), sigma = kn * (magnitude(dn) + swing);
-  return (kn * (dn + swing) <= ft) & (tau2 <= c * c) & (sigma * sigma + load_lanes(s.cap + at) * tau2 <= fm2);
-}
-
 /// Lanes whose every segment is certainly inside all limits.
 ///
 /// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 of the

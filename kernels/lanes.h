@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
 #include <cmath>
 
 #include "geometry/vec3.h"
 
-/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; see `bits` for the one intrinsic.
-/// Every lane is computed alone, so a result does not depend on its neighbours.
+/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `bits` and
+/// `load_halves`, where the compiler does not find the machine's instruction. Every lane is computed alone, so a result does not depend on
+/// its neighbours.
 namespace voussoir::kernels {
 
 /// Lane helpers must be inlined: a call would pass every vector through memory.
@@ -43,7 +48,7 @@ VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
 VOUSSOIR_INLINE Lanes min(Lanes a, Lanes b) noexcept { return a < b ? a : b; }
 VOUSSOIR_INLINE Lanes max(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
 VOUSSOIR_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) noexcept { return m ? a : b; }
-/// Bit i is set where lane i is true. The one place where the compiler does not find the machine's instruction by itself.
+/// Bit i is set where lane i is true.
 VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
 #if defined(__AVX512DQ__)
   return static_cast<unsigned>(__builtin_ia32_cvtq2mask512(m));
@@ -109,21 +114,34 @@ VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return q[0]; }
 #endif
 inline constexpr int kQuads = kWidth / 4;
 
-/// Four columns from `at` of the rows that `row(lane)` points to, one row a lane. By halves: the join of two halves comes with the load.
+/// Two pairs side by side: the second one comes into its place with the load.
+VOUSSOIR_INLINE Quad load_halves(const double* low, const double* high) noexcept {
+#if defined(__AVX__)
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(load_pair(low)), load_pair(high), 1);
+#else
+  return __builtin_shufflevector(load_pair(low), load_pair(high), 0, 1, 2, 3);
+#endif
+}
+
+/// Every other lane of a and b: lanes 0, 2, ... of a in the even lanes of the result, those of b in the odd ones; then lanes 1, 3, ...
+#if defined(__AVX512F__)
+VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
+VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+#else
+VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 0, 4, 2, 6); }
+VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 1, 5, 3, 7); }
+#endif
+
+/// Four columns from `at` of the rows that `row(lane)` points to, one row a lane.
 template <class Row>
 VOUSSOIR_INLINE void load_columns(Row row, int at, Lanes& c0, Lanes& c1, Lanes& c2, Lanes& c3) noexcept {
-  Quad c[4][kQuads];
-  for (int k = 0; k < kQuads; ++k) {
-    const auto halves = [&](int l, int from) {
-      return __builtin_shufflevector(load_pair(row(4 * k + l) + from), load_pair(row(4 * k + l + 2) + from), 0, 1, 2, 3);
-    };
-    for (int h = 0; h < 2; ++h) {
-      const Quad even = halves(0, at + 2 * h), odd = halves(1, at + 2 * h);
-      c[2 * h][k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
-      c[2 * h + 1][k] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
-    }
-  }
-  c0 = joined(c[0]), c1 = joined(c[1]), c2 = joined(c[2]), c3 = joined(c[3]);
+  const auto pairs = [&](int l, int from) {  // of rows l, l + 2, ...
+    Quad q[kQuads];
+    for (int k = 0; k < kQuads; ++k) q[k] = load_halves(row(4 * k + l) + from, row(4 * k + l + 2) + from);
+    return joined(q);
+  };
+  const Lanes even01 = pairs(0, at), odd01 = pairs(1, at), even23 = pairs(0, at + 2), odd23 = pairs(1, at + 2);
+  c0 = even_of(even01, odd01), c1 = odd_of(even01, odd01), c2 = even_of(even23, odd23), c3 = odd_of(even23, odd23);
 }
 
 /// The way back: `row(lane)` may be written.
@@ -170,9 +188,18 @@ VOUSSOIR_INLINE void store_row(double* row, const SixColumns& r, int lane) noexc
   store_quad(row, r.head[lane]);
   __builtin_memcpy(row + 4, &r.tail[lane], sizeof r.tail[lane]);
 }
+VOUSSOIR_INLINE void store_opposite(double* row, const SixColumns& r, int lane) noexcept {
+  store_quad(row, -r.head[lane]);
+  const Pair tail = -r.tail[lane];
+  __builtin_memcpy(row + 4, &tail, sizeof tail);
+}
 VOUSSOIR_INLINE void add_row(double* row, const SixColumns& r, int lane) noexcept {
   add_quad(row, r.head[lane]);
   add_pair(row + 4, r.tail[lane]);
+}
+VOUSSOIR_INLINE void subtract_row(double* row, const SixColumns& r, int lane) noexcept {
+  add_quad(row, -r.head[lane]);
+  add_pair(row + 4, -r.tail[lane]);
 }
 
 /// Vec3 over lanes.

@@ -31,9 +31,12 @@ struct alignas(64) SideConstants {
 /// Numbers a side.
 inline constexpr std::size_t kSideNumbers = sizeof(SideConstants) / (sizeof(double) * kLanes);
 
+struct WholeConstants;  // kernels/whole_sides.h
+
 /// kLanes sides: what they are, and between whom. Unused lanes are between the resting base and itself.
 struct SideBlock {
   const SideConstants* constants = nullptr;
+  const WholeConstants* whole = nullptr;
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
   std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which does not move and takes no force
 };

@@ -9,6 +9,8 @@
 /// sides; not for other code. `at` is the first lane, a multiple of kWidth.
 namespace voussoir::kernels {
 
+inline constexpr unsigned kGroup = (1U << kWidth) - 1U;  // all lanes of a group
+
 VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept {
   return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
 }
@@ -62,7 +64,7 @@ VOUSSOIR_INLINE void kinematics_of_axis(const SideConstants& s, int at, int i, c
 }
 
 /// Lanes whose slave is the base.
-VOUSSOIR_INLINE unsigned based(const SideBlock& block, int at) noexcept { return block.on_base >> at & ((1U << kWidth) - 1U); }
+VOUSSOIR_INLINE unsigned based(const SideBlock& block, int at) noexcept { return block.on_base >> at & kGroup; }
 
 VOUSSOIR_INLINE Kinematics kinematics(const SideBlock& block, int at, const double* pose) noexcept {
   const RowPointers a = row_pointers(pose, kPoseStride, block.master + at), b = row_pointers(pose, kPoseStride, block.slave + at);
@@ -135,28 +137,35 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
 /// share.
 VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
                              bool dashpot) noexcept {
-  constexpr unsigned kAll = (1U << kWidth) - 1U;
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
-  const SixColumns on_b = rows_of({-w.force.x, -w.force.y, -w.force.z, -w.torque_b.x, -w.torque_b.y, -w.torque_b.z});
+  const SixColumns from_b = rows_of({w.force.x, w.force.y, w.force.z, w.torque_b.x, w.torque_b.y, w.torque_b.z});  // on b: the opposite
   if (rows.pairs.on != nullptr) {
     double* buffer = (dashpot ? rows.pairs.dashpot : rows.pairs.wrench) + (first + at) * kPairStride;
     for (int l = 0; l < kWidth; ++l) {
       store_row(buffer + l * kPairStride, on_a, l);
-      store_row(buffer + l * kPairStride + 6, on_b, l);
+      store_opposite(buffer + l * kPairStride + 6, from_b, l);
     }
     return;
   }
   double* wrench = rows.wrench + (dashpot ? kDashpotColumn : 0);
   const auto add_a = [&](int l) { add_row(wrench + static_cast<std::int64_t>(s.master[at + l]) * kWrenchStride, on_a, l); };
-  const auto add_b = [&](int l) { add_row(wrench + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride, on_b, l); };
+  const auto add_b = [&](int l) { subtract_row(wrench + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride, from_b, l); };
   const unsigned pushed = chosen & ~(s.on_base >> at);
-  if (pushed == kAll) {  // nearly always
+  if (pushed == kGroup) {  // nearly always
     for (int l = 0; l < kWidth; ++l) add_a(l), add_b(l);
     return;
   }
   for (int l = 0; l < kWidth; ++l) {
     if (chosen >> l & 1U) add_a(l);
     if (pushed >> l & 1U) add_b(l);
+  }
+}
+
+/// Notes which lanes left something in the buffer for pairs, if there is one. \param first  side in lane 0
+VOUSSOIR_INLINE void note_left(const Rows& rows, std::int64_t first, unsigned wrench, unsigned dashpot) noexcept {
+  if (rows.pairs.on == nullptr) return;
+  for (int l = 0; l < kWidth; ++l) {
+    rows.pairs.on[first + l] = static_cast<std::uint8_t>((wrench >> l & 1U ? kOnWrench : 0) | (dashpot >> l & 1U ? kOnDashpot : 0));
   }
 }
 

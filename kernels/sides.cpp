@@ -5,12 +5,11 @@
 #include "kernels/certificate.h"
 #include "kernels/damaged_sides.h"
 #include "kernels/steady_sides.h"
+#include "kernels/whole_sides.h"
 
 namespace voussoir::kernels {
 
 namespace {
-
-constexpr unsigned kGroup = (1U << kWidth) - 1U;
 
 /// Which sides of a block are what, one bit each.
 struct QuickBits {
@@ -32,36 +31,10 @@ VOUSSOIR_INLINE LaneMask steady_lanes(const Quick* quick) noexcept {
   return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(Quick::steady);
 }
 
-/// Notes which lanes left something in the buffer for pairs.
-VOUSSOIR_INLINE void mark(std::uint8_t* on, unsigned wrench, unsigned dashpot) noexcept {
-  if (on == nullptr) return;
-  for (int l = 0; l < kWidth; ++l) {
-    on[l] = static_cast<std::uint8_t>((wrench >> l & 1U ? kOnWrench : 0) | (dashpot >> l & 1U ? kOnDashpot : 0));
-  }
-}
-
-/// Of the lanes `whole`, those that are certain to stay so. Makes the normal one of length 1. Nearly always the bound over the whole side
-/// does, and no corner is looked at.
+/// Of the lanes `whole`, those that are certain to stay so. Makes the normal one of length 1.
 VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned whole, Kinematics& k, FailureOptions o) noexcept {
   const unsigned straight = whole & ~bits(normalise(k.n));
-  const unsigned inside = straight & bits(well_inside(s, at, k));
-  if (inside == straight && o.in_tension != ShearInTension::coulomb) return inside;
   return straight & bits(certified(s, at, k, o));
-}
-
-/// The sides `live`, all of them whole, if each is certain to stay so. On its own, so that what damaged sides take is in none of its
-/// registers.
-[[gnu::noinline]] bool advance_whole(const SideBlock& block, int at, unsigned live, std::int64_t first, const Rows& rows,
-                                     FailureOptions o) noexcept {
-  Kinematics k = kinematics(block, at, rows.pose);
-  if (certain_of(*block.constants, at, live, k, o) != live) return false;
-  scatter(block, at, first, wrench_of(k, elastic_sums(*block.constants, at, k)), live, rows, false);
-  return true;
-}
-
-/// Where a side of the group that begins at `at` notes that it left something in the buffer for pairs, if there is one.
-VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, int at) noexcept {
-  return rows.pairs.on == nullptr ? nullptr : rows.pairs.on + state.first + at;
 }
 
 /// The sides `live` of a group, whatever they are. Returns those whose segments were looked at. On its own, so that groups in which all are
@@ -75,7 +48,7 @@ VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, i
   Kinematics k = kinematics(block, at, rows.pose);
   const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
   if (still_open == live) {
-    mark(marks(rows, state, at), 0, 0);
+    note_left(rows, state.first + at, 0, 0);
     return 0;
   }
   SumLanes sums{};
@@ -89,7 +62,7 @@ VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, i
   unsigned touching = 0;
   if (left != 0) touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);
   scatter(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
-  mark(marks(rows, state, at), certain | left, touching);
+  note_left(rows, state.first + at, certain | left, touching);
   return left;
 }
 
@@ -97,16 +70,17 @@ VOUSSOIR_INLINE std::uint8_t* marks(const Rows& rows, const BlockState& state, i
 
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
-  const QuickBits is = quick_bits(state.quick);
-  unsigned looked_at = 0;
+  unsigned live = state.live, looked_at = 0;
+  if ((live & ~quick_bits(state.quick).whole) == 0 && has_short_form(o)) {
+    constexpr std::int32_t kThis[] = {0};
+    const auto lanes = static_cast<std::uint8_t>(live);
+    unsigned done = 0;
+    if (advance_whole({&block, &lanes, kThis, state.first}, rows, done) == 1) return 0;
+    live &= ~done;
+  }
   for (int at = 0; at < kLanes; at += kWidth) {
-    const unsigned live = state.live >> at & kGroup;
-    if (live == 0) continue;
-    if ((live & ~(is.whole >> at)) == 0 && advance_whole(block, at, live, state.first, rows, o)) {
-      mark(marks(rows, state, at), live, 0);
-    } else {
-      looked_at |= advance_any(block, at, live, state, rows, clock, o, result, sink) << at;
-    }
+    const unsigned here = live >> at & kGroup;
+    if (here != 0) looked_at |= advance_any(block, at, here, state, rows, clock, o, result, sink) << at;
   }
   return looked_at;
 }

@@ -117,7 +117,8 @@ void fetch_histories(const Sides& s, std::int32_t number) {
   }
 }
 
-void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, kernels::StepClock clock, std::int64_t step,
+/// \param done  lanes of it that have been advanced already
+void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, unsigned done, kernels::StepClock clock, std::int64_t step,
                    JointFindings& found) {
   const Sides& s = w.sides;
   const auto block = static_cast<std::size_t>(number);
@@ -130,7 +131,7 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
                                       .steady = &s.steady[block],
                                       .parts = s.parts.data() + first,
                                       .first = static_cast<std::int64_t>(first),
-                                      .live = s.live_lanes[block],
+                                      .live = s.live_lanes[block] & ~done,
                                       .look_closely = look_closely},
                                      rows, clock, w.failure, found.sides.data(), sink);
   if (looked_at == 0) return;
@@ -139,6 +140,19 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, ker
   for (unsigned rest = looked_at; rest != 0; rest &= rest - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(rest));
     book(w, first + l, found.sides[l], look_closely, try_steady, found);
+  }
+}
+
+/// Blocks in which nothing has happened. Those that a bound does not prove to stay so are looked at like any other.
+void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, kernels::StepClock clock,
+                          std::int64_t step, JointFindings& found) {
+  kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers};
+  while (!run.numbers.empty()) {
+    unsigned lanes = 0;
+    run.numbers = run.numbers.subspan(kernels::advance_whole(run, rows, lanes));
+    if (run.numbers.empty()) return;
+    advance_block(w, rows, run.numbers.front(), lanes, clock, step, found);
+    run.numbers = run.numbers.subspan(1);
   }
 }
 
@@ -163,11 +177,18 @@ void advance_joints(World& w, double time, std::int64_t step, int round, std::ve
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
+  const bool short_form = !w.options.reference_kernels && kernels::has_short_form(w.failure) && s.blocks.size() < kManyBlocks;
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
+    const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
+    if (short_form &&
+        std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
+      advance_whole_blocks(w, rows, numbers, clock, step, found);
+      return;
+    }
     for (std::int32_t i = first; i < last; ++i) {
       if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
       if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
-      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], clock, step, found);
+      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, clock, step, found);
     }
   };
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));

@@ -175,8 +175,15 @@ kernels::SideConstants nothing() {
   return c;
 }
 
-/// Stiffness and kind of every side. Sides run in the order of what they would be without scatter of their strength: that order has sides
-/// that share no element beside each other.
+/// Sides of one form go through the kernel of whole sides together: those that look along one axis, those that do not, those on the base.
+std::int32_t form_of(const World& w, const NewSide& s) {
+  if (s.slave == w.elements.base) return 4;
+  const int axis = kernels::axis_of_side(s.frame.axis_s, s.frame.axis_t);
+  return axis < 0 ? 3 : axis;
+}
+
+/// Stiffness and kind of every side. Sides run form by form, in the order of what they would be without scatter of their strength: that
+/// order has sides that share no element beside each other.
 SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
   SideKinds kinds, without_scatter;
   kinds.add(nothing());
@@ -188,6 +195,7 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
     side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
     side.order = without_scatter.add(constants_of(w, side, strength(1.0)));
   }
+  for (NewSide& side : sides) side.order += form_of(w, side) * without_scatter.size();
   return kinds;
 }
 
@@ -282,8 +290,15 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
     }
     constants.push_back(blocks.add(in_lane));
   }
-  w.sides.constants = blocks.take();
-  for (std::size_t block = 0; block < constants.size(); ++block) w.sides.blocks[block].constants = &w.sides.constants[constants[block]];
+  Sides& s = w.sides;
+  s.constants = blocks.take();
+  s.whole.resize(s.constants.size());
+  for (std::size_t block = 0; block < constants.size(); ++block) {
+    const std::size_t i = constants[block];
+    s.whole[i] = kernels::whole_constants(s.constants[i], s.blocks[block].on_base);
+    s.blocks[block].constants = &s.constants[i];
+    s.blocks[block].whole = &s.whole[i];
+  }
 }
 
 }  // namespace

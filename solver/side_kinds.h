@@ -22,6 +22,7 @@ class SideKinds {
 
   /// Number of the kind of the side in lane 0 of `c`. Kinds are numbered as they come.
   std::int32_t add(const kernels::SideConstants& c);
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(kinds_.size()); }
   [[nodiscard]] const Numbers& numbers(std::int32_t kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
 
  private:

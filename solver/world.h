@@ -12,6 +12,7 @@
 #include "kernels/integrate.h"
 #include "kernels/law.h"
 #include "kernels/side.h"
+#include "kernels/whole_sides.h"
 #include "solver/array.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
@@ -64,6 +65,7 @@ struct PointSets {
 /// Sides of joints, in blocks of kLanes, blocks in tasks, tasks in colours (decomposition.h). A side's number is block × kLanes + lane.
 struct Sides {
   Array<kernels::SideConstants> constants;  // of blocks that are alike
+  Array<kernels::WholeConstants> whole;     // of the same blocks
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])

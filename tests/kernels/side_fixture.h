@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/side.h"
+#include "kernels/whole_sides.h"
 
 /// Two bricks with a joint of a chosen number of segments, at any pose: what the kernels need, and nothing else.
 namespace voussoir::testing {
@@ -47,6 +48,7 @@ struct TwoBodies {
 struct SideUnderTest {
   kernels::Side side;
   kernels::SideConstants constants{};  // of the last block()
+  kernels::WholeConstants whole{};
   kernels::SteadySides steady{};       // of a block with the side in lane kLane
   std::vector<double> s, t, area;
   std::vector<kernels::Bond> bond;
@@ -107,6 +109,8 @@ struct SideUnderTest {
       c.s_low[lane] = std::min(c.s_low[lane], s[i]), c.s_high[lane] = std::max(c.s_high[lane], s[i]);
       c.t_low[lane] = std::min(c.t_low[lane], t[i]), c.t_high[lane] = std::max(c.t_high[lane], t[i]);
     }
+    whole = kernels::whole_constants(c, b.on_base);
+    b.whole = &whole;
     return b;
   }
 
