@@ -54,6 +54,7 @@ def has(row, quantity):
 
 
 def draw(rows, path):
+    path.parent.mkdir(parents=True, exist_ok=True)
     quantity = path.stem
     shown = [row for row in rows if has(row, quantity)]
     scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in shown)
