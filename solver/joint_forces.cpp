@@ -20,7 +20,6 @@ namespace {
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
-constexpr std::size_t kManyBlocks = 10000;   // a model whose whole joints find their rows in no cache near the core
 constexpr std::int32_t kBlockAhead = 2;      // blocks, when their memory is asked for
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
@@ -84,11 +83,11 @@ bool is_whole(const Sides& s, std::size_t block) {
   return lanes_that_are(s, block, kernels::Quick::whole) == s.live_lanes[block];  // the last block of a task has lanes without a side
 }
 
-/// Asks for what a block's sides take: the rows of their elements, constants, and of those whose segments are looked at where these lie.
+/// Asks for what the sides of a block take in which something has happened: the rows of their elements, constants, and of those whose
+/// segments are looked at where these lie.
 void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
-  const bool whole = is_whole(s, block);
-  if (whole && s.blocks.size() < kManyBlocks) return;
+  if (is_whole(s, block)) return;
   const kernels::SideBlock& b = s.blocks[block];
   for (const std::int32_t* elements : {b.master, b.slave}) {
     for (int l = 0; l < kernels::kLanes; ++l) {
@@ -97,7 +96,6 @@ void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number)
       kernels::fetch(rows.wrench + e * kernels::kWrenchStride, kernels::kDashpotColumn * sizeof(double));
     }
   }
-  if (whole) return;
   kernels::fetch(b.constants, sizeof *b.constants);
   for (unsigned rest = lanes_that_are(s, block, kernels::Quick::segments); rest != 0; rest &= rest - 1) {
     kernels::fetch(&s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))], sizeof(kernels::SideParts));
@@ -177,7 +175,7 @@ void advance_joints(World& w, double time, std::int64_t step, int round, std::ve
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
-  const bool short_form = !w.options.reference_kernels && kernels::has_short_form(w.failure) && s.blocks.size() < kManyBlocks;
+  const bool short_form = !w.options.reference_kernels && kernels::has_short_form(w.failure);
   const auto blocks = [&](std::int32_t first, std::int32_t last) {
     const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
     if (short_form &&
