@@ -12,7 +12,7 @@ namespace voussoir::kernels {
 // Certificates keep this distance from a limit, so that their round-off can only send a side to its segments, never past them.
 inline constexpr double kMargin = 1.0 - 1e-9;
 inline constexpr double kRound = 1e-13;
-inline constexpr double kSeries = 1e-4;  // see normalise
+inline constexpr double kLeast = 1e-14;  // m, round-off of displacements; so much is left of a tensile strength of zero
 
 /// Lanes in which every contact point has u_n > 0: no segment that is not bonded touches.
 VOUSSOIR_INLINE LaneMask all_open(const SideConstants& s, int at, const Kinematics& k) noexcept {
@@ -33,7 +33,8 @@ VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
 /// squares that |u|² is no more than: a larger share of these covers it (kRound).
 VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at), ks2 = ks * ks;
-  const Lanes ft = kMargin * load_lanes(s.tension + at), c = kMargin * load_lanes(s.cohesion + at), tan_phi = load_lanes(s.tan_phi + at);
+  const Lanes ft = kMargin * load_lanes(s.tension + at) - kLeast * kn, c = kMargin * load_lanes(s.cohesion + at),
+              tan_phi = load_lanes(s.tan_phi + at);
   const Lanes fm = kMargin * load_lanes(s.compression + at), fm2 = fm * fm, cap = load_lanes(s.cap + at);
   const Lanes sn = kn * dot(k.d, k.n), an = kn * dot(k.a, k.n), bn = kn * dot(k.b, k.n);  // stress: sn + s an + t bn
   const Lanes to_n = ks2 / (kn * kn);

@@ -36,7 +36,7 @@ struct WholeConstants;  // kernels/whole_sides.h
 /// kLanes sides: what they are, and between whom. Unused lanes are between the resting base and itself.
 struct SideBlock {
   const SideConstants* constants = nullptr;
-  const WholeConstants* whole = nullptr;
+  const WholeConstants* whole = nullptr;       // of the same sides
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
   std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which does not move and takes no force
 };
@@ -196,6 +196,7 @@ struct BlockState {
   std::int64_t first = 0;            // number of the first side
   unsigned live = 0;                 // bit mask of the lanes that take part
   bool look_closely = false;         // look also at open sides, which may have come apart
+  bool bound_tried = false;          // in this step advance_whole has not found the lanes that take part certain to stay whole
 };
 
 /// The clock of a step.

@@ -9,6 +9,8 @@
 /// sides; not for other code. `at` is the first lane, a multiple of kWidth.
 namespace voussoir::kernels {
 
+// By how much the square of a mean normal may differ from 1 for a series of its length to have all digits.
+inline constexpr double kSeries = 1e-4;
 inline constexpr unsigned kGroup = (1U << kWidth) - 1U;  // all lanes of a group
 
 VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept {

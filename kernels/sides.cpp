@@ -71,7 +71,7 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
   unsigned live = state.live, looked_at = 0;
-  if ((live & ~quick_bits(state.quick).whole) == 0 && has_short_form(o)) {
+  if (!state.bound_tried && (live & ~quick_bits(state.quick).whole) == 0 && has_short_form(o)) {
     constexpr std::int32_t kThis[] = {0};
     const auto lanes = static_cast<std::uint8_t>(live);
     unsigned done = 0;

@@ -12,11 +12,11 @@ namespace voussoir::kernels {
 namespace {
 
 // The bound keeps this distance from the limits: it takes the mean normal, which is shorter than 1 by half of kSeries at most, for one of
-// length 1, and has a round-off.
+// length 1.
 constexpr double kInside = 1.0 - 1e-4;
-constexpr double kSeries = 1e-4;    // by how much the square of the mean normal may fall short of 1 for its series to have all digits
-constexpr double kDigits = 1e5;     // u_n may be so many times the slide that is allowed: |u|² − u_n² keeps its digits
-constexpr double kCoupled = 1e-10;  // of Σ s² dA + Σ t² dA; points are known to 1e-12 m, so less than this in Σ s t dA means nothing
+constexpr double kLength = 1e-14;  // m, round-off of displacements; so much is left of a limit of zero
+constexpr double kDigits = 1e5;  // |u|² − u_n² keeps its digits while u_n is not more than some so many times the slide that is allowed
+constexpr double kPoints = 2e-12;  // m, as points of sides are known: what Σ s t dA is no more for than for this means nothing
 
 /// A pair of orthogonal tangents, how far the points reach along them, and Σ s² dA, Σ t² dA, where Σ s t dA = 0.
 struct Principal {
@@ -27,7 +27,8 @@ struct Principal {
 Principal principal_of(const SideConstants& c, int l) noexcept {
   const auto vec = [l](const double v[3][kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
   double cosine = 1.0, sine = 0.0;
-  if (std::abs(c.sst[l]) > kCoupled * (c.sss[l] + c.stt[l])) {  // one rotation of Jacobi's
+  const double reach = std::max({-c.s_low[l], c.s_high[l], -c.t_low[l], c.t_high[l]});
+  if (std::abs(c.sst[l]) > kPoints * 2.0 * reach * c.area[l]) {  // one rotation of Jacobi's
     const double theta = (c.stt[l] - c.sss[l]) / (2.0 * c.sst[l]);
     const double tangent = std::copysign(1.0, theta) / (std::abs(theta) + std::sqrt(1.0 + theta * theta));
     cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = -tangent * cosine;
@@ -57,12 +58,13 @@ int axis_of(Vec3 v) noexcept {
 
 /// How far the bound lets a side go: |τ| up to c, or up to half of what the cap allows without pressure, so that some is left for pressure.
 void set_limits(const SideConstants& c, int l, WholeConstants& w) noexcept {
-  const double fm2 = c.compression[l] * c.compression[l];
-  const double shear = std::min(c.cohesion[l], 0.5 * c.compression[l] / std::sqrt(c.cap[l]));  // no cap on shear: 1/0
-  const double slide = kInside * shear / (std::sqrt(3.0) * c.ks[l]);
+  const double shear = std::min(c.cohesion[l], 0.5 * c.compression[l] / std::sqrt(c.cap[l]));  // no cap: 1/0
+  const double share = c.cap[l] > 0.0 ? shear / c.compression[l] : 0.0;
+  const double slide = kInside * shear / (std::sqrt(3.0) * c.ks[l]) - kLength;
+  const auto limit = [&](double stress) { return std::min(2.0 * (kInside * stress / c.kn[l] - kLength), kDigits * slide); };
   w.slide2[l] = slide > 0.0 ? slide * slide : -1.0;
-  w.ahead[l] = std::min(2.0 * kInside * c.tension[l] / c.kn[l], kDigits * slide);
-  w.back[l] = std::min(2.0 * kInside * std::sqrt(fm2 - c.cap[l] * shear * shear) / c.kn[l], kDigits * slide);
+  w.ahead[l] = limit(c.tension[l]);
+  w.back[l] = limit(c.compression[l] * std::sqrt(1.0 - c.cap[l] * share * share));
 }
 
 void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, WholeConstants& w) noexcept {
@@ -75,12 +77,6 @@ void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, W
   w.normal[l] = 0.25 * (c.kn[l] - c.ks[l]) / c.ks[l];
   w.mean[l] = c.mean[l], w.normal_turns[l] = on_base ? 0.0 : 1.0;
   set_limits(c, l, w);
-}
-
-/// A lane without a side: its elements are the base, and so it stays inside any limit.
-void set_idle_lane(int l, WholeConstants& w) noexcept {
-  w.es[0][l] = w.et[1][l] = 1.0;
-  w.ahead[l] = w.back[l] = w.slide2[l] = 1.0;
 }
 
 /// Brings a lane into the axes of the kernel: its normal is `axis`, its tangents are the two that follow.
@@ -102,10 +98,7 @@ WholeConstants whole_constants(const SideConstants& c, unsigned on_base) noexcep
   Principal principal[kLanes];
   int axis = -2;  // −2: none yet
   for (int l = 0; l < kLanes; ++l) {
-    if (c.area[l] == 0.0) {
-      set_idle_lane(l, w);
-      continue;
-    }
+    if (c.area[l] == 0.0) continue;  // a lane without a side, which is never asked for
     principal[l] = principal_of(c, l);
     set_lane(c, l, (on_base >> l & 1U) != 0, principal[l], w);
     const int here = c.mean[l] == 0.5 ? axis_of_side(principal[l].es, principal[l].et) : -1;
@@ -174,14 +167,14 @@ VOUSSOIR_INLINE void stand(const WholeConstants& c, int at, int i, const RowPoin
 }
 
 /// Lanes that certainly stay whole: |u_n − d_n| is at most S |a_n| + T |b_n|, and the square of a sum of three at most three times the sum
-/// of the squares. dn, an, bn are twice the components of d, a, b along the mean normal, of which `short2` is what its square lacks to 1.
-VOUSSOIR_INLINE LaneMask inside(const WholeConstants& c, int at, const Standing& k, Lanes short2, Lanes dn, Lanes an, Lanes bn) noexcept {
+/// of the squares. dn, an, bn are twice the components of d, a, b along the mean normal, whose square is 1 + e.
+VOUSSOIR_INLINE LaneMask inside(const WholeConstants& c, int at, const Standing& k, Lanes e, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s = load_lanes(c.reach_s + at), t = load_lanes(c.reach_t + at), sn = s * an, tn = t * bn;
   const Lanes swing = max(sn, -sn) + max(tn, -tn);
   const Lanes u2 = dot(k.d, k.d) + ((s * s) * dot(k.a, k.a) + (t * t) * dot(k.b, k.b));
   const Lanes slide2 = u2 - 0.25 * (dn * dn + (sn * sn + tn * tn));
   return (swing + dn <= load_lanes(c.ahead + at)) & (swing - dn <= load_lanes(c.back + at)) & (slide2 <= load_lanes(c.slide2 + at)) &
-         (short2 * short2 <= kSeries * kSeries);
+         (e * e <= kSeries * kSeries);
 }
 
 VOUSSOIR_INLINE VecLanes scaled_sum(Lanes f, VecLanes a, VecLanes b) noexcept { return {f * a.x + b.x, f * a.y + b.y, f * a.z + b.z}; }

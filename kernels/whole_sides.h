@@ -19,12 +19,12 @@ struct alignas(64) WholeConstants {
   double about_s[kLanes], about_t[kLanes];  // N m, ½ k̄_s Σ s² dA, ½ k̄_s Σ t² dA: of a tangent, not about it
   double normal[kLanes];                    // ¼ (k̄_n − k̄_s) / k̄_s
   double reach_s[kLanes], reach_t[kLanes];  // m, largest |s| and |t|
-  // Limits of the bound, a little inside those of the law: twice u_n along the normal of the kernel and against it [m]; |u_s|²/3 [m2].
+  // Limits of the bound, a little inside those of the law: twice u_n along the normal of the kernel and against it [m]; a third of |u_s|²
+  // [m2].
   double ahead[kLanes], back[kLanes], slide2[kLanes];
-  int axis;  // 0, 1, 2: every side acts at the midpoint, its normal lies along this axis and its tangents along the next two; −1: any block
-  // For blocks without an axis: tangents, the share of the slave in mean tangents and point of action, whether the normal turns (0: on the
-  // base, THEORY.md (10a)).
+  // Tangents, the share of the slave in mean tangents and point of action, whether the normal turns (0: on the base, THEORY.md (10a)).
   double es[3][kLanes], et[3][kLanes], mean[kLanes], normal_turns[kLanes];
+  int axis;  // 0, 1, 2: every side acts at the midpoint, its normal lies along this axis and its tangents along the next two; −1: any block
 };
 
 /// The axis along which a side looks whose tangents lie along the other two; −1: none. Sides of one axis belong in one block.

@@ -115,9 +115,10 @@ void fetch_histories(const Sides& s, std::int32_t number) {
   }
 }
 
-/// \param done  lanes of it that have been advanced already
-void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, unsigned done, kernels::StepClock clock, std::int64_t step,
-                   JointFindings& found) {
+/// \param done  lanes of it that have been advanced already, as whole ones
+/// \param bound_tried  the others have not been found certain to stay whole
+void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, unsigned done, bool bound_tried, kernels::StepClock clock,
+                   std::int64_t step, JointFindings& found) {
   const Sides& s = w.sides;
   const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
@@ -130,7 +131,8 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, uns
                                       .parts = s.parts.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block] & ~done,
-                                      .look_closely = look_closely},
+                                      .look_closely = look_closely,
+                                      .bound_tried = bound_tried},
                                      rows, clock, w.failure, found.sides.data(), sink);
   if (looked_at == 0) return;
   found.events.insert(found.events.end(), sink.data, sink.data + sink.count);
@@ -149,7 +151,7 @@ void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const s
     unsigned lanes = 0;
     run.numbers = run.numbers.subspan(kernels::advance_whole(run, rows, lanes));
     if (run.numbers.empty()) return;
-    advance_block(w, rows, run.numbers.front(), lanes, clock, step, found);
+    advance_block(w, rows, run.numbers.front(), lanes, true, clock, step, found);
     run.numbers = run.numbers.subspan(1);
   }
 }
@@ -186,7 +188,7 @@ void advance_joints(World& w, double time, std::int64_t step, int round, std::ve
     for (std::int32_t i = first; i < last; ++i) {
       if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
       if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
-      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, clock, step, found);
+      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, false, clock, step, found);
     }
   };
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));

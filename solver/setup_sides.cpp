@@ -182,8 +182,8 @@ std::int32_t form_of(const World& w, const NewSide& s) {
   return axis < 0 ? 3 : axis;
 }
 
-/// Stiffness and kind of every side. Sides run form by form, in the order of what they would be without scatter of their strength: that
-/// order has sides that share no element beside each other.
+/// Stiffness and kind of every side. Sides run form by form, in the order of what they would be without scatter of their strength, since
+/// `decompose` can set those of one kind that share no element beside each other.
 SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
   SideKinds kinds, without_scatter;
   kinds.add(nothing());
@@ -293,9 +293,10 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
   Sides& s = w.sides;
   s.constants = blocks.take();
   s.whole.resize(s.constants.size());
+  std::vector<bool> found(s.constants.size(), false);
   for (std::size_t block = 0; block < constants.size(); ++block) {
     const std::size_t i = constants[block];
-    s.whole[i] = kernels::whole_constants(s.constants[i], s.blocks[block].on_base);
+    if (!found[i]) s.whole[i] = kernels::whole_constants(s.constants[i], s.blocks[block].on_base), found[i] = true;
     s.blocks[block].constants = &s.constants[i];
     s.blocks[block].whole = &s.whole[i];
   }

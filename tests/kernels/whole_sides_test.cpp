@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "tests/kernels/side_fixture.h"
@@ -142,28 +143,63 @@ TEST_CASE("sides along an axis take the form without tangents, others do not; bo
   CHECK(along_an_axis == 24);
 }
 
-TEST_CASE("sides that look different ways share a block, each as if it were alone") {
+TEST_CASE("sides that look one way or different ways share a block, each as if it were alone") {
   Noise noise(13);
   const std::vector<SideUnderTest> sides = sides_of_all_forms(noise);
-  for (std::size_t i = 0; i + 7 < sides.size(); ++i) {
-    SideUnderTest one = sides[i], other = sides[i + 7];
-    if (one.side.on_base || other.side.on_base) continue;
-    for (SideUnderTest* u : {&one, &other}) u->side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
-    const TwoBodies b = random_pose(one, noise, 1e-6);
-    kernels::SideBlock block = one.block(2);
-    const kernels::SideBlock second = other.block(kLane);
-    kernels::SideConstants both = one.constants;
-    auto* to = reinterpret_cast<double*>(&both);
-    const auto* from = reinterpret_cast<const double*>(&other.constants);
-    for (std::size_t k = 0; k < kernels::kSideNumbers; ++k) to[k * kernels::kLanes + kLane] = from[k * kernels::kLanes + kLane];
-    block.master[kLane] = second.master[kLane], block.slave[kLane] = second.slave[kLane];
-    const kernels::WholeConstants whole = kernels::whole_constants(both, 0);
-    CHECK(whole.axis == (one.whole.axis == other.whole.axis ? one.whole.axis : -1));
-    block.whole = &whole;
-    const ShortForm r = short_form(block, 1U << 2, b), alone = short_form(one.block(2), 1U << 2, b);
-    REQUIRE(r.certain);
-    for (std::size_t k = 0; k < r.wrench.size(); ++k) CHECK(std::abs(r.wrench[k] - alone.wrench[k]) < 1e-11 * 2e4);
+  int one_axis = 0, two_axes = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t j = i % 5; j < sides.size(); j += 5) {
+      SideUnderTest one = sides[i], other = sides[j];
+      if (one.side.on_base || other.side.on_base) continue;
+      for (SideUnderTest* u : {&one, &other}) u->side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+      const TwoBodies b = random_pose(one, noise, 1e-6);
+      const kernels::SideBlock first = one.block(2), second = other.block(kLane);
+      kernels::SideBlock block = first;
+      kernels::SideConstants both = one.constants;
+      auto* to = reinterpret_cast<double*>(&both);
+      const auto* from = reinterpret_cast<const double*>(&other.constants);
+      for (std::size_t k = 0; k < kernels::kSideNumbers; ++k) to[k * kernels::kLanes + kLane] = from[k * kernels::kLanes + kLane];
+      block.master[kLane] = second.master[kLane], block.slave[kLane] = second.slave[kLane];
+      const kernels::WholeConstants whole = kernels::whole_constants(both, 0);
+      CHECK(whole.axis == (one.whole.axis == other.whole.axis ? one.whole.axis : -1));
+      one_axis += whole.axis >= 0;
+      two_axes += whole.axis < 0 && one.whole.axis >= 0 && other.whole.axis >= 0;
+      block.whole = &whole;
+      const ShortForm r = short_form(block, 1U << 2 | 1U << kLane, b);
+      const ShortForm x = short_form(first, 1U << 2, b), y = short_form(second, 1U << kLane, b);
+      REQUIRE(r.certain);
+      REQUIRE(x.certain);
+      REQUIRE(y.certain);
+      for (std::size_t k = 0; k < r.wrench.size(); ++k) {
+        CHECK(std::abs(r.wrench[k] - (x.wrench[k] + y.wrench[k])) < 1e-11 * one.side.k.kn * 0.02 * 1e-6);
+      }
+    }
   }
+  CHECK(one_axis > 30);
+  CHECK(two_axes > 60);
+}
+
+TEST_CASE("the short form keeps its digits while bodies turn against each other, or is not taken") {
+  Noise noise(16);
+  int taken = 0, left = 0;
+  for (SideUnderTest& u : sides_of_all_forms(noise)) {
+    if (u.side.on_base) continue;  // its normal does not turn
+    u.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+    for (int i = 0; i < 20; ++i) {
+      const double turn = 0.3 * std::pow(10.0, noise() - 1.0);  // rad
+      const TwoBodies b = random_pose(u, noise, 0.1 * turn);
+      const ShortForm r = short_form(u.block(kLane), 1U << kLane, b);
+      (r.certain ? taken : left) += 1;
+      if (!r.certain) continue;
+      const SideStep s = by_segments(u, b);
+      const double unit = u.side.k.kn * 0.02 * 0.1 * turn;
+      CHECK(distance(part(r, 0, 0), s.force_a) < 1e-11 * unit);
+      CHECK(distance(part(r, 0, 3), s.torque_a) < 1e-11 * unit);
+      CHECK(distance(part(r, 1, 3), s.torque_b) < 1e-11 * unit);
+    }
+  }
+  CHECK(taken > 500);
+  CHECK(left > 100);
 }
 
 TEST_CASE("the bound never passes a side in which a segment yields, and passes most that are far from it") {
@@ -174,6 +210,8 @@ TEST_CASE("the bound never passes a side in which a segment yields, and passes m
       SideUnderTest u = form;
       const auto factor = [&] { return std::pow(10.0, noise()); };
       u.side.strength = {1.27e5 * factor(), 3.04e4 * factor(), std::tan(0.5585), 4.9e5 * factor(), noise() > 0.0 ? 9.0 : 0.0};
+      if (i % 4 == 1) u.side.k.ks = 3.0 * u.side.k.kn;
+      if (i % 10 == 3) u.side.strength.tension = 0.0;
       const TwoBodies b = random_pose(u, noise, 6e-5 * std::pow(10.0, 1.5 * noise() - 0.5));
       const bool certain = short_form(u.block(kLane), 1U << kLane, b).certain;
       const bool yields = by_segments(u, b).result.events > 0;
@@ -208,6 +246,76 @@ TEST_CASE("the bound leaves of the cap what shear takes: pressure up to it, with
   }
   CHECK(passed > 100);
   CHECK(yielded > 100);
+}
+
+TEST_CASE("without tensile strength no round-off lets the bound pass what pulls") {
+  Noise noise(17);
+  SideUnderTest u(4, 8, 0.5);
+  u.side.strength = {0.0, 1e12, 0.6, 1e12, 9.0};
+  int passed = 0, yielded = 0;
+  for (int i = 0; i < 4000; ++i) {  // slid along the face as it stands, neither pressed nor pulled but by round-off
+    TwoBodies b;
+    const Vec3 common = noise.vector(0.3), turn = noise.vector(0.2);
+    b.place(0, common, turn);
+    const Mat3 d = kernels::load_pose(b.pose.data(), 0).d;
+    const Vec3 slide = 1e-6 * (u.side.es + d * u.side.es), press = (i % 2 == 0 ? 0.0 : -1e-12) * Vec3{1.0, 0.0, 0.0};
+    b.place(1, common + d * (u.side.ca - u.side.cb) + slide + press + d * press, turn);
+    const bool certain = short_form(u.block(kLane), 1U << kLane, b).certain;
+    const bool yields = by_segments(u, b).result.events > 0;
+    CHECK_FALSE((certain && yields));
+    passed += certain, yielded += yields;
+  }
+  CHECK(passed > 1000);
+  CHECK(yielded > 500);
+}
+
+TEST_CASE("the bound keeps its digits where pressure is strong and cohesion is not; strengths without end") {
+  Noise noise(18);
+  SideUnderTest u(4, 8, 0.5);
+  int passed = 0, yielded = 0;
+  for (int i = 0; i < 8000; ++i) {
+    u.side.strength = {1e15, 1.0, 0.0, 1e15, i % 2 == 0 ? 0.0 : 9.0};
+    const double slid = u.side.strength.cohesion / u.side.k.ks;
+    TwoBodies b;
+    b.place(1, {-slid * std::pow(10.0, 4.0 + 4.0 * noise()), 0.8 * slid * noise(), 0.8 * slid * noise()}, {});
+    const bool certain = short_form(u.block(kLane), 1U << kLane, b).certain, yields = by_segments(u, b).result.events > 0;
+    CHECK_FALSE((certain && yields));
+    passed += certain, yielded += yields;
+  }
+  CHECK(passed > 500);
+  CHECK(yielded > 200);
+  const double endless = std::numeric_limits<double>::infinity();
+  for (const kernels::Strength s : {kernels::Strength{1e15, 1e15, 0.6, 1e15, 9.0},
+                                    {1e160, 1e160, 0.6, 1e160, 9.0},
+                                    {1e5, 1e160, 0.6, 1e6, 0.0},
+                                    {endless, 1e5, 0.6, endless, 9.0}}) {
+    u.side.strength = s;
+    CHECK(short_form(u.block(kLane), 1U << kLane, random_pose(u, noise, 1e-7)).certain);
+  }
+}
+
+TEST_CASE("a side that is not certain leaves its neighbours in the block as they are done, once") {
+  Noise noise(19);
+  SideUnderTest strong(4, 8, 0.5);
+  strong.side.strength = {1e12, 1e12, 0.6, 1e12, 9.0};
+  const TwoBodies b = random_pose(strong, noise, 1e-6);
+  kernels::SideBlock block = strong.block(1);
+  const ShortForm alone = short_form(block, 1U << 1, b);
+  kernels::WholeConstants whole = strong.whole;
+  const auto copy_lane = [](auto& to, int l, int from) {
+    for (auto* column : {&to.force, &to.about_s, &to.about_t, &to.normal, &to.mean, &to.normal_turns}) (*column)[l] = (*column)[from];
+  };
+  copy_lane(whole, kLane, 1);  // in lane 5 a side whose bound never passes: its limits are 0, and d is not
+  block.master[kLane] = block.master[1], block.slave[kLane] = block.slave[1];
+  for (auto* column : {&whole.ahead, &whole.back, &whole.slide2}) (*column)[kLane] = -1.0;
+  block.whole = &whole;
+  std::array<double, 3 * kernels::kWrenchStride> wrench{};
+  const std::uint8_t live[] = {1U << 1 | 1U << kLane};
+  const std::int32_t number[] = {0};
+  unsigned done = 0;
+  CHECK(kernels::advance_whole({&block, live, number, 0}, {b.pose.data(), b.twist.data(), wrench.data(), {}}, done) == 0);
+  CHECK(done == (kernels::kWidth == 4 ? 1U << 1 : 0U));  // groups of four: lane 1 is in the first, lane 5 in the second
+  for (std::size_t k = 0; k < wrench.size(); ++k) CHECK(wrench[k] == (done != 0 ? alone.wrench[k] : 0.0));
 }
 
 TEST_CASE("a run of blocks goes on up to the first side that is not certain to stay whole") {
