@@ -49,7 +49,7 @@ struct SideUnderTest {
   kernels::Side side;
   kernels::SideConstants constants{};  // of the last block()
   kernels::WholeConstants whole{};
-  kernels::SteadySides steady{};       // of a block with the side in lane kLane
+  kernels::SteadySides steady{};  // of a block with the side in lane kLane
   std::vector<double> s, t, area;
   std::vector<kernels::Bond> bond;
   std::vector<kernels::Mode> first_mode;
