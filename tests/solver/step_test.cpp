@@ -92,7 +92,7 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
     return solver::choose_cell(sides, centroids);
   };
   CHECK(cell_of_a_floor(70) == doctest::Approx(std::sqrt(32.0) * 0.2).epsilon(0.02));  // thirty-two slabs of 4,900
-  CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));  // sixty-four of 5,041
+  CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));                // sixty-four of 5,041
 }
 
 TEST_CASE("fast and reference kernels: the same wall until it cracks, then the same segments break in the same order") {
