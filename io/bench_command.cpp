@@ -28,11 +28,15 @@ namespace voussoir::io {
 
 namespace {
 
+constexpr double kBatch = 0.1;  // s, of steps
+
 /// One line of the table.
 struct Row {
   int threads = 1;
   bool gather = false;
   double step = 0.0;            // s
+  double speedup = 1.0;         // against one thread
+  double flops = 0.0;           // flop/s, what the machine gave these threads at that time
   solver::StageTimes stages{};  // s a step
 };
 
@@ -69,27 +73,64 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Medians over batches of steps.
-Row measure(solver::Simulation& sim, int threads, bool gather, const BenchOptions& o) {
-  omp_set_num_threads(threads);
-  int steps = o.steps;
-  if (steps == 0) {
-    const double start = omp_get_wtime();
-    for (int i = 0; i < 10; ++i) sim.step({});
-    steps = std::max(10, static_cast<int>(0.1 / ((omp_get_wtime() - start) / 10.0)));
-  }
-  std::vector<double> all;
-  std::vector<std::vector<double>> by_stage(solver::kStageNames.size());
-  for (int batch = 0; batch < o.batches; ++batch) {
-    const solver::StageTimes before = sim.stage_times();
-    const double start = omp_get_wtime();
-    for (int i = 0; i < steps; ++i) sim.step({});
-    all.push_back((omp_get_wtime() - start) / steps);
-    for (std::size_t k = 0; k < by_stage.size(); ++k) by_stage[k].push_back((sim.stage_times()[k] - before[k]) / steps);
-  }
-  Row row{threads, gather, median(all), {}};
-  for (std::size_t k = 0; k < by_stage.size(); ++k) row.stages[k] = median(by_stage[k]);
+/// One batch of steps.
+struct Batch {
+  double step = 0.0;            // s
+  double flops = 0.0;           // flop/s, of nothing but arithmetic, before and after
+  solver::StageTimes stages{};  // s a step
+};
+Batch measure_batch(solver::Simulation& sim, int steps) {
+  const int threads = omp_get_max_threads();
+  const double flops = solver::flops_now(threads);
+  const solver::StageTimes before = sim.stage_times();
+  const double start = omp_get_wtime();
+  for (int i = 0; i < steps; ++i) sim.step({});
+  Batch b{(omp_get_wtime() - start) / steps, 0.0, {}};
+  for (std::size_t k = 0; k < b.stages.size(); ++k) b.stages[k] = (sim.stage_times()[k] - before[k]) / steps;
+  b.flops = 0.5 * (flops + solver::flops_now(threads));
+  return b;
+}
+
+int steps_in_a_batch(solver::Simulation& sim, const BenchOptions& o) {
+  if (o.steps > 0) return o.steps;
+  return std::max(10, static_cast<int>(kBatch / measure_batch(sim, 10).step));
+}
+
+/// \param one  the same number of batches on one thread, each beside the one of `all` with its number
+Row row_of(int threads, bool gather, const std::vector<Batch>& all, const std::vector<Batch>& one) {
+  const auto over_batches = [&](auto figure) {
+    std::vector<double> figures;
+    for (std::size_t b = 0; b < all.size(); ++b) figures.push_back(figure(b));
+    return median(std::move(figures));
+  };
+  Row row{threads,
+          gather,
+          over_batches([&](std::size_t b) { return all[b].step; }),
+          over_batches([&](std::size_t b) { return one[b].step / all[b].step; }),
+          over_batches([&](std::size_t b) { return all[b].flops; }),
+          {}};
+  for (std::size_t k = 0; k < row.stages.size(); ++k) row.stages[k] = over_batches([&](std::size_t b) { return all[b].stages[k]; });
   return row;
+}
+
+/// Medians over batches of steps. The numbers of threads take turns, so that whatever else the machine does meets them all.
+std::vector<Row> measure(solver::Simulation& sim, const std::vector<int>& counts, bool gather, const BenchOptions& o) {
+  std::vector<std::vector<Batch>> batches(counts.size());
+  std::vector<int> steps;
+  for (const int threads : counts) {
+    omp_set_num_threads(threads);
+    steps.push_back(steps_in_a_batch(sim, o));
+  }
+  for (int batch = 0; batch < o.batches; ++batch) {
+    for (std::size_t c = 0; c < counts.size(); ++c) {
+      omp_set_num_threads(counts[c]);
+      for (int i = 0; i < steps[c]; ++i) sim.step({});  // other threads have other shares, and other rows in their caches
+      batches[c].push_back(measure_batch(sim, steps[c]));
+    }
+  }
+  std::vector<Row> rows;
+  for (std::size_t c = 0; c < counts.size(); ++c) rows.push_back(row_of(counts[c], gather, batches[c], batches.front()));
+  return rows;
 }
 
 std::vector<int> thread_counts(int most) {
@@ -100,17 +141,17 @@ std::vector<int> thread_counts(int most) {
 }
 
 std::string header() {
-  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,ns_per_joint,ns_per_segment_side";
+  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,machine_gflops,ns_per_joint,ns_per_segment_side";
   for (const char* name : solver::kStageNames) line += std::string(",ms_") + name;
   return line;
 }
 
-/// One line as CSV; `one`: the time of one thread.
-std::string line(const Row& r, double one, const cases::Census& n) {
+/// One line as CSV.
+std::string line(const Row& r, const cases::Census& n) {
   const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
   char text[400];
-  int at = std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
-                         1.0 / r.step, one / r.step, 1e9 * r.step / joints, 1e9 * r.step / segments);
+  int at = std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
+                         1.0 / r.step, r.speedup, 1e-9 * r.flops, 1e9 * r.step / joints, 1e9 * r.step / segments);
   for (const double s : r.stages) at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), ",%.4f", 1e3 * s);
   return text;
 }
@@ -174,12 +215,9 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
       print_columns(header());
       if (table) table << header() << '\n';
     }
-    double one = 0.0;
-    for (const int threads : thread_counts(most)) {
-      const Row row = measure(sim, threads, gather, o);
-      if (threads == 1) one = row.step;
-      print_columns(line(row, one, census));
-      if (table) table << line(row, one, census) << '\n';
+    for (const Row& row : measure(sim, thread_counts(most), gather, o)) {
+      print_columns(line(row, census));
+      if (table) table << line(row, census) << '\n';
     }
   }
 }

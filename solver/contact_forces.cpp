@@ -90,26 +90,22 @@ void ContactRoom::fit(std::int32_t points) {
   depth.resize(n), candidate.resize(n), face.resize(n);
 }
 
-void ContactRoom::part(std::int64_t first, std::int64_t last, int threads) {
-  runs.assign(1, first);
-  while (first < last) {
-    first += std::min(last - first, std::clamp((last - first) / (2 * threads), kLeastRun, kMostRun));
-    runs.push_back(first);
+void ContactRoom::part(std::int64_t patches, int threads) {
+  runs.assign(1, 0);
+  while (runs.back() < patches) {
+    const std::int64_t left = patches - runs.back();
+    runs.push_back(runs.back() + std::min(left, std::clamp(left / (2 * threads), kLeastRun, kMostRun)));
   }
 }
 
-void advance_contacts(World& w, int share, int shares, ContactRoom& room) {
+void advance_contacts(World& w, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
-  const std::int64_t first = patches * share / shares, last = patches * (share + 1) / shares;
-  if (patches == 0) {  // a barrier by itself is cheaper than that of a loop
-#pragma omp barrier
-    return;
-  }
+  if (patches == 0) return;
   room.fit(w.points.largest);
-  room.part(first, last, omp_get_num_threads());
-#pragma omp for schedule(dynamic)
+  room.part(patches, omp_get_num_threads());
+#pragma omp for schedule(dynamic) nowait
   for (std::size_t run = 1; run < room.runs.size(); ++run) {
     std::size_t near[kMostRun];
     std::size_t count = 0;

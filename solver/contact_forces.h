@@ -33,12 +33,11 @@ struct ContactRoom {
   [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
   void fit(std::int32_t points);
   /// Long runs first, since the first patches of each wait for their memory, and short ones last, so that no thread waits for another's.
-  void part(std::int64_t first, std::int64_t last, int threads);
+  void part(std::int64_t patches, int threads);
 };
 
-/// Forces of active patches into their slots: of one of so many equal shares. To be called by every thread of a team; none leaves before
-/// all have done.
-void advance_contacts(World& w, int share, int shares, ContactRoom& room);
+/// Forces of active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
+void advance_contacts(World& w, ContactRoom& room);
 
 /// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
 void gather_contacts(World& w, std::int32_t element);

@@ -12,8 +12,8 @@
 /// Cuts the sides of all joints into tasks that threads run without atomics: two tasks of one colour share no element.
 ///
 /// The model is cut into columns of square cells in the plane of its two longest extents. A task holds the sides between one cell and the
-/// next, so it writes to at most 2 × 2 cells, and cells whose two numbers are both even (or odd, ...) never meet: four colours, hence four
-/// barriers a step. (Colouring single sides takes 13 in a house of English bond, and every colour runs through all of memory again.)
+/// next, so it writes to at most 2 × 2 cells, and cells whose two numbers are both even (or odd, ...) never meet: four colours. (Colouring
+/// single sides takes 13 in a house of English bond, and every colour runs through all of memory again.)
 namespace voussoir::solver {
 
 /// Two elements that one side writes to; −1: nothing (the base).
@@ -21,7 +21,7 @@ using Writes = std::array<std::int32_t, 2>;
 
 struct Decomposition {
   std::vector<std::vector<std::vector<std::int32_t>>> colours;  // [colour][task]: sides, in the order in which they run
-  std::vector<std::int32_t> overflow;                           // sides that span more than two cells: run serially, after all others
+  std::vector<std::int32_t> overflow;                           // sides that span more than two cells: one task, after all others
 };
 
 /// Edge of the cells [m]: long enough for nearly all sides, and for tasks of a useful size.

@@ -16,6 +16,7 @@ void gather(World& w) {
   const bool contacts = !w.contacts.active.empty();
   if (!w.options.gather && !contacts) return;
   const kernels::PairBuffer pairs = w.rows().pairs;
+#pragma omp barrier
 #pragma omp for schedule(static)
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
@@ -31,16 +32,13 @@ void gather(World& w) {
 
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   if (w.contacts.gather_stale) build_gather(w);
-  const int rounds = joint_rounds(w);
   stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
-  deal_joints(w, omp_get_max_threads(), stage.colours);
+  stage.tasks.begin(omp_get_max_threads());
 #pragma omp parallel
   {
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    for (int r = 0; r < rounds; ++r) {
-      advance_joints(w, time, step, r, stage.colours, mine.joints);
-      advance_contacts(w, r, rounds, mine.contacts);
-    }
+    advance_joints(w, time, step, stage.tasks, mine.joints);
+    advance_contacts(w, mine.contacts);
     gather(w);
   }
   std::vector<JointFindings*> found;

@@ -19,11 +19,11 @@ struct ThreadRoom {
 struct ForceStage {
   JointEvents events;  // of the last step
   std::vector<ThreadRoom> by_thread;
-  std::vector<TaskShares> colours;
+  JointTasks tasks;
 };
 
-/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has no joints
-/// left in a colour goes on with a share of the contacts, where others still work on theirs.
+/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that finds no joints
+/// left goes on with contacts, where others still work on theirs.
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

@@ -158,22 +158,7 @@ void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const s
 
 }  // namespace
 
-int joint_rounds(const World& w) {
-  const auto colours = static_cast<int>(w.sides.colour_first.size()) - 1;
-  return w.options.gather ? 1 : std::max(1, colours);
-}
-
-void deal_joints(const World& w, int threads, std::vector<TaskShares>& colours) {
-  const Sides& s = w.sides;
-  const std::span<const double> places = s.task_place;
-  colours.resize(s.colour_first.size() - 1);
-  for (std::size_t c = 0; c < colours.size(); ++c) {
-    const auto first = static_cast<std::size_t>(s.colour_first[c]), last = static_cast<std::size_t>(s.colour_first[c + 1]);
-    colours[c].deal(places.subspan(first, last - first), threads);
-  }
-}
-
-void advance_joints(World& w, double time, std::int64_t step, int round, std::vector<TaskShares>& colours, JointFindings& found) {
+void advance_joints(World& w, double time, std::int64_t step, JointTasks& tasks, JointFindings& found) {
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, time};
@@ -199,12 +184,7 @@ void advance_joints(World& w, double time, std::int64_t step, int round, std::ve
     for (std::int32_t i = 0; i < n; i += kRun) blocks(i, std::min(i + kRun, n));
     return;
   }
-  const auto c = static_cast<std::size_t>(round);
-  if (c >= colours.size()) return;  // no joint
-  colours[c].take(omp_get_thread_num(), [&](std::int32_t i) {
-    const auto task = static_cast<std::size_t>(s.task_order[static_cast<std::size_t>(s.colour_first[c] + i)]);
-    blocks(s.live_first[task], s.live_first[task + 1]);
-  });
+  tasks.run([&](std::size_t task) { blocks(s.live_first[task], s.live_first[task + 1]); });
 }
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {

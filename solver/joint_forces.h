@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "solver/task_shares.h"
+#include "solver/joint_tasks.h"
 #include "solver/world.h"
 
-/// Stage 3 of the step: forces of all joints, colour by colour.
+/// Stage 3 of the step: forces of all joints.
 namespace voussoir::solver {
 
 /// What one thread found; sorted together afterwards.
@@ -27,15 +27,8 @@ struct JointEvents {
   std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
 };
 
-/// Rounds in which the joints are done: colours, which wait for each other, or one, into the buffer for pairs. At least 1.
-int joint_rounds(const World& w);
-
-/// Before a team begins: the tasks of each colour.
-void deal_joints(const World& w, int threads, std::vector<TaskShares>& colours);
-
-/// The joints of one round. To be called by every thread of a team, each with its findings; they may leave it before all is done, and
-/// must all have left it before the next round begins.
-void advance_joints(World& w, double time, std::int64_t step, int round, std::vector<TaskShares>& colours, JointFindings& found);
+/// To be called by every thread of a team, each with its findings; they may leave it before all is done.
+void advance_joints(World& w, double time, std::int64_t step, JointTasks& tasks, JointFindings& found);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);

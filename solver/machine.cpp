@@ -26,27 +26,39 @@ double fastest(Work work) {
   return best;
 }
 
+constexpr int kChains = 10;  // enough to hide the latency of a multiply-add
+
+void multiply_and_add(int threads, int rounds) {
+  volatile double sink = 0.0;
+#pragma omp parallel num_threads(threads)
+  {
+    kernels::Lanes x[kChains];
+    for (int c = 0; c < kChains; ++c) x[c] = kernels::lanes(1.0 + 1e-3 * c);
+    const kernels::Lanes a = kernels::lanes(0.999'999), b = kernels::lanes(1e-7);
+    for (int i = 0; i < rounds; ++i) {
+      for (int c = 0; c < kChains; ++c) x[c] = x[c] * a + b;
+    }
+    kernels::Lanes sum{};
+    for (int c = 0; c < kChains; ++c) sum += x[c];
+#pragma omp critical
+    sink = sink + sum[0];
+  }
+}
+
+double flop_of(int threads, int rounds) { return 2.0 * kernels::kWidth * kChains * static_cast<double>(rounds) * threads; }
+
 }  // namespace
 
 double peak_flops(int threads) {
-  constexpr int kChains = 10, kRounds = 4'000'000;  // enough chains to hide the latency of a multiply-add
-  volatile double sink = 0.0;
-  const double seconds = fastest([&] {
-#pragma omp parallel num_threads(threads)
-    {
-      kernels::Lanes x[kChains];
-      for (int c = 0; c < kChains; ++c) x[c] = kernels::lanes(1.0 + 1e-3 * c);
-      const kernels::Lanes a = kernels::lanes(0.999'999), b = kernels::lanes(1e-7);
-      for (int i = 0; i < kRounds; ++i) {
-        for (int c = 0; c < kChains; ++c) x[c] = x[c] * a + b;
-      }
-      kernels::Lanes sum{};
-      for (int c = 0; c < kChains; ++c) sum += x[c];
-#pragma omp critical
-      sink = sink + sum[0];
-    }
-  });
-  return 2.0 * kernels::kWidth * kChains * static_cast<double>(kRounds) * threads / seconds;
+  constexpr int kRounds = 4'000'000;
+  return flop_of(threads, kRounds) / fastest([&] { multiply_and_add(threads, kRounds); });
+}
+
+double flops_now(int threads) {
+  constexpr int kRounds = 400'000;
+  const double start = omp_get_wtime();
+  multiply_and_add(threads, kRounds);
+  return flop_of(threads, kRounds) / (omp_get_wtime() - start);
 }
 
 double peak_bandwidth(int threads) {

@@ -8,6 +8,9 @@ namespace voussoir::solver {
 /// Multiply-adds in registers on all threads [flop/s], a multiply-add counting two.
 double peak_flops(int threads);
 
+/// The same just now, in a millisecond: of a core that is shared with others less than at best.
+double flops_now(int threads);
+
 /// The triad a = b + s c of STREAM over arrays far larger than any cache [byte/s].
 double peak_bandwidth(int threads);
 

@@ -254,24 +254,6 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   return numbered;
 }
 
-/// Tasks of each colour in the order of their elements.
-void order_tasks(World& w) {
-  Sides& s = w.sides;
-  const auto place = [&](std::int32_t task) {
-    double sum = 0.0;
-    const auto first = s.task_first[static_cast<std::size_t>(task)], last = s.task_first[static_cast<std::size_t>(task) + 1];
-    for (std::int32_t b = first; b < last; ++b) sum += s.blocks[static_cast<std::size_t>(b)].master[0];  // the first lane is never empty
-    return sum / (last - first) / static_cast<double>(w.elements.rows);
-  };
-  std::vector<std::pair<double, std::int32_t>> order;
-  for (std::size_t c = 0; c + 1 < s.colour_first.size(); ++c) {
-    const auto first = static_cast<std::ptrdiff_t>(order.size());
-    for (std::int32_t t = s.colour_first[c]; t < s.colour_first[c + 1]; ++t) order.emplace_back(place(t), t);
-    std::sort(order.begin() + first, order.end());
-  }
-  for (const auto& [where, task] : order) s.task_place.push_back(where), s.task_order.push_back(task);
-}
-
 /// Who is in which lane, and the constants of the block.
 void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<std::int32_t>& numbered, const SideKinds& kinds) {
   BlockKinds blocks(kinds);
@@ -310,7 +292,6 @@ void set_up_sides(World& w, const cases::Case& c) {
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
   size_side_arrays(w.sides, numbered.size() / kernels::kLanes);
   fill_blocks(w, sides, numbered, kinds);
-  order_tasks(w);
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {
     if (numbered[id] < 0) continue;

@@ -23,9 +23,24 @@ constexpr double kRamp = 1.0;                // s, of gravity, if the case says 
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
-// Elements that are updated at a time: as many as `drift` takes side by side, few enough that their rows stay near.
-constexpr std::int64_t kChunk = 2 * kernels::kLanes;
-std::int64_t end_of_chunk(const World& w, std::int64_t first) { return std::min(first + kChunk, w.elements.rows); }
+// Elements that are updated at a time: as many as `drift` takes side by side, few enough that their rows stay near; and that a thread takes
+// at a time.
+constexpr std::int64_t kChunk = 2 * kernels::kLanes, kRun = 2 * kChunk;
+
+/// Calls `work(first, last)` for all elements, chunk by chunk. \return the most of what it returns
+template <class Work>
+double over_elements(const World& w, TaskShares& shares, Work work) {
+  const std::int64_t rows = w.elements.rows;
+  shares.begin(omp_get_max_threads());
+  shares.deal((rows + kRun - 1) / kRun);
+  double most = 0.0;
+#pragma omp parallel reduction(max : most)
+  shares.take(omp_get_thread_num(), [&](std::int32_t run) {
+    const std::int64_t last = std::min((run + 1) * kRun, rows);
+    for (std::int64_t i = run * kRun; i < last; i += kChunk) most = std::max(most, work(i, std::min(i + kChunk, last)));
+  });
+  return most;
+}
 
 /// Gravity as seen from a base tilted about x and y by angles in degrees.
 Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
@@ -66,6 +81,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   if (o.threads > 0) omp_set_num_threads(o.threads);
   World& w = *world_;
   list_live_blocks(w);
+  forces_stage_.tasks = JointTasks(w);
   full_gravity_ = tilted(c.gravity.acceleration, c.base);
   const double frequency = c.damping.frequency.value_or(0.0);
   ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
@@ -221,41 +237,28 @@ void Simulation::note_velocities() {
 
 void Simulation::kick(const kernels::BodyForces& f) {
   World& w = *world_;
-  const auto view = w.elements.view();
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
-    kernels::kick(view, w.elements.wrench.data(), f, i, end_of_chunk(w, i));
-  }
+  over_elements(w, update_shares_, [&, view = w.elements.view()](std::int64_t first, std::int64_t last) {
+    kernels::kick(view, w.elements.wrench.data(), f, first, last);
+    return 0.0;
+  });
 }
 
 void Simulation::drift(double dt) {
   World& w = *world_;
-  const auto view = w.elements.view();
-  const kernels::Moves moves = moves_of(w);
-  double moved = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : moved)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
-    const std::int64_t end = end_of_chunk(w, i);
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, i, end);
-    moved = std::max(moved, kernels::measure_moves(view, moves, i, end));
-  }
-  moved_ = moved;
+  moved_ = over_elements(w, update_shares_, [&, view = w.elements.view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, first, last);
+    return kernels::measure_moves(view, moves, first, last);
+  });
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
-  const auto view = w.elements.view();
-  const kernels::Moves moves = moves_of(w);
-  double moved = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : moved)
-  for (std::int64_t i = 0; i < w.elements.rows; i += kChunk) {
-    const std::int64_t end = end_of_chunk(w, i);
-    kernels::kick(view, w.elements.wrench.data(), f, i, end);
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, i, end);
-    moved = std::max(moved, kernels::measure_moves(view, moves, i, end));
-  }
-  moved_ = moved;
+  moved_ = over_elements(w, update_shares_, [&, view = w.elements.view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+    kernels::kick(view, w.elements.wrench.data(), f, first, last);
+    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, first, last);
+    return kernels::measure_moves(view, moves, first, last);
+  });
 }
 
 void Simulation::step(Due due) {

@@ -95,6 +95,7 @@ class Simulation {
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;
+  TaskShares update_shares_;
   double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has
   StageTimes times_{};
   Damage damage_;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <span>
@@ -10,44 +9,56 @@
 
 namespace voussoir::solver {
 
-/// Hands the tasks of one colour to the threads of a team. A thread begins with those among the elements that it updates, whose rows are in
-/// its own cache, and goes on with what others have left. Which thread does a task changes no bit (decomposition.h).
+/// Shares tasks out among the threads of a team, step after step. A thread begins with its own share, and goes on with what others have
+/// left.
+///
+/// What a thread takes from another's share it fetches from the other's cache, and the other has to fetch it back in the next step: then
+/// both are slower, and the more is taken. So the shares follow what threads get done: after a while none has to help another, though one
+/// of them has half a core only, or the harder half of the work.
 class TaskShares {
  public:
-  /// Before the team begins.
-  /// \param places  by task, ascending: where its elements lie among all, from 0 to 1
-  void deal(std::span<const double> places, int threads) {
-    const auto n = static_cast<std::size_t>(threads);
-    if (shares_.size() != n) shares_ = std::vector<Share>(n);
-    std::int32_t first = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const double end = static_cast<double>(k + 1) / threads;
-      const auto last =
-          static_cast<std::int32_t>(k + 1 == n ? places.size() : std::lower_bound(places.begin(), places.end(), end) - places.begin());
-      shares_[k].next.store(first, std::memory_order_relaxed);
-      shares_[k].last = first = last;
-    }
-  }
+  /// Before the team begins. \return true if the borders are others than in the step before
+  bool begin(int threads);
+
+  /// By thread: where its share ends, from 0 (the first task's begin) to 1 (the last one's end).
+  [[nodiscard]] std::span<const double> borders() const { return borders_; }
+
+  /// Then. Thread k has the tasks [ends[k − 1], ends[k]).
+  void deal(std::span<const std::int32_t> ends);
+
+  /// So many tasks, all alike.
+  void deal(std::int64_t tasks);
 
   /// Calls `work` with one task after the other, as long as any is left. \param thread  of the team
   template <class Work>
   void take(int thread, Work work) {
     const auto n = shares_.size();
+    std::int64_t done = 0;
     for (std::size_t k = 0; k < n; ++k) {
       Share& s = shares_[(static_cast<std::size_t>(thread) + k) % n];
       while (s.next.load(std::memory_order_relaxed) < s.last) {
         const std::int32_t task = s.next.fetch_add(1, std::memory_order_relaxed);
-        if (task < s.last) work(task);
+        if (task >= s.last) break;
+        work(task);
+        ++done;
       }
     }
+    shares_[static_cast<std::size_t>(thread)].done += done;
   }
 
  private:
+  void give(std::size_t thread, std::int32_t end);
+  void set_equal(int threads);
+  bool move_borders();
+
   struct alignas(64) Share {  // a cache line each
     std::atomic<std::int32_t> next{0};
     std::int32_t last = 0;
+    std::int64_t had = 0, done = 0;  // tasks in this share, and by this thread, since the borders were looked at last
   };
-  std::vector<Share> shares_;  // by thread
+  std::vector<Share> shares_;    // by thread
+  std::vector<double> borders_;  // by thread
+  int steps_ = 0;                // since the borders were looked at last
 };
 
 }  // namespace voussoir::solver

@@ -69,9 +69,7 @@ struct Sides {
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
-  std::vector<std::int32_t> task_order;    // the tasks of each colour in the order of their elements,
-  std::vector<double> task_place;          // and where these lie among all, from 0 to 1
-  std::int32_t overflow_colour = -1;       // one task, run serially; −1: none
+  std::int32_t overflow_colour = -1;       // one task; −1: none
   std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
   std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
   std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired

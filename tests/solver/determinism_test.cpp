@@ -130,7 +130,7 @@ TEST_CASE("what is known of pairs saves looks at points and changes no bit, thro
   CHECK(waiting > 10000);
 }
 
-TEST_CASE("sides that span more than two cells are run serially, with the same bits for any number of threads") {
+TEST_CASE("sides that span more than two cells are run after all others, with the same bits for any number of threads") {
   const cases::Case c = small_wall(4, 4);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/joint_tasks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace voussoir::solver {
+
+namespace {
+
+/// Elements that the sides of a task write to, ascending.
+std::vector<std::int32_t> elements_of(const World& w, std::size_t task) {
+  std::vector<std::int32_t> elements;
+  for (std::int32_t b = w.sides.task_first[task]; b < w.sides.task_first[task + 1]; ++b) {
+    const kernels::SideBlock& block = w.sides.blocks[static_cast<std::size_t>(b)];
+    for (const auto& ends : {block.master, block.slave}) elements.insert(elements.end(), ends, ends + kernels::kLanes);
+  }
+  std::ranges::sort(elements);
+  const auto [first, last] = std::ranges::unique(elements);
+  elements.erase(first, last);
+  std::erase(elements, w.elements.base);
+  return elements;
+}
+
+}  // namespace
+
+JointTasks::JointTasks(const World& w) : done_(w.sides.task_first.size() - 1), first_before_(1, 0) {
+  const Sides& s = w.sides;
+  std::vector<std::int32_t> last(static_cast<std::size_t>(w.elements.rows), -1);  // by element: the task that wrote to it last
+  for (std::size_t task = 0; task < done_.size(); ++task) {
+    const std::vector<std::int32_t> elements = elements_of(w, task);
+    std::vector<std::int32_t> waits;
+    for (const std::int32_t e : elements)
+      waits.push_back(std::exchange(last[static_cast<std::size_t>(e)], static_cast<std::int32_t>(task)));
+    std::ranges::sort(waits);
+    const auto [end, all] = std::ranges::unique(waits);
+    std::copy_if(waits.begin(), end, std::back_inserter(before_), [](std::int32_t t) { return t >= 0; });
+    first_before_.push_back(static_cast<std::int32_t>(before_.size()));
+    const auto colour = std::ranges::upper_bound(s.colour_first, static_cast<std::int32_t>(task)) - s.colour_first.begin() - 1;
+    colour_.push_back(static_cast<std::int32_t>(colour));
+    const double sum = std::accumulate(elements.begin(), elements.end(), 0.0);
+    place_.push_back(sum / static_cast<double>(elements.size()) / static_cast<double>(w.elements.rows));
+  }
+}
+
+void JointTasks::begin(int threads) {
+  ++step_;
+  asked_ = threads;
+  deal(threads);
+}
+
+void JointTasks::deal(int threads) {
+  if (shares_.begin(threads)) queue_up();
+  shares_.deal(ends_);
+}
+
+/// In each colour those come first that wait for another thread's, or that another thread's wait for: so both are done long before.
+void JointTasks::queue_up() {
+  const std::span<const double> borders = shares_.borders();
+  const auto owner = [&](std::size_t task) {
+    return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place_[task]) - borders.begin());
+  };
+  std::vector<std::uint8_t> inside(done_.size(), 1);
+  for (std::size_t task = 0; task < done_.size(); ++task) {
+    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
+      const auto other = static_cast<std::size_t>(before_[static_cast<std::size_t>(k)]);
+      if (owner(task) != owner(other)) inside[task] = inside[other] = 0;
+    }
+  }
+  queues_.resize(done_.size());
+  std::iota(queues_.begin(), queues_.end(), 0);
+  std::ranges::sort(queues_, {}, [&](std::int32_t t) {
+    const auto task = static_cast<std::size_t>(t);
+    return std::tuple(owner(task), colour_[task], inside[task], place_[task], t);
+  });
+  ends_.assign(borders.size(), 0);
+  for (std::size_t task = 0; task < done_.size(); ++task) ++ends_[owner(task)];
+  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+}
+
+}  // namespace voussoir::solver

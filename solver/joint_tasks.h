@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <omp.h>
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include "solver/task_shares.h"
+#include "solver/world.h"
+
+namespace voussoir::solver {
+
+/// The order in which a team of threads does the tasks of all joints (decomposition.h). Two tasks that write to one element follow each
+/// other by colour, whoever does them: so its sums have one order, and the same bits, with any number of threads. Nothing else waits; there
+/// is no barrier between the colours.
+///
+/// Each thread has a queue, colour by colour, of the tasks among the elements that it updates, whose rows are in its own cache. A task
+/// waits for tasks of lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest
+/// colour never waits.
+class JointTasks {
+ public:
+  JointTasks() = default;
+  explicit JointTasks(const World& w);
+
+  /// Once a step, before a team of so many threads begins.
+  void begin(int threads);
+
+  /// To be called by every thread of a team: calls `work(task)` until none is left. Others may be at work still.
+  template <class Work>
+  void run(Work work) {
+    if (omp_get_num_threads() != asked_) {  // the system gave fewer
+#pragma omp single
+      deal(omp_get_num_threads());
+    }
+    shares_.take(omp_get_thread_num(), [&](std::int32_t i) {
+      const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
+      for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) wait_for(before_[static_cast<std::size_t>(k)]);
+      work(task);
+      done_[task].step.store(step_, std::memory_order_release);
+    });
+  }
+
+ private:
+  void deal(int threads);
+  void queue_up();
+
+  void wait_for(std::int32_t task) const {
+    constexpr int kTurns = 200;  // some microseconds; then, with more threads than cores, its turn may have to come first
+    const std::atomic<std::uint32_t>& step = done_[static_cast<std::size_t>(task)].step;
+    for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
+      if (turn < kTurns) {
+        __builtin_ia32_pause();
+      } else {
+        std::this_thread::yield();
+      }
+    }
+  }
+
+  struct alignas(64) Done {  // a cache line each
+    std::atomic<std::uint32_t> step{0};
+  };
+  std::uint32_t step_ = 0;  // counts rounds; what is done bears its number
+  int asked_ = 0;           // threads
+  TaskShares shares_;
+  std::vector<std::int32_t> queues_, ends_;          // one queue after the other; where each ends
+  std::vector<Done> done_;                           // by task
+  std::vector<std::int32_t> first_before_, before_;  // by task: those that it waits for
+  std::vector<std::int32_t> colour_;                 // by task
+  std::vector<double> place_;                        // by task: where its elements lie among all, from 0 to 1
+};
+
+}  // namespace voussoir::solver
