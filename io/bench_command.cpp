@@ -70,7 +70,8 @@ void advance_to(solver::Simulation& sim, double after) {
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
 /// One batch of steps.

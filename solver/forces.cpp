@@ -33,7 +33,7 @@ void gather(World& w) {
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   if (w.contacts.gather_stale) build_gather(w);
   stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
-  stage.tasks.begin(omp_get_max_threads());
+  if (!w.options.gather) stage.tasks.begin(omp_get_max_threads());
 #pragma omp parallel
   {
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];

@@ -3,8 +3,10 @@
 #include "solver/joint_tasks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace voussoir::solver {
 
@@ -47,8 +49,9 @@ JointTasks::JointTasks(const World& w) : done_(w.sides.task_first.size() - 1), f
 
 void JointTasks::begin(int threads) {
   ++step_;
-  asked_ = threads;
-  deal(threads);
+  if (threads != asked_) asked_ = given_ = threads;
+  expected_ = given_;
+  deal(expected_);
 }
 
 void JointTasks::deal(int threads) {

@@ -18,7 +18,7 @@ namespace voussoir::solver {
 /// other by colour, whoever does them: so its sums have one order, and the same bits, with any number of threads. Nothing else waits; there
 /// is no barrier between the colours.
 ///
-/// Each thread has a queue, colour by colour, of the tasks among the elements that it updates, whose rows are in its own cache. A task
+/// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task
 /// waits for tasks of lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest
 /// colour never waits.
 class JointTasks {
@@ -32,9 +32,9 @@ class JointTasks {
   /// To be called by every thread of a team: calls `work(task)` until none is left. Others may be at work still.
   template <class Work>
   void run(Work work) {
-    if (omp_get_num_threads() != asked_) {  // the system gave fewer
+    if (omp_get_num_threads() != expected_) {  // the system gave fewer
 #pragma omp single
-      deal(omp_get_num_threads());
+      deal(given_ = omp_get_num_threads());
     }
     shares_.take(omp_get_thread_num(), [&](std::int32_t i) {
       const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
@@ -63,8 +63,8 @@ class JointTasks {
   struct alignas(64) Done {  // a cache line each
     std::atomic<std::uint32_t> step{0};
   };
-  std::uint32_t step_ = 0;  // counts rounds; what is done bears its number
-  int asked_ = 0;           // threads
+  std::uint32_t step_ = 0;                    // counts rounds; what is done bears its number
+  int asked_ = 0, given_ = 0, expected_ = 0;  // threads, in the last step; and in this one
   TaskShares shares_;
   std::vector<std::int32_t> queues_, ends_;          // one queue after the other; where each ends
   std::vector<Done> done_;                           // by task

@@ -221,6 +221,7 @@ void Simulation::guard() {
     return;
   }
   for (std::int32_t i = 0; i < e.count; ++i) {
+    peak_speed_ = std::max(peak_speed_, std::sqrt(squares(i).first));
     if (sound(i)) continue;
     const auto k = static_cast<std::size_t>(i);
     char text[400];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace voussoir::solver {
 
@@ -17,56 +18,57 @@ constexpr double kLeast = 0.25;      // of an equal share: one that has lost its
 
 }  // namespace
 
-bool TaskShares::begin(int threads) {
-  if (static_cast<std::size_t>(threads) != shares_.size()) {
-    set_equal(threads);
-    return true;
-  }
-  return threads > 1 && ++steps_ == kSteps && move_borders();
+TaskShares::Team::Team(int threads) : shares(static_cast<std::size_t>(threads)) {
+  for (int k = 1; k <= threads; ++k) borders.push_back(static_cast<double>(k) / threads);
 }
 
-void TaskShares::set_equal(int threads) {
-  shares_ = std::vector<Share>(static_cast<std::size_t>(threads));
-  borders_.clear();
-  for (int k = 1; k <= threads; ++k) borders_.push_back(static_cast<double>(k) / threads);
-  steps_ = 0;
-}
-
-/// A share grows by what its thread has done beyond it.
-bool TaskShares::move_borders() {
-  steps_ = 0;
-  bool moved = false;
-  double first = 0.0, sum = 0.0;
-  const double least = kLeast / static_cast<double>(shares_.size());
-  for (std::size_t k = 0; k < shares_.size(); ++k) {
-    Share& s = shares_[k];
-    const double excess = static_cast<double>(s.done) / static_cast<double>(std::max<std::int64_t>(s.had, 1)) - 1.0;
-    moved |= std::abs(excess) > kTolerated;
-    s.had = s.done = 0;
-    const double length = borders_[k] - first;
-    first = borders_[k];
-    sum += std::max(least, length * (1.0 + kGain * std::clamp(excess, -kMost, kMost)));
-    borders_[k] = sum;
-  }
-  for (double& b : borders_) b /= sum;
-  return moved;
-}
-
-void TaskShares::deal(std::span<const std::int32_t> ends) {
-  for (std::size_t k = 0; k < shares_.size(); ++k) give(k, ends[k]);
-}
-
-void TaskShares::deal(std::int64_t tasks) {
-  for (std::size_t k = 0; k < shares_.size(); ++k)
-    give(k, static_cast<std::int32_t>(std::lround(borders_[k] * static_cast<double>(tasks))));
-}
-
-void TaskShares::give(std::size_t thread, std::int32_t end) {
-  Share& s = shares_[thread];
-  const std::int32_t first = thread == 0 ? 0 : shares_[thread - 1].last;
+void TaskShares::Team::give(std::size_t thread, std::int32_t end) {
+  Share& s = shares[thread];
+  const std::int32_t first = thread == 0 ? 0 : shares[thread - 1].last;
   s.had += end - first;
   s.next.store(first, std::memory_order_relaxed);
   s.last = end;
+}
+
+/// A share grows by what its thread has done beyond it. What is tolerated leaves all borders where they are, or they would creep: tasks are
+/// not divided, so some excess always stays.
+bool TaskShares::Team::move_borders() {
+  steps = 0;
+  bool move = false;
+  double first = 0.0, sum = 0.0;
+  const double least = kLeast / static_cast<double>(shares.size());
+  std::vector<double> moved;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    Share& s = shares[k];
+    const double excess = static_cast<double>(s.done) / static_cast<double>(std::max<std::int64_t>(s.had, 1)) - 1.0;
+    move |= std::abs(excess) > kTolerated;
+    s.had = s.done = 0;
+    const double length = borders[k] - first;
+    first = borders[k];
+    sum += std::max(least, length * (1.0 + kGain * std::clamp(excess, -kMost, kMost)));
+    moved.push_back(sum);
+  }
+  if (!move) return false;
+  for (double& b : moved) b /= sum;
+  borders = std::move(moved);
+  return true;
+}
+
+bool TaskShares::begin(int threads) {
+  Team& team = teams_.try_emplace(threads, threads).first->second;
+  const bool other = std::exchange(team_, &team) != &team;
+  const bool moved = threads > 1 && ++team.steps >= kSteps && team.move_borders();
+  return other || moved;
+}
+
+void TaskShares::deal(std::span<const std::int32_t> ends) {
+  for (std::size_t k = 0; k < ends.size(); ++k) team_->give(k, ends[k]);
+}
+
+void TaskShares::deal(std::int64_t tasks) {
+  for (std::size_t k = 0; k < team_->shares.size(); ++k) {
+    team_->give(k, static_cast<std::int32_t>(std::lround(team_->borders[k] * static_cast<double>(tasks))));
+  }
 }
 
 }  // namespace voussoir::solver

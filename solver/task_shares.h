@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -17,11 +18,11 @@ namespace voussoir::solver {
 /// of them has half a core only, or the harder half of the work.
 class TaskShares {
  public:
-  /// Before the team begins. \return true if the borders are others than in the step before
+  /// Before the team begins. Teams of different sizes have borders of their own. \return true if these are others than in the step before
   bool begin(int threads);
 
   /// By thread: where its share ends, from 0 (the first task's begin) to 1 (the last one's end).
-  [[nodiscard]] std::span<const double> borders() const { return borders_; }
+  [[nodiscard]] std::span<const double> borders() const { return team_->borders; }
 
   /// Then. Thread k has the tasks [ends[k − 1], ends[k]).
   void deal(std::span<const std::int32_t> ends);
@@ -32,10 +33,11 @@ class TaskShares {
   /// Calls `work` with one task after the other, as long as any is left. \param thread  of the team
   template <class Work>
   void take(int thread, Work work) {
-    const auto n = shares_.size();
+    std::vector<Share>& shares = team_->shares;
+    const auto n = shares.size();
     std::int64_t done = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      Share& s = shares_[(static_cast<std::size_t>(thread) + k) % n];
+      Share& s = shares[(static_cast<std::size_t>(thread) + k) % n];
       while (s.next.load(std::memory_order_relaxed) < s.last) {
         const std::int32_t task = s.next.fetch_add(1, std::memory_order_relaxed);
         if (task >= s.last) break;
@@ -43,22 +45,25 @@ class TaskShares {
         ++done;
       }
     }
-    shares_[static_cast<std::size_t>(thread)].done += done;
+    shares[static_cast<std::size_t>(thread)].done += done;
   }
 
  private:
-  void give(std::size_t thread, std::int32_t end);
-  void set_equal(int threads);
-  bool move_borders();
-
   struct alignas(64) Share {  // a cache line each
     std::atomic<std::int32_t> next{0};
     std::int32_t last = 0;
     std::int64_t had = 0, done = 0;  // tasks in this share, and by this thread, since the borders were looked at last
   };
-  std::vector<Share> shares_;    // by thread
-  std::vector<double> borders_;  // by thread
-  int steps_ = 0;                // since the borders were looked at last
+  struct Team {
+    explicit Team(int threads);
+    void give(std::size_t thread, std::int32_t end);
+    bool move_borders();
+    std::vector<Share> shares;    // by thread
+    std::vector<double> borders;  // by thread
+    int steps = 0;                // since the borders were looked at last
+  };
+  std::map<int, Team> teams_;  // by number of threads
+  Team* team_ = nullptr;       // in this step
 };
 
 }  // namespace voussoir::solver

@@ -91,9 +91,9 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
     CHECK(count > 20);
     CHECK(pairs.size() > count);
     solver::JointTasks tasks(*w);
-    for (int round = 0; round < 300; ++round) {
-      const int asked = std::array{1, 2, 3, 8}[static_cast<std::size_t>(round / 75)];
-      const std::vector<Span> spans = one_round(tasks, count, asked, round % 25 == 24 ? 1 + asked / 2 : asked, round);
+    for (int round = 0; round < 600; ++round) {
+      const int asked = std::array{1, 2, 3, 8}[static_cast<std::size_t>(round / 150)];  // borders move, twice
+      const std::vector<Span> spans = one_round(tasks, count, asked, round % 150 >= 140 ? (1 + asked) / 2 : asked, round);
       for (const Span& s : spans) REQUIRE(s.end > 0);
       for (const auto& [a, b] : pairs) REQUIRE(spans[a].end < spans[b].begin);
     }
