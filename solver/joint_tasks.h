@@ -18,9 +18,8 @@ namespace voussoir::solver {
 /// other by colour, whoever does them: so its sums have one order, and the same bits, with any number of threads. Nothing else waits; there
 /// is no barrier between the colours.
 ///
-/// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task
-/// waits for tasks of lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest
-/// colour never waits.
+/// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task waits for tasks of
+/// lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest colour never waits.
 class JointTasks {
  public:
   JointTasks() = default;
@@ -52,11 +51,10 @@ class JointTasks {
     constexpr int kTurns = 200;  // some microseconds; then, with more threads than cores, its turn may have to come first
     const std::atomic<std::uint32_t>& step = done_[static_cast<std::size_t>(task)].step;
     for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
-      if (turn < kTurns) {
-        __builtin_ia32_pause();
-      } else {
-        std::this_thread::yield();
-      }
+      if (turn >= kTurns) std::this_thread::yield();
+#if defined(__x86_64__)
+      __builtin_ia32_pause();  // leaves the core to its other thread
+#endif
     }
   }
 
