@@ -114,15 +114,6 @@ VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return q[0]; }
 #endif
 inline constexpr int kQuads = kWidth / 4;
 
-/// Two pairs side by side: the second one comes into its place with the load.
-VOUSSOIR_INLINE Quad load_halves(const double* low, const double* high) noexcept {
-#if defined(__AVX__)
-  return _mm256_insertf128_pd(_mm256_castpd128_pd256(load_pair(low)), load_pair(high), 1);
-#else
-  return __builtin_shufflevector(load_pair(low), load_pair(high), 0, 1, 2, 3);
-#endif
-}
-
 /// Every other lane of a and b: lanes 0, 2, ... of a in the even lanes of the result, those of b in the odd ones; then lanes 1, 3, ...
 #if defined(__AVX512F__)
 VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
@@ -132,26 +123,63 @@ VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shuf
 VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 1, 5, 3, 7); }
 #endif
 
+/// Two pairs, or two quads, side by side: the second one comes into its place with the load. (Of shuffles that say the same g++ 12 makes
+/// a load, a move and a shuffle.)
+#if defined(__AVX512F__)
+VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {
+  const Lanes x = _mm512_castpd256_pd512(load_quad(low));
+  return __builtin_ia32_insertf64x4_mask(x, load_quad(high), 1, x, 0xff);  // _mm512_insertf64x4, of which g++ 12 warns
+}
+#elif defined(__AVX__)
+VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(load_pair(low)), load_pair(high), 1);
+}
+#else
+VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {
+  return __builtin_shufflevector(load_pair(low), load_pair(high), 0, 1, 2, 3);
+}
+#endif
+
 /// Four columns from `at` of the rows that `row(lane)` points to, one row a lane.
 template <class Row>
 VOUSSOIR_INLINE void load_columns(Row row, int at, Lanes& c0, Lanes& c1, Lanes& c2, Lanes& c3) noexcept {
-  const auto pairs = [&](int l, int from) {  // of rows l, l + 2, ...
-    Quad q[kQuads];
-    for (int k = 0; k < kQuads; ++k) q[k] = load_halves(row(4 * k + l) + from, row(4 * k + l + 2) + from);
-    return joined(q);
-  };
+#if defined(__AVX512F__)
+  const auto rows = [&](int l) { return load_halves(row(l) + at, row(l + 2) + at); };
+  const Lanes r02 = rows(0), r13 = rows(1), r46 = rows(4), r57 = rows(5);
+  // Of rows 0 1, 2 3: columns 0 2 0 2 and 1 3 1 3; then of rows 4 5, 6 7.
+  const Lanes even_low = even_of(r02, r13), odd_low = odd_of(r02, r13), even_high = even_of(r46, r57), odd_high = odd_of(r46, r57);
+  c0 = __builtin_shufflevector(even_low, even_high, 0, 1, 4, 5, 8, 9, 12, 13);
+  c1 = __builtin_shufflevector(odd_low, odd_high, 0, 1, 4, 5, 8, 9, 12, 13);
+  c2 = __builtin_shufflevector(even_low, even_high, 2, 3, 6, 7, 10, 11, 14, 15);
+  c3 = __builtin_shufflevector(odd_low, odd_high, 2, 3, 6, 7, 10, 11, 14, 15);
+#else
+  const auto pairs = [&](int l, int from) { return load_halves(row(l) + from, row(l + 2) + from); };
   const Lanes even01 = pairs(0, at), odd01 = pairs(1, at), even23 = pairs(0, at + 2), odd23 = pairs(1, at + 2);
   c0 = even_of(even01, odd01), c1 = odd_of(even01, odd01), c2 = even_of(even23, odd23), c3 = odd_of(even23, odd23);
+#endif
+}
+
+/// Four columns as rows, one a lane.
+VOUSSOIR_INLINE void to_rows(Lanes c0, Lanes c1, Lanes c2, Lanes c3, Quad (&r)[kWidth]) noexcept {
+#if defined(__AVX512F__)
+  const Lanes even01 = even_of(c0, c1), odd01 = odd_of(c0, c1), even23 = even_of(c2, c3), odd23 = odd_of(c2, c3);
+  const auto put = [&](int l, Lanes rows) { r[l] = quad_of(rows, 0), r[l + 2] = quad_of(rows, 1); };
+  put(0, __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 2, 3, 10, 11));
+  put(1, __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 2, 3, 10, 11));
+  put(4, __builtin_shufflevector(even01, even23, 4, 5, 12, 13, 6, 7, 14, 15));
+  put(5, __builtin_shufflevector(odd01, odd23, 4, 5, 12, 13, 6, 7, 14, 15));
+#else
+  r[0] = c0, r[1] = c1, r[2] = c2, r[3] = c3;
+  transpose(r[0], r[1], r[2], r[3]);
+#endif
 }
 
 /// The way back: `row(lane)` may be written.
 template <class Row>
 VOUSSOIR_INLINE void store_columns(Row row, int at, Lanes c0, Lanes c1, Lanes c2, Lanes c3) noexcept {
-  for (int k = 0; k < kQuads; ++k) {
-    Quad r[4] = {quad_of(c0, k), quad_of(c1, k), quad_of(c2, k), quad_of(c3, k)};
-    transpose(r[0], r[1], r[2], r[3]);
-    for (int l = 0; l < 4; ++l) store_quad(row(4 * k + l) + at, r[l]);
-  }
+  Quad r[kWidth];
+  to_rows(c0, c1, c2, c3, r);
+  for (int l = 0; l < kWidth; ++l) store_quad(row(l) + at, r[l]);
 }
 
 /// Sums over the lanes of a, b, c and d.
@@ -172,16 +200,14 @@ struct SixColumns {
 };
 VOUSSOIR_INLINE SixColumns rows_of(const Lanes (&c)[6]) noexcept {
   SixColumns r;
-  for (int k = 0; k < kQuads; ++k) {
-    for (int l = 0; l < 4; ++l) r.head[4 * k + l] = quad_of(c[l], k);
-    transpose(r.head[4 * k], r.head[4 * k + 1], r.head[4 * k + 2], r.head[4 * k + 3]);
-    const Quad ty = quad_of(c[4], k), tz = quad_of(c[5], k);
-    const Quad even = __builtin_shufflevector(ty, tz, 0, 4, 2, 6), odd = __builtin_shufflevector(ty, tz, 1, 5, 3, 7);
-    r.tail[4 * k] = __builtin_shufflevector(even, even, 0, 1);
-    r.tail[4 * k + 1] = __builtin_shufflevector(odd, odd, 0, 1);
-    r.tail[4 * k + 2] = __builtin_shufflevector(even, even, 2, 3);
-    r.tail[4 * k + 3] = __builtin_shufflevector(odd, odd, 2, 3);
-  }
+  to_rows(c[0], c[1], c[2], c[3], r.head);
+  const Lanes even = even_of(c[4], c[5]), odd = odd_of(c[4], c[5]);
+  r.tail[0] = __builtin_shufflevector(even, even, 0, 1), r.tail[1] = __builtin_shufflevector(odd, odd, 0, 1);
+  r.tail[2] = __builtin_shufflevector(even, even, 2, 3), r.tail[3] = __builtin_shufflevector(odd, odd, 2, 3);
+#if defined(__AVX512F__)
+  r.tail[4] = __builtin_shufflevector(even, even, 4, 5), r.tail[5] = __builtin_shufflevector(odd, odd, 4, 5);
+  r.tail[6] = __builtin_shufflevector(even, even, 6, 7), r.tail[7] = __builtin_shufflevector(odd, odd, 6, 7);
+#endif
   return r;
 }
 VOUSSOIR_INLINE void store_row(double* row, const SixColumns& r, int lane) noexcept {
