@@ -34,11 +34,13 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   if (w.contacts.gather_stale) build_gather(w);
   stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
   if (!w.options.gather) stage.tasks.begin(omp_get_max_threads());
+  const JointStep joints{w, time, step, stage.tasks};
 #pragma omp parallel
   {
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    advance_joints(w, time, step, stage.tasks, mine.joints);
+    advance_own_joints(joints, mine.joints);
     advance_contacts(w, mine.contacts);
+    help_with_joints(joints, mine.joints);
     gather(w);
   }
   std::vector<JointFindings*> found;

@@ -156,35 +156,45 @@ void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const s
   }
 }
 
-}  // namespace
-
-void advance_joints(World& w, double time, std::int64_t step, JointTasks& tasks, JointFindings& found) {
+/// Places [first, last) of the list of live blocks.
+void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, JointFindings& found) {
+  World& w = at.w;
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
-  const kernels::StepClock clock{w.dt, time};
-  const bool short_form = !w.options.reference_kernels && kernels::has_short_form(w.failure);
-  const auto blocks = [&](std::int32_t first, std::int32_t last) {
-    const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
-    if (short_form &&
-        std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
-      advance_whole_blocks(w, rows, numbers, clock, step, found);
-      return;
-    }
-    for (std::int32_t i = first; i < last; ++i) {
-      if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
-      if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
-      advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, false, clock, step, found);
-    }
-  };
-  found.room.resize(static_cast<std::size_t>(kernels::kLanes * w.points.largest));
-  if (w.options.gather) {
-    constexpr std::int32_t kRun = 8;  // blocks
-    const auto n = static_cast<std::int32_t>(s.live.size());
-#pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kRun) blocks(i, std::min(i + kRun, n));
+  const kernels::StepClock clock{w.dt, at.time};
+  const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
+  if (!w.options.reference_kernels && kernels::has_short_form(w.failure) &&
+      std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
+    advance_whole_blocks(w, rows, numbers, clock, at.step, found);
     return;
   }
-  tasks.run([&](std::size_t task) { blocks(s.live_first[task], s.live_first[task + 1]); });
+  for (std::int32_t i = first; i < last; ++i) {
+    if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
+    if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
+    advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, false, clock, at.step, found);
+  }
+}
+
+void advance_task(const JointStep& at, std::size_t task, JointFindings& found) {
+  advance_blocks(at, at.w.sides.live_first[task], at.w.sides.live_first[task + 1], found);
+}
+
+}  // namespace
+
+void advance_own_joints(const JointStep& s, JointFindings& found) {
+  found.room.resize(static_cast<std::size_t>(kernels::kLanes * s.w.points.largest));
+  if (s.w.options.gather) {
+    constexpr std::int32_t kRun = 8;  // blocks
+    const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
+#pragma omp for schedule(dynamic) nowait
+    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), found);
+    return;
+  }
+  s.tasks.run_own([&](std::size_t task) { advance_task(s, task, found); });
+}
+
+void help_with_joints(const JointStep& s, JointFindings& found) {
+  if (!s.w.options.gather) s.tasks.help([&](std::size_t task) { advance_task(s, task, found); });
 }
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {

@@ -27,8 +27,17 @@ struct JointEvents {
   std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
 };
 
-/// To be called by every thread of a team, each with its findings; they may leave it before all is done.
-void advance_joints(World& w, double time, std::int64_t step, JointTasks& tasks, JointFindings& found);
+/// The joints in one step, to be advanced by every thread of a team, each with its findings. Threads may leave before all is done.
+struct JointStep {
+  World& w;
+  double time;  // s
+  std::int64_t step;
+  JointTasks& tasks;
+};
+/// Those of a thread's own queue; by gather, where no task has to wait for another, all that are left.
+void advance_own_joints(const JointStep& s, JointFindings& found);
+/// Then: what other threads have left of theirs, if they are late.
+void help_with_joints(const JointStep& s, JointFindings& found);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);

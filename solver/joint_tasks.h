@@ -28,33 +28,44 @@ class JointTasks {
   /// Once a step, before a team of so many threads begins.
   void begin(int threads);
 
-  /// To be called by every thread of a team: calls `work(task)` until none is left. Others may be at work still.
+  /// Then, by every thread of the team: calls `work(task)` for each task of its own queue. Others may be at work still.
   template <class Work>
-  void run(Work work) {
+  void run_own(Work work) {
     if (omp_get_num_threads() != expected_) {  // the system gave fewer
 #pragma omp single
       deal(given_ = omp_get_num_threads());
     }
-    shares_.take(omp_get_thread_num(), [&](std::int32_t i) {
-      const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
-      for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) wait_for(before_[static_cast<std::size_t>(k)]);
-      work(task);
-      done_[task].step.store(step_, std::memory_order_release);
-    });
+    shares_.take_own(omp_get_thread_num(), [&](std::int32_t i) { run(i, work); });
+  }
+
+  /// Then: for what is left of the queues of others, until none is.
+  template <class Work>
+  void help(Work work) {
+    shares_.help(omp_get_thread_num(), [&](std::int32_t i) { run(i, work); });
   }
 
  private:
+  // Tasks take a hundredth of a thread's time each, and what they write is written again in the update: a little patience.
+  static constexpr double kPatience = 0.1;
+
   void deal(int threads);
   void queue_up();
+
+  /// The task at place i of all queues.
+  template <class Work>
+  void run(std::int32_t i, Work& work) {
+    const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
+    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) wait_for(before_[static_cast<std::size_t>(k)]);
+    work(task);
+    done_[task].step.store(step_, std::memory_order_release);
+  }
 
   void wait_for(std::int32_t task) const {
     constexpr int kTurns = 200;  // some microseconds; then, with more threads than cores, its turn may have to come first
     const std::atomic<std::uint32_t>& step = done_[static_cast<std::size_t>(task)].step;
     for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
       if (turn >= kTurns) std::this_thread::yield();
-#if defined(__x86_64__)
-      __builtin_ia32_pause();  // leaves the core to its other thread
-#endif
+      pause_briefly();
     }
   }
 
@@ -63,7 +74,7 @@ class JointTasks {
   };
   std::uint32_t step_ = 0;                    // counts rounds; what is done bears its number
   int asked_ = 0, given_ = 0, expected_ = 0;  // threads, in the last step; and in this one
-  TaskShares shares_;
+  TaskShares shares_{kPatience};
   std::vector<std::int32_t> queues_, ends_;          // one queue after the other; where each ends
   std::vector<Done> done_;                           // by task
   std::vector<std::int32_t> first_before_, before_;  // by task: those that it waits for

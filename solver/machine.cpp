@@ -5,7 +5,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <thread>
 
 #include "kernels/lanes.h"
 #include "solver/array.h"
@@ -59,6 +61,27 @@ double flops_now(int threads) {
   const double start = omp_get_wtime();
   multiply_and_add(threads, kRounds);
   return flop_of(threads, kRounds) / (omp_get_wtime() - start);
+}
+
+double handover_now(int threads) {
+  if (threads < 2 || threads > omp_get_num_procs()) return 0.0;
+  constexpr int kRounds = 400;
+  constexpr int kTurns = 1000;  // on a busy machine the next one may have to get its turn first
+  alignas(64) std::atomic<int> next{0};
+  double seconds = 0.0;
+#pragma omp parallel num_threads(threads)
+  {
+    const int me = omp_get_thread_num(), n = omp_get_num_threads();
+    const double start = omp_get_wtime();
+    for (int i = me; i < kRounds * n; i += n) {
+      for (int turn = 0; next.load(std::memory_order_acquire) != i; ++turn) {
+        if (turn > kTurns) std::this_thread::yield();
+      }
+      next.store(i + 1, std::memory_order_release);
+    }
+    if (me == n - 1) seconds = (omp_get_wtime() - start) / (kRounds * n);
+  }
+  return seconds;
 }
 
 double peak_bandwidth(int threads) {

@@ -37,10 +37,14 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
   shares.deal((rows + kRun - 1) / kRun);
   double most = 0.0;
 #pragma omp parallel reduction(max : most)
-  shares.take(omp_get_thread_num(), [&](std::int32_t run) {
-    const std::int64_t last = std::min((run + 1) * kRun, rows);
-    for (std::int64_t i = run * kRun; i < last; i += kChunk) most = std::max(most, work(i, std::min(i + kChunk, last)));
-  });
+  {
+    const auto do_run = [&](std::int32_t run) {
+      const std::int64_t last = std::min((run + 1) * kRun, rows);
+      for (std::int64_t i = run * kRun; i < last; i += kChunk) most = std::max(most, work(i, std::min(i + kChunk, last)));
+    };
+    shares.take_own(omp_get_thread_num(), do_run);
+    shares.help(omp_get_thread_num(), do_run);
+  }
   return most;
 }
 

@@ -95,7 +95,8 @@ class Simulation {
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;
-  TaskShares update_shares_;
+  // A run of elements taken from another thread is half a thousand lines of memory that go there and back: much patience.
+  TaskShares update_shares_{1.0};
   double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has
   StageTimes times_{};
   Damage damage_;

@@ -55,12 +55,16 @@ std::vector<Span> one_round(solver::JointTasks& tasks, std::size_t count, int as
   std::atomic<int> clock{0}, done{0};
   tasks.begin(asked);
 #pragma omp parallel num_threads(given)
-  tasks.run([&](std::size_t t) {
-    spans[t].begin = ++clock;
-    work_for(t, round);
-    spans[t].end = ++clock;
-    ++done;
-  });
+  {
+    const auto work = [&](std::size_t t) {
+      spans[t].begin = ++clock;
+      work_for(t, round);
+      spans[t].end = ++clock;
+      ++done;
+    };
+    tasks.run_own(work);
+    tasks.help(work);
+  }
   REQUIRE(done == static_cast<int>(count));
   return spans;
 }

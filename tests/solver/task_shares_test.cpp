@@ -12,88 +12,115 @@ using voussoir::solver::TaskShares;
 
 namespace {
 
-std::vector<int> taken(TaskShares& shares, int thread) {
+std::vector<int> own(TaskShares& shares, int thread) {
   std::vector<int> tasks;
-  shares.take(thread, [&](std::int32_t t) { tasks.push_back(t); });
+  shares.take_own(thread, [&](std::int32_t t) { tasks.push_back(t); });
   return tasks;
 }
 
-/// Where the shares of two threads meet after so many steps of a hundred tasks. Tasks are done by thread 0 but for those from `others` on,
-/// for which thread 1 comes while thread 0 is at work.
-double border_after(TaskShares& shares, int steps, int others) {
-  for (int step = 0; step < steps; ++step) {
+std::vector<int> helped(TaskShares& shares, int thread) {
+  std::vector<int> tasks;
+  shares.help(thread, [&](std::int32_t t) { tasks.push_back(t); });
+  return tasks;
+}
+
+void work_for(double seconds) {
+  for (const double start = omp_get_wtime(); omp_get_wtime() - start < seconds;) continue;
+}
+
+/// Where the shares of two threads meet after some hundred steps of a hundred tasks, if `step` is one of them.
+template <class Step>
+double border_after(int looks, Step step) {
+  TaskShares shares(0.0);
+  for (int i = 0; i <= looks * 64; ++i) {
     shares.begin(2);
     shares.deal(100);
-    const auto ends = [&](int share) { return static_cast<int>(shares.borders()[static_cast<std::size_t>(share)] * 100.0 + 0.5); };
-    int left = others;
-    shares.take(0, [&](std::int32_t t) {
-      // Thread 1 takes what is left of the first share, or comes as soon as thread 0 reaches the second one.
-      if (left >= 0 && (t == left || t >= ends(0) - 1)) left = -1, shares.take(1, [](std::int32_t) {});
-    });
+    step(shares);
   }
   return shares.borders()[0];
 }
 
 }  // namespace
 
-TEST_CASE("a thread begins with its own share, and goes on with what others have left") {
+TEST_CASE("a thread does its own share, and helps with what others have left") {
   const std::vector<std::int32_t> ends{4, 6};
-  TaskShares shares;
+  TaskShares shares(0.1);
   CHECK(shares.begin(2));
   for (int step = 0; step < 2; ++step) {
     shares.deal(ends);
-    CHECK(taken(shares, 1) == std::vector<int>{4, 5, 0, 1, 2, 3});
-    CHECK(taken(shares, 0).empty());
+    CHECK(own(shares, 1) == std::vector<int>{4, 5});
+    CHECK(helped(shares, 1) == std::vector<int>{0, 1, 2, 3});
+    CHECK(own(shares, 0).empty());
+    CHECK(helped(shares, 0).empty());
     CHECK(!shares.begin(2));
   }
   CHECK(shares.begin(3));
   CHECK(shares.begin(2));  // a team of another size has borders of its own
   CHECK(shares.begin(3));
   shares.deal(6);
-  CHECK(taken(shares, 1) == std::vector<int>{2, 3, 4, 5, 0, 1});
+  CHECK(own(shares, 1) == std::vector<int>{2, 3});
+  CHECK(helped(shares, 1) == std::vector<int>{4, 5, 0, 1});
   shares.begin(8);  // some have none of their own
   shares.deal(2);
-  CHECK(taken(shares, 2) == std::vector<int>{1, 0});
+  CHECK(own(shares, 2).empty());
+  CHECK(helped(shares, 2) == std::vector<int>{1, 0});
   shares.begin(4);
   shares.deal(0);
-  CHECK(taken(shares, 3).empty());
+  CHECK(own(shares, 3).empty());
+  CHECK(helped(shares, 3).empty());
 }
 
 TEST_CASE("every task is done once, whatever number of threads asks for it") {
   std::vector<std::atomic<int>> done(1000);
-  TaskShares shares;
+  TaskShares shares(0.1);
   for (const int threads : {1, 2, 5, 16}) {
     for (int step = 0; step < 200; ++step) {  // borders move
       for (auto& d : done) d = 0;
       shares.begin(threads);
       shares.deal(static_cast<std::int64_t>(done.size()));
 #pragma omp parallel num_threads(threads)
-      shares.take(omp_get_thread_num(), [&](std::int32_t t) { ++done[static_cast<std::size_t>(t)]; });
+      {
+        const auto work = [&](std::int32_t t) { ++done[static_cast<std::size_t>(t)]; };
+        shares.take_own(omp_get_thread_num(), work);
+        shares.help(omp_get_thread_num(), work);
+      }
       for (const auto& d : done) REQUIRE(d == 1);
     }
   }
 }
 
-TEST_CASE("shares follow what threads get done, until none has to help another") {
-  TaskShares shares;
-  CHECK(border_after(shares, 65, 30) < 0.5);  // thread 1 has helped with 20 of 50
-  const double found = border_after(shares, 20 * 64, 30);
-  CHECK(found == doctest::Approx(0.3).epsilon(0.05));
-  CHECK(border_after(shares, 20 * 64, 30) == doctest::Approx(found).epsilon(0.02));
-  // A thread that gets nothing done for a while keeps a share to come back to.
-  CHECK(border_after(shares, 40 * 64, 0) > 0.1);
+TEST_CASE("a thread gives others so many times its own time before it helps, but does not wait for those that are done") {
+  constexpr double kOwn = 2e-3;  // s
+  const auto wait = [&](double patience, bool other_is_done) {
+    TaskShares shares(patience);
+    shares.begin(2);
+    shares.deal(2);
+    if (other_is_done) own(shares, 0);
+    shares.take_own(1, [&](std::int32_t) { work_for(kOwn); });
+    const double start = omp_get_wtime();
+    CHECK(helped(shares, 1).size() == (other_is_done ? 0 : 1));
+    return omp_get_wtime() - start;
+  };
+  CHECK(wait(10.0, false) > 0.99 * 10.0 * kOwn);
+  CHECK(wait(1000.0, true) < 0.5);
+  CHECK(wait(0.0, false) < 0.5);
 }
 
-TEST_CASE("what little threads take from each other leaves all borders where they are") {
-  TaskShares shares;
-  const std::vector<std::int32_t> ends{100, 200};
-  shares.begin(2);
-  for (int step = 0; step < 2000; ++step) {
-    shares.deal(ends);
-    shares.take(0, [&](std::int32_t t) {
-      if (t == 98) shares.take(1, [](std::int32_t) {});  // thread 1 does the last task of thread 0: an excess of 1 %
-    });
-    CHECK(!shares.begin(2));
-  }
-  CHECK(shares.borders()[0] == 0.5);
+TEST_CASE("the border moves towards the thread whose tasks take longer") {
+  const double border = border_after(10, [](TaskShares& shares) {
+    shares.take_own(0, [](std::int32_t) { work_for(2e-6); });
+    shares.take_own(1, [](std::int32_t) { work_for(1e-6); });
+  });
+  CHECK(border == doctest::Approx(1.0 / 3.0).epsilon(0.15));
+}
+
+TEST_CASE("a share counts as it would be without help") {
+  // Thread 0 does its first task; meanwhile the other, with as long tasks of its own, has done all others.
+  const double border = border_after(1, [](TaskShares& shares) {
+    shares.take_own(1, [](std::int32_t) { work_for(2e-5); });
+    shares.take_own(0, [&](std::int32_t) { shares.help(1, [](std::int32_t) {}), work_for(2e-5); });
+  });
+  CHECK(border == doctest::Approx(0.5).epsilon(0.06));
+  // It comes too late for any.
+  CHECK(border_after(1, [](TaskShares& shares) { own(shares, 1), helped(shares, 1), own(shares, 0); }) < 0.48);
 }
