@@ -37,6 +37,7 @@ struct Row {
   double step = 0.0;            // s
   double speedup = 1.0;         // against one thread
   double flops = 0.0;           // flop/s, what the machine gave these threads at that time
+  double handover = 0.0;        // s, from one thread to the next
   solver::StageTimes stages{};  // s a step
 };
 
@@ -78,17 +79,19 @@ double median(std::vector<double> values) {
 struct Batch {
   double step = 0.0;            // s
   double flops = 0.0;           // flop/s, of nothing but arithmetic, before and after
+  double handover = 0.0;        // s, from one thread to the next, likewise
   solver::StageTimes stages{};  // s a step
 };
 Batch measure_batch(solver::Simulation& sim, int steps) {
   const int threads = omp_get_max_threads();
-  const double flops = solver::flops_now(threads);
+  const double flops = solver::flops_now(threads), handover = solver::handover_now(threads);
   const solver::StageTimes before = sim.stage_times();
   const double start = omp_get_wtime();
   for (int i = 0; i < steps; ++i) sim.step({});
-  Batch b{(omp_get_wtime() - start) / steps, 0.0, {}};
+  Batch b{(omp_get_wtime() - start) / steps, 0.0, 0.0, {}};
   for (std::size_t k = 0; k < b.stages.size(); ++k) b.stages[k] = (sim.stage_times()[k] - before[k]) / steps;
   b.flops = 0.5 * (flops + solver::flops_now(threads));
+  b.handover = 0.5 * (handover + solver::handover_now(threads));
   return b;
 }
 
@@ -109,6 +112,7 @@ Row row_of(int threads, bool gather, const std::vector<Batch>& all, const std::v
           over_batches([&](std::size_t b) { return all[b].step; }),
           over_batches([&](std::size_t b) { return one[b].step / all[b].step; }),
           over_batches([&](std::size_t b) { return all[b].flops; }),
+          over_batches([&](std::size_t b) { return all[b].handover; }),
           {}};
   for (std::size_t k = 0; k < row.stages.size(); ++k) row.stages[k] = over_batches([&](std::size_t b) { return all[b].stages[k]; });
   return row;
@@ -142,7 +146,7 @@ std::vector<int> thread_counts(int most) {
 }
 
 std::string header() {
-  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,machine_gflops,ns_per_joint,ns_per_segment_side";
+  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,machine_gflops,handover_ns,ns_per_joint,ns_per_segment_side";
   for (const char* name : solver::kStageNames) line += std::string(",ms_") + name;
   return line;
 }
@@ -151,8 +155,9 @@ std::string header() {
 std::string line(const Row& r, const cases::Census& n) {
   const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
   char text[400];
-  int at = std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
-                         1.0 / r.step, r.speedup, 1e-9 * r.flops, 1e9 * r.step / joints, 1e9 * r.step / segments);
+  int at =
+      std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.0f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
+                    1.0 / r.step, r.speedup, 1e-9 * r.flops, 1e9 * r.handover, 1e9 * r.step / joints, 1e9 * r.step / segments);
   for (const double s : r.stages) at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), ",%.4f", 1e3 * s);
   return text;
 }
