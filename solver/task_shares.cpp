@@ -32,6 +32,10 @@ bool TaskShares::Team::move_borders() {
   return borders.note(times);
 }
 
+void TaskShares::be_patient(const Share& own, const Share& other) {
+  while (other.any_left() && Clock::now() < own.patient_until) pause_briefly();
+}
+
 bool TaskShares::begin(int threads) {
   Team& team = teams_.try_emplace(threads, threads).first->second;
   const bool other = std::exchange(team_, &team) != &team;

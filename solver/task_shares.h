@@ -60,7 +60,7 @@ class TaskShares {
     const auto n = shares.size(), self = static_cast<std::size_t>(thread);
     for (std::size_t k = 1; k < n; ++k) {
       Share& other = shares[(self + k) % n];
-      while (other.any_left() && Clock::now() < shares[self].patient_until) pause_briefly();
+      be_patient(shares[self], other);
       take(other, work);
     }
   }
@@ -82,6 +82,8 @@ class TaskShares {
     std::vector<Share> shares;  // by thread
     ShareBorders borders;
   };
+
+  static void be_patient(const Share& own, const Share& other);
 
   template <class Work>
   static std::int64_t take(Share& s, Work& work) {
