@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <thread>
 #include <utility>
 
 namespace voussoir::solver {
@@ -33,7 +33,14 @@ bool TaskShares::Team::move_borders() {
 }
 
 void TaskShares::be_patient(const Share& own, const Share& other) {
-  while (other.any_left() && Clock::now() < own.patient_until) pause_briefly();
+  constexpr int kTurns = 20;  // a microsecond; then, with more threads than cores, the other may need this one's
+  for (int turn = 0; other.any_left() && Clock::now() < own.patient_until; ++turn) {
+    if (turn < kTurns) {
+      pause_briefly();
+    } else {
+      std::this_thread::yield();
+    }
+  }
 }
 
 bool TaskShares::begin(int threads) {
