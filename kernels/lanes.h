@@ -128,7 +128,11 @@ VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shuff
 #if defined(__AVX512F__)
 VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {
   const Lanes x = _mm512_castpd256_pd512(load_quad(low));
-  return __builtin_ia32_insertf64x4_mask(x, load_quad(high), 1, x, 0xff);  // _mm512_insertf64x4, of which g++ 12 warns
+#if defined(__clang__)
+  return _mm512_insertf64x4(x, load_quad(high), 1);
+#else
+  return __builtin_ia32_insertf64x4_mask(x, load_quad(high), 1, x, 0xff);  // the same, of which g++ 12 warns
+#endif
 }
 #elif defined(__AVX__)
 VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {

@@ -22,8 +22,8 @@ struct ForceStage {
   JointTasks tasks;
 };
 
-/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that finds no joints
-/// left goes on with contacts, where others still work on theirs.
+/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has done
+/// its own joints goes on with contacts, where others still work on theirs, and helps these last.
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

@@ -41,7 +41,7 @@ class JointTasks {
   /// Then: for what is left of the queues of others, until none is.
   template <class Work>
   void help(Work work) {
-    shares_.help(omp_get_thread_num(), [&](std::int32_t i) { run(i, work); });
+    shares_.help(omp_get_thread_num(), omp_get_num_threads(), [&](std::int32_t i) { run(i, work); });
   }
 
  private:

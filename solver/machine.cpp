@@ -72,14 +72,15 @@ double handover_now(int threads) {
 #pragma omp parallel num_threads(threads)
   {
     const int me = omp_get_thread_num(), n = omp_get_num_threads();
+#pragma omp barrier
     const double start = omp_get_wtime();
-    for (int i = me; i < kRounds * n; i += n) {
+    for (int i = me; n > 1 && i < kRounds * n; i += n) {
       for (int turn = 0; next.load(std::memory_order_acquire) != i; ++turn) {
         if (turn > kTurns) std::this_thread::yield();
       }
       next.store(i + 1, std::memory_order_release);
     }
-    if (me == n - 1) seconds = (omp_get_wtime() - start) / (kRounds * n);
+    if (n > 1 && me == n - 1) seconds = (omp_get_wtime() - start) / (kRounds * n);
   }
   return seconds;
 }

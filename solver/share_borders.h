@@ -17,7 +17,7 @@ class ShareBorders {
   /// By thread: where its share ends, from 0 (the first task's begin) to 1 (the last one's end).
   [[nodiscard]] std::span<const double> ends() const { return ends_; }
 
-  /// Once a step. \param times  by thread, what its share took [s] \return true if borders have moved, as they do now and then
+  /// Once a round. \param times  by thread, what its share took [s] \return true if borders have moved, as they do now and then
   bool note(std::span<const double> times);
 
  private:

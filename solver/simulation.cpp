@@ -43,7 +43,7 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
       for (std::int64_t i = run * kRun; i < last; i += kChunk) most = std::max(most, work(i, std::min(i + kChunk, last)));
     };
     shares.take_own(omp_get_thread_num(), do_run);
-    shares.help(omp_get_thread_num(), do_run);
+    shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
   }
   return most;
 }

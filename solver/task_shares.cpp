@@ -19,16 +19,17 @@ void TaskShares::Team::give(std::size_t thread, std::int32_t end) {
   s.last = end;
 }
 
-/// By what each share would have taken its thread, had nobody helped.
+/// By what each share would have taken its thread, had nobody helped; waiting for the tasks of others counts, too.
 bool TaskShares::Team::move_borders() {
   std::vector<double> times;
   double most = 0.0;
   for (const Share& s : shares) {
-    if (s.had == 0) return false;  // fewer tasks than threads, or the first step
-    times.push_back(s.done > 0 ? s.time * static_cast<double>(s.had) / static_cast<double>(s.done) : -1.0);
+    times.push_back(s.done > 0 ? s.time * static_cast<double>(s.had) / static_cast<double>(s.done) : 0.0);
     most = std::max(most, times.back());
   }
-  for (double& t : times) t = t < 0.0 ? 2.0 * most : t;  // a thread that came too late for any
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (shares[k].had > 0 && shares[k].done == 0) times[k] = 2.0 * most;  // a thread that came too late for any
+  }
   return borders.note(times);
 }
 

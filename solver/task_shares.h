@@ -53,14 +53,16 @@ class TaskShares {
     own.patient_until = end + std::chrono::duration_cast<Clock::duration>(patience_ * (end - begin));
   }
 
-  /// Then: the same with what others have left, once they have had time enough.
+  /// Then: the same with what others have left, once they have had time enough. \param team  threads that take part: the system may have
+  /// given fewer than there are shares
   template <class Work>
-  void help(int thread, Work work) {
+  void help(int thread, int team, Work work) {
     std::vector<Share>& shares = team_->shares;
     const auto n = shares.size(), self = static_cast<std::size_t>(thread);
     for (std::size_t k = 1; k < n; ++k) {
-      Share& other = shares[(self + k) % n];
-      be_patient(shares[self], other);
+      const std::size_t next = (self + k) % n;
+      Share& other = shares[next];
+      if (next < static_cast<std::size_t>(team)) be_patient(shares[self], other);
       take(other, work);
     }
   }
