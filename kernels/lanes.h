@@ -107,10 +107,8 @@ VOUSSOIR_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) noexcept {
 VOUSSOIR_INLINE Quad quad_of(Lanes x, int at) noexcept {
   return at == 0 ? __builtin_shufflevector(x, x, 0, 1, 2, 3) : __builtin_shufflevector(x, x, 4, 5, 6, 7);
 }
-VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return __builtin_shufflevector(q[0], q[1], 0, 1, 2, 3, 4, 5, 6, 7); }
 #else
 VOUSSOIR_INLINE Quad quad_of(Lanes x, int) noexcept { return x; }
-VOUSSOIR_INLINE Lanes joined(const Quad* q) noexcept { return q[0]; }
 #endif
 inline constexpr int kQuads = kWidth / 4;
 
