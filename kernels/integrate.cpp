@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/integrate.h"
 
+#include <bit>
+
 #include "kernels/lanes.h"
 #include "kernels/rows.h"
 
@@ -72,14 +74,38 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
   return {load_lanes(e.qw + i), load_lanes(e.qx + i), load_lanes(e.qy + i), load_lanes(e.qz + i)};
 }
 
-VOUSSOIR_INLINE void write_rows(double* pose, double* twist, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v,
-                                VecLanes w) noexcept {
-  const auto pose_row = [=](int l) { return pose + (i + l) * kPoseStride; };
+VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
+  const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
   store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
   store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
   store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
-  const SixColumns rows = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
-  for (int l = 0; l < kWidth; ++l) store_row(twist + (i + l) * kTwistStride, rows, l);
+  const SixColumns twists = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
+  for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, twists, l);
+}
+
+/// Rows of kWidth elements, all of kWrenchStride or kDashpotStride numbers.
+VOUSSOIR_INLINE void clear_rows(double* rows, std::int64_t i) noexcept {
+  static_assert(kDashpotStride == kWrenchStride);
+  for (int k = 0; k < kWrenchStride; ++k) store_lanes(rows + i * kWrenchStride + k * kWidth, Lanes{});
+}
+
+/// What dashpots do is rare where little has come loose.
+VOUSSOIR_INLINE bool any_dashed(const ElementRows& rows, std::int64_t i) noexcept {
+  std::uint64_t any = 0;
+  for (int l = 0; l < kWidth; ++l) any |= std::bit_cast<std::uint64_t>(rows.wrench[(i + l) * kWrenchStride + kDashedColumn]);
+  return any != 0;
+}
+
+/// Books the work of the dashpots' torques with the mean of the angular velocities before and after, clears their rows.
+VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecLanes after, const ElementRows& rows, double dt) noexcept {
+  const VecLanes before = load3(e.wx, e.wy, e.wz, i);
+  VecLanes torque;
+  Lanes x, y, z, unused;
+  const auto row = [&](int l) { return rows.dashpot + (i + l) * kDashpotStride; };
+  load_columns(row, 0, x, y, z, torque.x);
+  load_columns(row, 4, torque.y, torque.z, unused, unused);
+  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - lanes(0.5 * dt) * dot(torque, before + after));
+  clear_rows(rows.dashpot, i);
 }
 
 /// Angular velocity, half a step ahead, of the angular momentum there, in body axes: the orientation half a step ahead is that of now
@@ -93,26 +119,22 @@ VOUSSOIR_INLINE VecLanes spin_ahead(const MatLanes& inverse, VecLanes m, VecLane
 }
 
 /// One step of kWidth elements to the orientation `next` with the angular velocity w: positions, rows.
-VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLanes next, VecLanes w, double* wrench, double* pose,
-                             double* twist, double dt) noexcept {
-  const VecLanes v = load3(e.vx, e.vy, e.vz, i), old = load3(e.wx, e.wy, e.wz, i);
+VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLanes next, VecLanes w, const ElementRows& rows,
+                             double dt) noexcept {
+  const VecLanes v = load3(e.vx, e.vy, e.vz, i);
   const VecLanes u = load3(e.ux, e.uy, e.uz, i) + lanes(dt) * v;
   store3(e.ux, e.uy, e.uz, i, u);
   store_lanes(e.qw + i, next.w);
   store3(e.qx, e.qy, e.qz, i, {next.x, next.y, next.z});
   store3(e.wx, e.wy, e.wz, i, w);
-  Lanes unused;
-  VecLanes dash;
-  load_columns([=](int r) { return wrench + (i + r) * kWrenchStride; }, 8, unused, dash.x, dash.y, dash.z);
-  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - lanes(0.5 * dt) * dot(dash, old + w));
-  write_rows(pose, twist, i, u, rotation_minus_identity(next), v, w);
-  for (int k = 0; k < kWrenchStride; ++k) store_lanes(wrench + i * kWrenchStride + k * kWidth, Lanes{});
+  write_rows(rows, i, u, rotation_minus_identity(next), v, w);
+  clear_rows(rows.wrench, i);
 }
 
 /// The drift of kGroups times kWidth elements, side by side: the chain from ω to the next orientation is long, and one group alone leaves
 /// the machine waiting.
 template <int kGroups>
-VOUSSOIR_INLINE void drift_groups(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t i) noexcept {
+VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t i) noexcept {
   const Lanes half = lanes(0.5 * dt);
   QuaternionLanes q[kGroups];
   MatLanes d[kGroups];
@@ -127,21 +149,24 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, double* wrench, double*
   }
   for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia(e, i + g * kWidth), m[g], spin[g], half);
   for (int g = 0; g < kGroups; ++g) q[g] = normalised(turned(q[g], half * spin[g]));
-  for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, q[g], spin[g] + d[g] * spin[g], wrench, pose, twist, dt);
+  for (int g = 0; g < kGroups; ++g) spin[g] = spin[g] + d[g] * spin[g];
+  for (int g = 0; g < kGroups; ++g) {
+    if (any_dashed(rows, i + g * kWidth)) finish_dashpots(e, i + g * kWidth, spin[g], rows, dt);
+  }
+  for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, q[g], spin[g], rows, dt);
 }
 
 }  // namespace
 
-void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
+void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
   const VecLanes body = spread(f.gravity - f.ground), mean_gravity = spread(f.mean_gravity), mean_ground = spread(f.mean_ground);
   const Lanes dt = lanes(f.dt);
   for (std::int64_t i = first; i < last; i += kWidth) {
-    const auto row = [=](int l) { return wrench + (i + l) * kWrenchStride; };
-    VecLanes force, torque, dash;
-    Lanes unused;
+    const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
+    VecLanes force, torque;
+    Lanes unused, dashed;
     load_columns(row, 0, force.x, force.y, force.z, torque.x);
-    load_columns(row, 4, torque.y, torque.z, dash.x, dash.y);
-    load_columns(row, 8, dash.z, unused, unused, unused);
+    load_columns(row, 4, torque.y, torque.z, unused, dashed);
     const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
     const LaneMask fixed = im == 0.0;
     const Lanes a = 0.5 * alpha * dt;
@@ -162,14 +187,18 @@ void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std:
     store_lanes(e.work_gravity + i, load_lanes(e.work_gravity + i) + dt * m * dot(mean_gravity, before));
     store_lanes(e.work_ground + i, load_lanes(e.work_ground + i) - dt * m * dot(mean_ground, before));
     store_lanes(e.loss_damping + i, load_lanes(e.loss_damping + i) + dt * alpha * (m * dot(mean, mean) + lost));
-    store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - dt * dot(dash, mean));
+    if (bits(dashed != 0.0) != 0) {
+      VecLanes dash;
+      load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);
+      store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - dt * dot(dash, mean));
+    }
   }
 }
 
-void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept {
+void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept {
   std::int64_t i = first;
-  for (; i + 2 * kWidth <= last; i += 2 * kWidth) drift_groups<2>(e, wrench, pose, twist, dt, i);
-  if (i < last) drift_groups<1>(e, wrench, pose, twist, dt, i);
+  for (; i + 2 * kWidth <= last; i += 2 * kWidth) drift_groups<2>(e, rows, dt, i);
+  if (i < last) drift_groups<1>(e, rows, dt, i);
 }
 
 }  // namespace voussoir::kernels

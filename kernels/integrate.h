@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "geometry/vec3.h"
+#include "kernels/rows.h"
 
 /// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
 namespace voussoir::kernels {
@@ -34,12 +35,12 @@ struct BodyForces {
 /// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
 /// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
 /// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), both multiples of
-/// kLanes. \param wrench  rows: force, torque, and those of the dashpots alone
-void kick(const ElementsView& e, const double* wrench, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
+/// kLanes.
+void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
 /// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose and twist
-/// rows, books the work of the dashpots' torques, clears the wrench rows.
-void drift(const ElementsView& e, double* wrench, double* pose, double* twist, double dt, std::int64_t first, std::int64_t last) noexcept;
+/// rows, books the work of the dashpots' torques, clears the wrench and dashpot rows.
+void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -15,8 +15,14 @@ inline constexpr int kLanes = 8;
 
 inline constexpr int kPoseStride = 12;    // for each axis i: row i of R − I (3), u_i [m]
 inline constexpr int kTwistStride = 8;    // velocity (3) [m/s], angular velocity in space (3) [rad/s], 2 spare
-inline constexpr int kDashpotColumn = 6;  // of a wrench row, where the dashpots' share begins
-inline constexpr int kWrenchStride = 12;  // force (3) [N], torque about the centroid (3) [N m], the same of the dashpots alone (6)
+inline constexpr int kWrenchStride = 8;   // force (3) [N], torque about the centroid (3) [N m], 1 spare, kDashedColumn
+inline constexpr int kDashedColumn = 7;   // of a wrench row: not 0 if dashpots have a share in it; else their row is all zeros
+inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (3) [N m], 2 spare
+
+/// Rows of all elements.
+struct ElementRows {
+  double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
+};
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).
 struct Pose {
@@ -57,8 +63,9 @@ inline void add_wrench(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
   r[0] += f.x, r[1] += f.y, r[2] += f.z;
   r[3] += t.x, r[4] += t.y, r[5] += t.z;
 }
-inline void add_dashpot(double* rows, std::int64_t e, Vec3 f, Vec3 t) noexcept {
-  double* r = rows + e * kWrenchStride + kDashpotColumn;
+inline void add_dashpot(double* wrench, double* dashpot, std::int64_t e, Vec3 f, Vec3 t) noexcept {
+  wrench[e * kWrenchStride + kDashedColumn] = 1.0;
+  double* r = dashpot + e * kDashpotStride;
   r[0] += f.x, r[1] += f.y, r[2] += f.z;
   r[3] += t.x, r[4] += t.y, r[5] += t.z;
 }

@@ -151,12 +151,12 @@ inline constexpr std::uint8_t kOnWrench = 1, kOnDashpot = 2;
 /// Rows of the elements.
 struct Rows {
   const double *pose = nullptr, *twist = nullptr;
-  double* wrench = nullptr;
+  double *wrench = nullptr, *dashpot = nullptr;
   PairBuffer pairs;  // if it has a buffer, forces go there
 };
 
-/// Adds what sides left for one element to its row, in the order of `codes`: side × 2 + (0: as master, 1: as slave).
-void gather_sides(std::span<const std::int64_t> codes, const PairBuffer& pairs, double* row) noexcept;
+/// Adds what sides left for element e to its rows, in the order of `codes`: side × 2 + (0: as master, 1: as slave).
+void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept;
 
 /// What became of a side whose segments were looked at.
 struct DamagedSide {

@@ -149,9 +149,14 @@ VOUSSOIR_INLINE void scatter(const SideBlock& s, int at, std::int64_t first, con
     }
     return;
   }
-  double* wrench = rows.wrench + (dashpot ? kDashpotColumn : 0);
-  const auto add_a = [&](int l) { add_row(wrench + static_cast<std::int64_t>(s.master[at + l]) * kWrenchStride, on_a, l); };
-  const auto add_b = [&](int l) { subtract_row(wrench + static_cast<std::int64_t>(s.slave[at + l]) * kWrenchStride, from_b, l); };
+  static_assert(kDashpotStride == kWrenchStride);
+  const auto row = [&](std::int32_t element) {
+    const std::int64_t begin = static_cast<std::int64_t>(element) * kWrenchStride;
+    if (dashpot) rows.wrench[begin + kDashedColumn] = 1.0;
+    return (dashpot ? rows.dashpot : rows.wrench) + begin;
+  };
+  const auto add_a = [&](int l) { add_row(row(s.master[at + l]), on_a, l); };
+  const auto add_b = [&](int l) { subtract_row(row(s.slave[at + l]), from_b, l); };
   const unsigned pushed = chosen & ~(s.on_base >> at);
   if (pushed == kGroup) {  // nearly always
     for (int l = 0; l < kWidth; ++l) add_a(l), add_b(l);

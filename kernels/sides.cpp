@@ -85,17 +85,19 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
   return looked_at;
 }
 
-void gather_sides(std::span<const std::int64_t> codes, const PairBuffer& pairs, double* row) noexcept {
+void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept {
   const auto add = [](double* to, const double* from) {
     add_quad(to, load_quad(from));
     add_pair(to + 4, load_pair(from + 4));
   };
+  const PairBuffer& pairs = rows.pairs;
+  double* row = rows.wrench + e * kWrenchStride;
   for (const std::int64_t code : codes) {
     const std::uint8_t on = pairs.on[code / 2];
     if (on == 0) continue;
     const std::int64_t from = code * (kPairStride / 2);
     if (on & kOnWrench) add(row, pairs.wrench + from);
-    if (on & kOnDashpot) add(row + kDashpotColumn, pairs.dashpot + from);
+    if (on & kOnDashpot) add(rows.dashpot + e * kDashpotStride, pairs.dashpot + from), row[kDashedColumn] = 1.0;
   }
 }
 

@@ -127,7 +127,7 @@ void advance_contacts(World& w, ContactRoom& room) {
 void gather_contacts(World& w, std::int32_t element) {
   const Contacts& c = w.contacts;
   if (element + kElementsAhead < w.elements.count) fetch_slots(c, static_cast<std::size_t>(element + kElementsAhead));
-  double* rows = w.elements.wrench.data();
+  double *wrench = w.elements.wrench.data(), *dashpot = w.elements.dashpot.data();
   const auto i = static_cast<std::size_t>(element);
   for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
     const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
@@ -135,11 +135,11 @@ void gather_contacts(World& w, std::int32_t element) {
     if (!c.on[slot]) continue;
     const kernels::PairWrench& x = c.wrench[slot];
     if (code % 2 == 0) {
-      kernels::add_wrench(rows, element, x.force, x.torque_a);
-      kernels::add_dashpot(rows, element, x.dash_force, x.dash_torque_a);
+      kernels::add_wrench(wrench, element, x.force, x.torque_a);
+      kernels::add_dashpot(wrench, dashpot, element, x.dash_force, x.dash_torque_a);
     } else {
-      kernels::add_wrench(rows, element, -x.force, x.torque_b);
-      kernels::add_dashpot(rows, element, -x.dash_force, x.dash_torque_b);
+      kernels::add_wrench(wrench, element, -x.force, x.torque_b);
+      kernels::add_dashpot(wrench, dashpot, element, -x.dash_force, x.dash_torque_b);
     }
   }
 }

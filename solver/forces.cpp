@@ -15,14 +15,14 @@ void gather(World& w) {
   const Sides& s = w.sides;
   const bool contacts = !w.contacts.active.empty();
   if (!w.options.gather && !contacts) return;
-  const kernels::PairBuffer pairs = w.rows().pairs;
+  const kernels::Rows rows = w.rows();
 #pragma omp barrier
 #pragma omp for schedule(static)
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (w.options.gather) {
       const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
-      kernels::gather_sides({s.gather.data() + first, last - first}, pairs, w.elements.wrench.data() + i * kernels::kWrenchStride);
+      kernels::gather_sides({s.gather.data() + first, last - first}, e, rows);
     }
     if (contacts) gather_contacts(w, e);
   }

@@ -93,7 +93,7 @@ void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number)
     for (int l = 0; l < kernels::kLanes; ++l) {
       const auto e = static_cast<std::int64_t>(elements[l]);
       kernels::fetch(rows.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
-      kernels::fetch(rows.wrench + e * kernels::kWrenchStride, kernels::kDashpotColumn * sizeof(double));
+      kernels::fetch(rows.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
     }
   }
   kernels::fetch(b.constants, sizeof *b.constants);

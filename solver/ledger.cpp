@@ -57,7 +57,7 @@ void Ledger::before_kick(World& w) {
     put(v_, i, at(e.vx, e.vy, e.vz, i));
     put(w_, i, at(e.wx, e.wy, e.wz, i));
     put(l_, i, at(e.lx, e.ly, e.lz, i));
-    std::copy_n(e.wrench.data() + i * kernels::kWrenchStride + 6, 6, dash_.data() + 6 * i);
+    std::copy_n(e.dashpot.data() + i * kernels::kDashpotStride, 6, dash_.data() + 6 * i);
   }
   stored_ = joint_energy(w);
   patches_ = total(w.patches, &FreePatch::stored);

@@ -32,6 +32,7 @@ void size_arrays(Elements& e) {
   e.pose.assign(n * kernels::kPoseStride, 0.0);
   e.twist.assign(n * kernels::kTwistStride, 0.0);
   e.wrench.assign(n * kernels::kWrenchStride, 0.0);
+  e.dashpot.assign(n * kernels::kDashpotStride, 0.0);
 }
 
 /// In reference axes.

@@ -110,7 +110,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
     set_initial_velocities(w);
   }
   // Rows follow from the state: a drift of no time writes them.
-  kernels::drift(w.elements.view(), w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), 0.0, 0, w.elements.rows);
+  kernels::drift(w.elements.view(), w.elements.row_view(), 0.0, 0, w.elements.rows);
 }
 
 double Simulation::time_of(std::int64_t step) const {
@@ -157,7 +157,7 @@ void Simulation::move_supports_on() {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
     // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
-    const double* dash = e.wrench.data() + i * kernels::kWrenchStride + kernels::kDashpotColumn;
+    const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
     e.loss_dashpot[i] += 0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   }
@@ -260,28 +260,32 @@ void Simulation::note_velocities() {
 
 void Simulation::kick(const kernels::BodyForces& f) {
   World& w = *world_;
-  over_elements(w, update_shares_, [&, view = w.elements.view()](std::int64_t first, std::int64_t last) {
-    kernels::kick(view, w.elements.wrench.data(), f, first, last);
+  over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.elements.row_view()](std::int64_t first, std::int64_t last) {
+    kernels::kick(view, rows, f, first, last);
     return 0.0;
   });
 }
 
 void Simulation::drift(double dt) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_, [&, view = w.elements.view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), dt, first, last);
-    return kernels::measure_moves(view, moves, first, last);
-  });
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::drift(view, rows, dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_, [&, view = w.elements.view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
-    kernels::kick(view, w.elements.wrench.data(), f, first, last);
-    kernels::drift(view, w.elements.wrench.data(), w.elements.pose.data(), w.elements.twist.data(), f.dt, first, last);
-    return kernels::measure_moves(view, moves, first, last);
-  });
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::kick(view, rows, f, first, last);
+        kernels::drift(view, rows, f.dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
 }
 
 void Simulation::step(Due due) {

@@ -36,6 +36,8 @@ kernels::ElementsView Elements::view() noexcept {
           .iyz = iyz.data()};
 }
 
+kernels::ElementRows Elements::row_view() noexcept { return {pose.data(), twist.data(), wrench.data(), dashpot.data()}; }
+
 kernels::Bodies World::bodies() const noexcept {
   return {elements.pose.data(), elements.twist.data(), elements.body.data(), contacts.path.data()};
 }
@@ -49,7 +51,7 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
 kernels::Rows World::rows() noexcept {
   kernels::PairBuffer pairs;
   if (options.gather) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data()};
-  return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), pairs};
+  return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
 }
 
 kernels::Side Sides::side(std::int64_t id) const noexcept {

@@ -49,9 +49,10 @@ struct Elements {
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
   // Rows, see kernels/rows.h.
-  Array<double> pose, twist, wrench;
+  Array<double> pose, twist, wrench, dashpot;
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
+  [[nodiscard]] kernels::ElementRows row_view() noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.

@@ -41,12 +41,9 @@ double largest_slide2(const SideConstants& b, int l, const SideFrame& f) noexcep
 }
 
 /// Force and torque on the master, then on the slave.
-void add_pair(double* master, double* slave, Vec3 f, Vec3 ta, Vec3 tb) noexcept {
-  const double a[6] = {f.x, f.y, f.z, ta.x, ta.y, ta.z}, b[6] = {-f.x, -f.y, -f.z, tb.x, tb.y, tb.z};
-  for (int k = 0; k < 6; ++k) {
-    master[k] += a[k];
-    if (slave != nullptr) slave[k] += b[k];
-  }
+void put_pair(double* to, Vec3 f, Vec3 ta, Vec3 tb) noexcept {
+  const double both[kPairStride] = {f.x, f.y, f.z, ta.x, ta.y, ta.z, -f.x, -f.y, -f.z, tb.x, tb.y, tb.z};
+  std::copy_n(both, kPairStride, to);
 }
 
 void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const SegmentTotals& r, const Rows& rows) noexcept {
@@ -54,18 +51,16 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   to_wrench(f, r.total, w.force, w.torque_a, w.torque_b);
   to_wrench(f, r.dash, w.dash_force, w.dash_torque_a, w.dash_torque_b);
   if (rows.pairs.on != nullptr) {
-    double *total = rows.pairs.wrench + id * kPairStride, *dash = rows.pairs.dashpot + id * kPairStride;
-    std::fill_n(total, kPairStride, 0.0);
-    std::fill_n(dash, kPairStride, 0.0);
-    add_pair(total, total + 6, w.force, w.torque_a, w.torque_b);
-    add_pair(dash, dash + 6, w.dash_force, w.dash_torque_a, w.dash_torque_b);
+    put_pair(rows.pairs.wrench + id * kPairStride, w.force, w.torque_a, w.torque_b);
+    put_pair(rows.pairs.dashpot + id * kPairStride, w.dash_force, w.dash_torque_a, w.dash_torque_b);
     rows.pairs.on[id] = kOnWrench | kOnDashpot;
     return;
   }
-  double* a = rows.wrench + static_cast<std::int64_t>(side.master) * kWrenchStride;
-  double* b = side.on_base ? nullptr : rows.wrench + static_cast<std::int64_t>(side.slave) * kWrenchStride;
-  add_pair(a, b, w.force, w.torque_a, w.torque_b);
-  add_pair(a + kDashpotColumn, b == nullptr ? nullptr : b + kDashpotColumn, w.dash_force, w.dash_torque_a, w.dash_torque_b);
+  add_wrench(rows.wrench, side.master, w.force, w.torque_a);
+  add_dashpot(rows.wrench, rows.dashpot, side.master, w.dash_force, w.dash_torque_a);
+  if (side.on_base) return;
+  add_wrench(rows.wrench, side.slave, -w.force, w.torque_b);
+  add_dashpot(rows.wrench, rows.dashpot, side.slave, -w.dash_force, w.dash_torque_b);
 }
 
 }  // namespace

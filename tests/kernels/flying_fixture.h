@@ -18,10 +18,14 @@ inline constexpr double kStep = 5e-5;  // s
 /// Free elements that fly and spin.
 struct Flying {
   std::array<std::vector<double>, 29> columns;
-  std::vector<double> radius, pose, twist, wrench, path;
+  std::vector<double> radius, pose, twist, wrench, dashpot, path;
 
   Flying()
-      : pose(kCount * kernels::kPoseStride), twist(kCount * kernels::kTwistStride), wrench(kCount * kernels::kWrenchStride), path(kCount) {
+      : pose(kCount * kernels::kPoseStride),
+        twist(kCount * kernels::kTwistStride),
+        wrench(kCount * kernels::kWrenchStride),
+        dashpot(kCount * kernels::kDashpotStride),
+        path(kCount) {
     Noise noise(7);
     for (auto& c : columns) c.assign(kCount, 0.0);
     for (int c = 0; c < 29; ++c) {
@@ -39,7 +43,8 @@ struct Flying {
     return {c(0),  c(1),  c(2),  c(3),  c(4),  c(5),  c(6),  c(7),  c(8),  c(9),  c(10), c(11), c(12), c(13), c(14),
             c(15), c(16), c(17), c(18), c(19), c(20), c(21), c(22), c(23), c(24), c(25), c(26), c(27), c(28)};
   }
-  void step() { kernels::drift(view(), wrench.data(), pose.data(), twist.data(), kStep, 0, kCount); }
+  kernels::ElementRows rows() { return {pose.data(), twist.data(), wrench.data(), dashpot.data()}; }
+  void step() { kernels::drift(view(), rows(), kStep, 0, kCount); }
 };
 
 }  // namespace voussoir::testing

@@ -40,7 +40,7 @@ TEST_CASE("the angular velocity is that of the implicit midpoint, and turns the 
   for (std::size_t i = 0; i < kCount; ++i) {
     for (std::size_t c = 23; c < 29; ++c) f.columns[c][i] = c < 26 ? 10.0 * static_cast<double>(c - 22) : 3.0 * noise();
   }
-  const auto drift = [&f](double dt) { kernels::drift(f.view(), f.wrench.data(), f.pose.data(), f.twist.data(), dt, 0, kSome); };
+  const auto drift = [&f](double dt) { kernels::drift(f.view(), f.rows(), dt, 0, kSome); };
   for (int k = 0; k < 3; ++k) drift(kStep);  // until ω fits L
   for (const double dt : {kStep, 10.0 * kStep}) {
     const Flying before = f;
@@ -70,4 +70,33 @@ TEST_CASE("the angular velocity is that of the implicit midpoint, and turns the 
     }
     CHECK(fastest > 5.0 * dt);  // rad/s, halved: they do turn
   }
+}
+
+// (27) of THEORY.md: force times the mean velocity, torque times the mean of the angular velocities before and after.
+TEST_CASE("what dashpots took is booked where they did something, and nothing of a step is left in the rows") {
+  Flying f;
+  f.step();
+  constexpr std::size_t kThree[] = {5, kernels::kLanes + 2, 3 * kernels::kLanes - 1};
+  const kernels::ElementRows rows = f.rows();
+  Noise noise(8);
+  Vec3 force[kCount] = {}, torque[kCount] = {};
+  for (const std::size_t i : kThree) {
+    force[i] = noise.vector(100.0), torque[i] = noise.vector(10.0);
+    kernels::add_wrench(rows.wrench, static_cast<std::int64_t>(i), 3.0 * force[i], {});
+    kernels::add_dashpot(rows.wrench, rows.dashpot, static_cast<std::int64_t>(i), force[i], torque[i]);
+  }
+  const Flying before = f;
+  kernels::BodyForces bodies;
+  bodies.dt = kStep;
+  kernels::kick(f.view(), rows, bodies, 0, kCount);
+  f.step();
+  for (std::size_t i = 0; i < kCount; ++i) {
+    CAPTURE(i);
+    const Vec3 v = 0.5 * (at(before, 7, i) + at(f, 7, i)), w = 0.5 * (at(before, 13, i) + at(f, 13, i));
+    const double loss = -kStep * (dot(force[i], v) + dot(torque[i], w));
+    CHECK(f.columns[19][i] == doctest::Approx(loss).epsilon(1e-12));
+    CHECK((loss != 0.0) == (force[i] != Vec3{}));
+  }
+  CHECK(std::ranges::all_of(f.wrench, [](double x) { return x == 0.0; }));
+  CHECK(std::ranges::all_of(f.dashpot, [](double x) { return x == 0.0; }));
 }

@@ -84,7 +84,7 @@ ShortForm short_form(const kernels::SideBlock& block, unsigned live, const TwoBo
   const std::uint8_t lanes = static_cast<std::uint8_t>(live);
   const std::int32_t number[] = {0};
   unsigned done = 0;
-  r.certain = kernels::advance_whole({&block, &lanes, number, 0}, {b.pose.data(), b.twist.data(), r.wrench.data(), {}}, done) == 1;
+  r.certain = kernels::advance_whole({&block, &lanes, number, 0}, {b.pose.data(), b.twist.data(), r.wrench.data(), nullptr, {}}, done) == 1;
   return r;
 }
 
@@ -327,7 +327,7 @@ TEST_CASE("a side that is not certain leaves its neighbours in the block as they
   const std::uint8_t live[] = {1U << 1 | 1U << kLane};
   const std::int32_t number[] = {0};
   unsigned done = 0;
-  CHECK(kernels::advance_whole({&block, live, number, 0}, {b.pose.data(), b.twist.data(), wrench.data(), {}}, done) == 0);
+  CHECK(kernels::advance_whole({&block, live, number, 0}, {b.pose.data(), b.twist.data(), wrench.data(), nullptr, {}}, done) == 0);
   CHECK(done == (kernels::kWidth == 4 ? 1U << 1 : 0U));  // groups of four: lane 1 is in the first, lane 5 in the second
   for (std::size_t k = 0; k < wrench.size(); ++k) CHECK(wrench[k] == (done != 0 ? alone.wrench[k] : 0.0));
 }
@@ -344,7 +344,7 @@ TEST_CASE("a run of blocks goes on up to the first side that is not certain to s
   const std::uint8_t live[] = {1U << 1, 1U << 2, 1U << 3, 1U << 4, 1U << 5};
   const std::int32_t all[] = {0, 1, 2, 3, 4}, some[] = {4, 1, 0};
   std::array<double, 3 * kernels::kWrenchStride> wrench{};
-  const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench.data(), {}};
+  const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench.data(), nullptr, {}};
   unsigned lanes = 0xff;
   CHECK(kernels::advance_whole({blocks, live, all, 0}, rows, lanes) == 3);
   CHECK(lanes == 0);
