@@ -20,8 +20,7 @@ std::vector<std::int32_t> elements_of(const World& w, std::size_t task) {
     for (const auto& ends : {block.master, block.slave}) elements.insert(elements.end(), ends, ends + kernels::kLanes);
   }
   std::ranges::sort(elements);
-  const auto [first, last] = std::ranges::unique(elements);
-  elements.erase(first, last);
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
   std::erase(elements, w.elements.base);
   return elements;
 }
@@ -37,7 +36,7 @@ JointTasks::JointTasks(const World& w) : done_(w.sides.task_first.size() - 1), f
     for (const std::int32_t e : elements)
       waits.push_back(std::exchange(last[static_cast<std::size_t>(e)], static_cast<std::int32_t>(task)));
     std::ranges::sort(waits);
-    const auto [end, all] = std::ranges::unique(waits);
+    const auto end = std::unique(waits.begin(), waits.end());
     std::copy_if(waits.begin(), end, std::back_inserter(before_), [](std::int32_t t) { return t >= 0; });
     first_before_.push_back(static_cast<std::int32_t>(before_.size()));
     const auto colour = std::ranges::upper_bound(s.colour_first, static_cast<std::int32_t>(task)) - s.colour_first.begin() - 1;
