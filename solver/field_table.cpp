@@ -163,7 +163,8 @@ struct FieldTable {
     t.insert(t.end(), {value("phase", s.phase_, 0, 1), value("step", s.step_, 0, std::numeric_limits<std::int64_t>::max() / 2),
                        value("peak_speed", "m/s", s.peak_speed_)});
     t.push_back(value("largest_move", "m", s.moved_));
-    t.push_back({"damage", "-", "run", FieldType::i64, &s.damage_, 1, 5});
+    const auto segment_sides = 2 * static_cast<std::int64_t>(s.world().sides.bond.size());  // at most
+    t.push_back({"damage", "-", "run", FieldType::i64, &s.damage_, 1, 5, 0, segment_sides});
     t.push_back(rows<double>("load_before", "N, N m", "load", s.load_before_, 6));
     t.push_back(rows<double>("followed_start", "m", "history", s.start_, 3));
     t.push_back(rows<double>("followed_turned", "-", "history", s.turned_, 4));

@@ -234,6 +234,7 @@ TEST_CASE("a state of another model, or with numbers that cannot be, is refused 
   CHECK(refusal("active_first_slot", put(std::int64_t{1}, 0)).find("active_first_slot") != std::string::npos);
   CHECK(refusal("patch_from_side", put(std::int32_t{5}, 0)).find("patch_from_side") != std::string::npos);
   CHECK(refusal("phase", put(std::uint8_t{9}, 0)).find("phase") != std::string::npos);
+  CHECK(refusal("damage", put(std::numeric_limits<std::int64_t>::min(), 0)).find("damage") != std::string::npos);
   CHECK(refusal("vx", [](auto& f) { f.bytes.resize(8), f.count = 1; }).find("this model has") != std::string::npos);
   solver::SavedState lacking = good;
   lacking.erase("wx");
