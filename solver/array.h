@@ -13,8 +13,12 @@
 
 namespace voussoir::solver {
 
-/// Allocates on cache lines, so that vector loads never straddle two; large arrays on huge pages where the system has them: joints visit
-/// the rows of elements all over a building, and with small pages each visit is a miss of the translation buffer.
+/// So far apart lies what different threads write [bytes]. A core fetches ahead what follows what it goes through, some twenty lines of it:
+/// beyond the end of an array that is the next one's begin, taken from the thread that writes it there, which then has to take it back.
+inline constexpr std::size_t kApart = 4096;
+
+/// Allocates on cache lines, so that vector loads never straddle two, arrays apart; large ones on huge pages where the system has them:
+/// joints visit the rows of elements all over a building, and with small pages each visit is a miss of the translation buffer.
 template <class T>
 struct CacheAligned {
   using value_type = T;
@@ -25,7 +29,7 @@ struct CacheAligned {
   explicit CacheAligned(const CacheAligned<U>& /*other*/) noexcept {}
 
   T* allocate(std::size_t n) {
-    void* p = ::operator new(n * sizeof(T), alignment(n));
+    void* p = ::operator new(n * sizeof(T) + kApart, alignment(n));
 #ifdef MADV_HUGEPAGE
     if (n * sizeof(T) >= kHugePage) madvise(p, n * sizeof(T), MADV_HUGEPAGE);  // advice: nothing is lost where it is not taken
 #endif

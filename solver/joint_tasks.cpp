@@ -27,10 +27,10 @@ std::vector<std::int32_t> elements_of(const World& w, std::size_t task) {
 
 }  // namespace
 
-JointTasks::JointTasks(const World& w) : done_(w.sides.task_first.size() - 1), first_before_(1, 0) {
+JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), first_before_(1, 0) {
   const Sides& s = w.sides;
   std::vector<std::int32_t> last(static_cast<std::size_t>(w.elements.rows), -1);  // by element: the task that wrote to it last
-  for (std::size_t task = 0; task < done_.size(); ++task) {
+  for (std::size_t task = 0; task < flag_.size(); ++task) {
     const std::vector<std::int32_t> elements = elements_of(w, task);
     std::vector<std::int32_t> waits;
     for (const std::int32_t e : elements)
@@ -61,25 +61,45 @@ void JointTasks::deal(int threads) {
 /// In each colour those come first that wait for another thread's, or that another thread's wait for: so both are done long before.
 void JointTasks::queue_up() {
   const std::span<const double> borders = shares_.borders();
-  const auto owner = [&](std::size_t task) {
-    return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place_[task]) - borders.begin());
-  };
-  std::vector<std::uint8_t> inside(done_.size(), 1);
-  for (std::size_t task = 0; task < done_.size(); ++task) {
+  const std::size_t tasks = place_.size();
+  std::vector<std::size_t> owner;
+  for (const double place : place_) {
+    owner.push_back(static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place) - borders.begin()));
+  }
+  std::vector<std::uint8_t> inside(tasks, 1);
+  for (std::size_t task = 0; task < tasks; ++task) {
     for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
       const auto other = static_cast<std::size_t>(before_[static_cast<std::size_t>(k)]);
-      if (owner(task) != owner(other)) inside[task] = inside[other] = 0;
+      if (owner[task] != owner[other]) inside[task] = inside[other] = 0;
     }
   }
-  queues_.resize(done_.size());
+  queues_.resize(tasks);
   std::iota(queues_.begin(), queues_.end(), 0);
   std::ranges::sort(queues_, {}, [&](std::int32_t t) {
     const auto task = static_cast<std::size_t>(t);
-    return std::tuple(owner(task), colour_[task], inside[task], place_[task], t);
+    return std::tuple(owner[task], colour_[task], inside[task], place_[task], t);
   });
   ends_.assign(borders.size(), 0);
-  for (std::size_t task = 0; task < done_.size(); ++task) ++ends_[owner(task)];
+  for (std::size_t task = 0; task < tasks; ++task) ++ends_[owner[task]];
   std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+  place_flags(owner, inside);
+}
+
+/// Flags of a thread lie together, far from those of others. One that another thread looks at has a line of its own: or it would take those
+/// beside it from the thread that is about to write them.
+void JointTasks::place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside) {
+  constexpr std::size_t kLine = 64 / sizeof(Flag);
+  std::vector<std::size_t> by_thread(owner.size());
+  std::iota(by_thread.begin(), by_thread.end(), std::size_t{0});
+  std::ranges::sort(by_thread, {}, [&](std::size_t task) { return std::tuple(owner[task], inside[task], task); });
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < by_thread.size(); ++k) {
+    const std::size_t task = by_thread[k];
+    if (k > 0 && owner[task] != owner[by_thread[k - 1]]) next += kApart / sizeof(Flag);
+    flag_[task] = next;
+    next += inside[task] != 0 ? 1 : kLine;
+  }
+  done_ = decltype(done_)(next);
 }
 
 }  // namespace voussoir::solver

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "solver/array.h"
 #include "solver/task_shares.h"
 #include "solver/world.h"
 
@@ -50,6 +51,7 @@ class JointTasks {
 
   void deal(int threads);
   void queue_up();
+  void place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside);
 
   /// The task at place i of all queues.
   template <class Work>
@@ -57,26 +59,25 @@ class JointTasks {
     const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
     for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) wait_for(before_[static_cast<std::size_t>(k)]);
     work(task);
-    done_[task].step.store(step_, std::memory_order_release);
+    done_[flag_[task]].store(step_, std::memory_order_release);
   }
 
   void wait_for(std::int32_t task) const {
     constexpr int kTurns = 200;  // some microseconds; then, with more threads than cores, its turn may have to come first
-    const std::atomic<std::uint32_t>& step = done_[static_cast<std::size_t>(task)].step;
+    const Flag& step = done_[flag_[static_cast<std::size_t>(task)]];
     for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
       if (turn >= kTurns) std::this_thread::yield();
       pause_briefly();
     }
   }
 
-  struct alignas(64) Done {  // a cache line each
-    std::atomic<std::uint32_t> step{0};
-  };
+  using Flag = std::atomic<std::uint32_t>;
   std::uint32_t step_ = 0;                    // counts rounds; what is done bears its number
   int asked_ = 0, given_ = 0, expected_ = 0;  // threads, in the last step; and in this one
   TaskShares shares_{kPatience};
   std::vector<std::int32_t> queues_, ends_;          // one queue after the other; where each ends
-  std::vector<Done> done_;                           // by task
+  std::vector<Flag, CacheAligned<Flag>> done_;       // the last round in which a task was done
+  std::vector<std::size_t> flag_;                    // by task: its place among these
   std::vector<std::int32_t> first_before_, before_;  // by task: those that it waits for
   std::vector<std::int32_t> colour_;                 // by task
   std::vector<double> place_;                        // by task: where its elements lie among all, from 0 to 1

@@ -69,7 +69,7 @@ class TaskShares {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct alignas(64) Share {  // a cache line each
+  struct alignas(128) Share {  // two cache lines each: cores fetch them in pairs
     std::atomic<std::int32_t> next{0};
     std::int32_t last = 0;
     std::int64_t had = 0, done = 0;  // tasks in it; of these by its own thread
