@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/census.h"
+#include "io/bench_timing.h"
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
@@ -27,19 +28,6 @@
 namespace voussoir::io {
 
 namespace {
-
-constexpr double kBatch = 0.1;  // s, of steps
-
-/// One line of the table.
-struct Row {
-  int threads = 1;
-  bool gather = false;
-  double step = 0.0;            // s
-  double speedup = 1.0;         // against one thread
-  double flops = 0.0;           // flop/s, what the machine gave these threads at that time
-  double handover = 0.0;        // s, from one thread to the next
-  solver::StageTimes stages{};  // s a step
-};
 
 /// Sides by what they are now.
 struct Sides {
@@ -69,75 +57,6 @@ void advance_to(solver::Simulation& sim, double after) {
   while (sim.time() < after) sim.step({});
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
-/// One batch of steps.
-struct Batch {
-  double step = 0.0;            // s
-  double flops = 0.0;           // flop/s, of nothing but arithmetic, before and after
-  double handover = 0.0;        // s, from one thread to the next, likewise
-  solver::StageTimes stages{};  // s a step
-};
-Batch measure_batch(solver::Simulation& sim, int steps) {
-  const int threads = omp_get_max_threads();
-  const double flops = solver::flops_now(threads), handover = solver::handover_now(threads);
-  const solver::StageTimes before = sim.stage_times();
-  const double start = omp_get_wtime();
-  for (int i = 0; i < steps; ++i) sim.step({});
-  Batch b{(omp_get_wtime() - start) / steps, 0.0, 0.0, {}};
-  for (std::size_t k = 0; k < b.stages.size(); ++k) b.stages[k] = (sim.stage_times()[k] - before[k]) / steps;
-  b.flops = 0.5 * (flops + solver::flops_now(threads));
-  b.handover = 0.5 * (handover + solver::handover_now(threads));
-  return b;
-}
-
-int steps_in_a_batch(solver::Simulation& sim, const BenchOptions& o) {
-  if (o.steps > 0) return o.steps;
-  return std::max(10, static_cast<int>(kBatch / measure_batch(sim, 10).step));
-}
-
-/// \param one  the same number of batches on one thread, each beside the one of `all` with its number
-Row row_of(int threads, bool gather, const std::vector<Batch>& all, const std::vector<Batch>& one) {
-  const auto over_batches = [&](auto figure) {
-    std::vector<double> figures;
-    for (std::size_t b = 0; b < all.size(); ++b) figures.push_back(figure(b));
-    return median(std::move(figures));
-  };
-  Row row{threads,
-          gather,
-          over_batches([&](std::size_t b) { return all[b].step; }),
-          over_batches([&](std::size_t b) { return one[b].step / all[b].step; }),
-          over_batches([&](std::size_t b) { return all[b].flops; }),
-          over_batches([&](std::size_t b) { return all[b].handover; }),
-          {}};
-  for (std::size_t k = 0; k < row.stages.size(); ++k) row.stages[k] = over_batches([&](std::size_t b) { return all[b].stages[k]; });
-  return row;
-}
-
-/// Medians over batches of steps. The numbers of threads take turns, so that whatever else the machine does meets them all.
-std::vector<Row> measure(solver::Simulation& sim, const std::vector<int>& counts, bool gather, const BenchOptions& o) {
-  std::vector<std::vector<Batch>> batches(counts.size());
-  std::vector<int> steps;
-  for (const int threads : counts) {
-    omp_set_num_threads(threads);
-    steps.push_back(steps_in_a_batch(sim, o));
-  }
-  for (int batch = 0; batch < o.batches; ++batch) {
-    for (std::size_t c = 0; c < counts.size(); ++c) {
-      omp_set_num_threads(counts[c]);
-      for (int i = 0; i < steps[c]; ++i) sim.step({});  // other threads have other shares, and other rows in their caches
-      batches[c].push_back(measure_batch(sim, steps[c]));
-    }
-  }
-  std::vector<Row> rows;
-  for (std::size_t c = 0; c < counts.size(); ++c) rows.push_back(row_of(counts[c], gather, batches[c], batches.front()));
-  return rows;
-}
-
 std::vector<int> thread_counts(int most) {
   std::vector<int> counts;
   for (int n = 1; n < most; n *= 2) counts.push_back(n);
@@ -146,32 +65,54 @@ std::vector<int> thread_counts(int most) {
 }
 
 std::string header() {
-  std::string line = "scatter,threads,ms_per_step,steps_per_s,speedup,machine_gflops,handover_ns,ns_per_joint,ns_per_segment_side";
+  std::string line =
+      "scatter,threads,ms_per_step,steps_per_s,speedup,samples,quiet,quiet_ms_per_step,quiet_steps_per_s,quiet_speedup,"
+      "handover_ns,ns_per_joint,ns_per_segment_side";
   for (const char* name : solver::kStageNames) line += std::string(",ms_") + name;
   return line;
 }
 
-/// One line as CSV.
-std::string line(const Row& r, const cases::Census& n) {
-  const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
-  char text[400];
-  int at =
-      std::snprintf(text, sizeof text, "%s,%d,%.4f,%.0f,%.2f,%.1f,%.0f,%.1f,%.2f", r.gather ? "gather" : "colour", r.threads, 1e3 * r.step,
-                    1.0 / r.step, r.speedup, 1e-9 * r.flops, 1e9 * r.handover, 1e9 * r.step / joints, 1e9 * r.step / segments);
-  for (const double s : r.stages) at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), ",%.4f", 1e3 * s);
+std::string print(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
-/// CSV with its commas turned into columns.
-void print_columns(const std::string& csv) {
-  std::string cell;
-  for (const char ch : csv + ",") {
-    if (ch != ',') {
-      cell += ch;
-      continue;
+/// One line as CSV; what has not been measured is empty.
+std::string line(bool gather, const Timing& t, const cases::Census& n) {
+  const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
+  std::vector<std::string> cells{gather ? "gather" : "colour", std::to_string(t.threads), print("%.4f", 1e3 * t.step),
+                                 print("%.0f", 1.0 / t.step),  print("%.2f", t.speedup),  std::to_string(t.samples),
+                                 std::to_string(t.quiet)};
+  cells.push_back(t.quiet_step > 0.0 ? print("%.4f", 1e3 * t.quiet_step) : "");
+  cells.push_back(t.quiet_step > 0.0 ? print("%.0f", 1.0 / t.quiet_step) : "");
+  cells.push_back(t.quiet_speedup > 0.0 ? print("%.2f", t.quiet_speedup) : "");
+  cells.push_back(print("%.0f", 1e9 * t.handover));
+  cells.push_back(print("%.1f", 1e9 * t.step / joints));
+  cells.push_back(print("%.2f", 1e9 * t.step / segments));
+  for (const double s : t.stages) cells.push_back(print("%.4f", 1e3 * s));
+  std::string text = cells.front();
+  for (std::size_t k = 1; k < cells.size(); ++k) text += "," + cells[k];
+  return text;
+}
+
+std::vector<std::string> cells_of(const std::string& csv) {
+  std::vector<std::string> cells(1);
+  for (const char ch : csv) {
+    if (ch == ',') {
+      cells.emplace_back();
+    } else {
+      cells.back() += ch;
     }
-    std::printf("%*s ", std::max(9, static_cast<int>(cell.size())), cell.c_str());
-    cell.clear();
+  }
+  return cells;
+}
+
+/// CSV in columns, under its header.
+void print_columns(const std::string& csv) {
+  const std::vector<std::string> names = cells_of(header()), cells = cells_of(csv);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    std::printf("%*s ", static_cast<int>(std::max<std::size_t>(8, names[k].size())), cells[k].empty() ? "-" : cells[k].c_str());
   }
   std::printf("\n");
 }
@@ -221,9 +162,9 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
       print_columns(header());
       if (table) table << header() << '\n';
     }
-    for (const Row& row : measure(sim, thread_counts(most), gather, o)) {
-      print_columns(line(row, census));
-      if (table) table << line(row, census) << '\n';
+    for (const Timing& t : time_steps(sim, thread_counts(most), {o.batches, o.steps})) {
+      print_columns(line(gather, t, census));
+      if (table) table << line(gather, t, census) << '\n';
     }
   }
 }

@@ -47,20 +47,43 @@ void multiply_and_add(int threads, int rounds) {
   }
 }
 
-double flop_of(int threads, int rounds) { return 2.0 * kernels::kWidth * kChains * static_cast<double>(rounds) * threads; }
+/// Multiply-adds and integers side by side fill a core's slots for instructions, which its two halves share. Multiply-adds alone leave
+/// most of them to the other half, and would not notice it.
+void mix() {
+  constexpr int kRounds = 20'000;
+  const kernels::Lanes a = kernels::lanes(0.999'999), b = kernels::lanes(1e-7);
+  kernels::Lanes x0 = a, x1 = b, x2 = a + b, x3 = a - b;
+  std::uint64_t n0 = 1, n1 = 2, n2 = 3, n3 = 4;
+  const auto step = [](std::uint64_t& n) {
+    n ^= n << 7;
+    asm("" : "+r"(n));  // in a register of its own, not of vectors
+    n += n >> 9;
+    asm("" : "+r"(n));
+  };
+  for (int i = 0; i < kRounds; ++i) {
+    x0 = x0 * a + b, x1 = x1 * a + b, x2 = x2 * a + b, x3 = x3 * a + b;
+    step(n0), step(n1), step(n2), step(n3);
+  }
+  // Or the compiler would leave out what nobody asks for.
+  [[maybe_unused]] volatile double sink = (x0 + x1 + x2 + x3)[0] + static_cast<double>(n0 + n1 + n2 + n3);
+}
 
 }  // namespace
 
 double peak_flops(int threads) {
   constexpr int kRounds = 4'000'000;
-  return flop_of(threads, kRounds) / fastest([&] { multiply_and_add(threads, kRounds); });
+  return 2.0 * kernels::kWidth * kChains * static_cast<double>(kRounds) * threads / fastest([&] { multiply_and_add(threads, kRounds); });
 }
 
-double flops_now(int threads) {
-  constexpr int kRounds = 400'000;
-  const double start = omp_get_wtime();
-  multiply_and_add(threads, kRounds);
-  return flop_of(threads, kRounds) / (omp_get_wtime() - start);
+std::vector<double> core_times(int threads) {
+  std::vector<double> times(static_cast<std::size_t>(threads), 0.0);
+#pragma omp parallel num_threads(threads)
+  {
+    const double start = omp_get_wtime();
+    mix();
+    times[static_cast<std::size_t>(omp_get_thread_num())] = omp_get_wtime() - start;
+  }
+  return times;
 }
 
 double handover_now(int threads) {

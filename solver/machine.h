@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 /// What the machine can do at best, to measure a step against.
 namespace voussoir::solver {
 
 /// Multiply-adds in registers on all threads [flop/s], a multiply-add counting two.
 double peak_flops(int threads);
 
-/// The same just now, in a millisecond: of a core that is shared with others less than at best.
-double flops_now(int threads);
+/// What each thread takes just now [s] for some thirty microseconds of arithmetic of all kinds, in registers: more than at best on a core
+/// that others have for a while, or whose other half is at work for others.
+std::vector<double> core_times(int threads);
 
 /// What it takes a thread just now to see what the one before it has written [s], on the average over the team; 0 for one thread, or for
 /// more than the machine has cores. Cores that share a cache need 25 to 60 ns, others 110 to 180.
