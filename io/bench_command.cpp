@@ -149,6 +149,9 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   std::ofstream table = open_table(o);
   const cases::Census census = cases::census(model);
   const int most = o.threads > 0 ? o.threads : omp_get_max_threads();
+  TimingOptions timing;
+  if (o.batches > 0) timing.least = timing.most = o.batches;
+  timing.steps = o.steps;
   for (const bool gather : {false, true}) {
     omp_set_num_threads(most);
     auto holder = build(gather);
@@ -162,7 +165,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
       print_columns(header());
       if (table) table << header() << '\n';
     }
-    for (const Timing& t : time_steps(sim, thread_counts(most), {o.batches, o.steps})) {
+    for (const Timing& t : time_steps(sim, thread_counts(most), timing)) {
       print_columns(line(gather, t, census));
       if (table) table << line(gather, t, census) << '\n';
     }

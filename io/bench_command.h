@@ -12,7 +12,7 @@ namespace voussoir::io {
 struct BenchOptions {
   double after = 0.0;  // s of shaking until the measurement; 0: intact, under the first of gravity
   int threads = 0;     // most; 0: all cores
-  int batches = 15;    // a figure is the median of so many
+  int batches = 0;     // a figure is the median of so many; 0: 15, or up to 60 on a machine that is seldom quiet
   int steps = 0;       // in a batch; 0: as many as take about 0.1 s
   std::string csv;     // also write the table here, if not empty
   bool overwrite = false;

@@ -85,10 +85,10 @@ void JointTasks::queue_up() {
   place_flags(owner, inside);
 }
 
-/// Flags of a thread lie together, far from those of others. One that another thread looks at has a line of its own: or it would take those
-/// beside it from the thread that is about to write them.
+/// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would
+/// take those beside it from the thread that is about to write them.
 void JointTasks::place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside) {
-  constexpr std::size_t kLine = 64 / sizeof(Flag);
+  constexpr std::size_t kLines = 128 / sizeof(Flag);
   std::vector<std::size_t> by_thread(owner.size());
   std::iota(by_thread.begin(), by_thread.end(), std::size_t{0});
   std::ranges::sort(by_thread, {}, [&](std::size_t task) { return std::tuple(owner[task], inside[task], task); });
@@ -97,9 +97,10 @@ void JointTasks::place_flags(const std::vector<std::size_t>& owner, const std::v
     const std::size_t task = by_thread[k];
     if (k > 0 && owner[task] != owner[by_thread[k - 1]]) next += kApart / sizeof(Flag);
     flag_[task] = next;
-    next += inside[task] != 0 ? 1 : kLine;
+    next += inside[task] != 0 ? 1 : kLines;
   }
   done_ = decltype(done_)(next);
+  for (Flag& f : done_) f.store(step_ - 1, std::memory_order_relaxed);
 }
 
 }  // namespace voussoir::solver

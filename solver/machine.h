@@ -15,7 +15,7 @@ double peak_flops(int threads);
 std::vector<double> core_times(int threads);
 
 /// What it takes a thread just now to see what the one before it has written [s], on the average over the team; 0 for one thread, or for
-/// more than the machine has cores. Cores that share a cache need 25 to 60 ns, others 110 to 180.
+/// more than the machine has cores. Cores that share a cache need 25 to 65 ns, others 110 to 180.
 double handover_now(int threads);
 
 /// The triad a = b + s c of STREAM over arrays far larger than any cache [byte/s].
