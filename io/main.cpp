@@ -134,7 +134,9 @@ void add_bench(CLI::App& app, Words& w) {
   CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment; thread scaling");
   add_case(bench, w);
   bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(CLI::NonNegativeNumber);
-  bench->add_option("--batches", w.bench.batches, "a figure is the median of so many batches of steps (default: 15, up to 60 if the machine is seldom quiet)")
+  bench
+      ->add_option("--batches", w.bench.batches,
+                   "a figure is the median of so many batches of steps (default: 15, up to 60 if the machine is seldom quiet)")
       ->check(CLI::Range(1, 1000));
   bench->add_option("--steps", w.bench.steps, "steps in a batch (default: about 0.1 s of them)")->check(CLI::Range(1, 1000000));
   bench->add_option("--csv", w.bench.csv, "also write the table to this file");
