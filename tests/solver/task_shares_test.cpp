@@ -132,8 +132,8 @@ TEST_CASE("a share without a task grows until it has one") {
 
 TEST_CASE("the border moves towards the thread whose tasks take longer") {
   const double border = border_after(10, [](TaskShares& shares) {
-    shares.take_own(0, [](std::int32_t) { work_for(2e-6); });
-    shares.take_own(1, [](std::int32_t) { work_for(1e-6); });
+    shares.take_own(0, [](std::int32_t) { work_for(2e-5); });
+    shares.take_own(1, [](std::int32_t) { work_for(1e-5); });
   });
   CHECK(std::abs(border - 1.0 / 3.0) < 0.04);
 }
