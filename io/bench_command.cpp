@@ -64,53 +64,50 @@ std::vector<int> thread_counts(int most) {
   return counts;
 }
 
-std::string header() {
-  std::string line =
-      "scatter,threads,ms_per_step,steps_per_s,speedup,samples,quiet,quiet_ms_per_step,quiet_steps_per_s,quiet_speedup,"
-      "handover_ns,ns_per_joint,ns_per_segment_side";
-  for (const char* name : solver::kStageNames) line += std::string(",ms_") + name;
-  return line;
+using Cells = std::vector<std::string>;
+
+Cells header() {
+  Cells names{"scatter", "threads", "ms_per_step", "steps_per_s", "speedup"};
+  for (const char* name : {"samples", "quiet", "quiet_ms_per_step", "quiet_steps_per_s", "quiet_speedup"}) names.emplace_back(name);
+  for (const char* name : {"handover_ns", "ns_per_joint", "ns_per_segment_side"}) names.emplace_back(name);
+  for (const char* name : solver::kStageNames) names.push_back(std::string("ms_") + name);
+  return names;
 }
 
-std::string print(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-/// One line as CSV; what has not been measured is empty.
-std::string line(bool gather, const Timing& t, const cases::Census& n) {
+/// Under that header; what has not been measured is empty.
+Cells cells_of(bool gather, const Timing& t, const cases::Census& n) {
   const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
-  std::vector<std::string> cells{gather ? "gather" : "colour", std::to_string(t.threads), print("%.4f", 1e3 * t.step),
-                                 print("%.0f", 1.0 / t.step),  print("%.2f", t.speedup),  std::to_string(t.samples),
-                                 std::to_string(t.quiet)};
-  cells.push_back(t.quiet_step > 0.0 ? print("%.4f", 1e3 * t.quiet_step) : "");
-  cells.push_back(t.quiet_step > 0.0 ? print("%.0f", 1.0 / t.quiet_step) : "");
-  cells.push_back(t.quiet_speedup > 0.0 ? print("%.2f", t.quiet_speedup) : "");
-  cells.push_back(print("%.0f", 1e9 * t.handover));
-  cells.push_back(print("%.1f", 1e9 * t.step / joints));
-  cells.push_back(print("%.2f", 1e9 * t.step / segments));
-  for (const double s : t.stages) cells.push_back(print("%.4f", 1e3 * s));
-  std::string text = cells.front();
-  for (std::size_t k = 1; k < cells.size(); ++k) text += "," + cells[k];
-  return text;
-}
-
-std::vector<std::string> cells_of(const std::string& csv) {
-  std::vector<std::string> cells(1);
-  for (const char ch : csv) {
-    if (ch == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += ch;
-    }
+  Cells cells{gather ? "gather" : "colour", std::to_string(t.threads)};
+  const auto put = [&](const char* format, double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    cells.emplace_back(text);
+  };
+  put("%.4f", 1e3 * t.step), put("%.0f", 1.0 / t.step), put("%.2f", t.speedup);
+  put("%.0f", t.samples), put("%.0f", t.quiet);
+  if (t.quiet > 0) {
+    put("%.4f", 1e3 * t.quiet_step), put("%.0f", 1.0 / t.quiet_step);
+  } else {
+    cells.insert(cells.end(), 2, "");
   }
+  if (t.quiet_speedup > 0.0) {
+    put("%.2f", t.quiet_speedup);
+  } else {
+    cells.emplace_back();
+  }
+  put("%.0f", 1e9 * t.handover), put("%.1f", 1e9 * t.step / joints), put("%.2f", 1e9 * t.step / segments);
+  for (const double s : t.stages) put("%.4f", 1e3 * s);
   return cells;
 }
 
-/// CSV in columns, under its header.
-void print_columns(const std::string& csv) {
-  const std::vector<std::string> names = cells_of(header()), cells = cells_of(csv);
+std::string csv(const Cells& cells) {
+  std::string line = cells.front();
+  for (std::size_t k = 1; k < cells.size(); ++k) line += "," + cells[k];
+  return line + "\n";
+}
+
+void print_columns(const Cells& cells) {
+  const Cells names = header();
   for (std::size_t k = 0; k < cells.size(); ++k) {
     std::printf("%*s ", static_cast<int>(std::max<std::size_t>(8, names[k].size())), cells[k].empty() ? "-" : cells[k].c_str());
   }
@@ -163,11 +160,12 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
       std::printf("machine at best          %.1f Gflop/s on one thread; %.1f GB/s on %d\n\n", 1e-9 * solver::peak_flops(1),
                   1e-9 * solver::peak_bandwidth(most), most);
       print_columns(header());
-      if (table) table << header() << '\n';
+      if (table) table << csv(header());
     }
     for (const Timing& t : time_steps(sim, thread_counts(most), timing)) {
-      print_columns(line(gather, t, census));
-      if (table) table << line(gather, t, census) << '\n';
+      const Cells cells = cells_of(gather, t, census);
+      print_columns(cells);
+      if (table) table << csv(cells);
     }
   }
 }
