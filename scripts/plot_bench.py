@@ -47,7 +47,7 @@ def speedups(axes, tables):
 
 
 def growth(axes, tables):
-    houses = {int(m.group(1)): rows(p) for p in tables if (m := re.search(r"-x(\d+)$", p.stem))}
+    houses = {float(m.group(1)): rows(p) for p in tables if (m := re.search(r"-x([0-9.]+)$", p.stem))}
     for scatter, style in (("colour", "-o"), ("gather", "--s")):
         points = sorted((n, float(r["ns_per_joint"])) for n, table in houses.items() for r in table
                         if r["scatter"] == scatter and r["threads"] == "1")
