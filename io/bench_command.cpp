@@ -6,24 +6,27 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <vector>
 
 #include "cases/census.h"
+#include "io/bench_stages.h"
+#include "io/bench_table.h"
 #include "io/bench_timing.h"
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
 #include "io/restored_run.h"
 #include "io/run_command.h"
+#include "io/scratch_folder.h"
+#include "io/session.h"
 #include "io/support_motion.h"
 #include "io/waiting_threads.h"
 #include "solver/field_table.h"
 #include "solver/machine.h"
 #include "solver/memory.h"
 #include "solver/simulation.h"
+#include "solver/step_work.h"
 
 namespace voussoir::io {
 
@@ -64,54 +67,73 @@ std::vector<int> thread_counts(int most) {
   return counts;
 }
 
-using Cells = std::vector<std::string>;
-
-Cells header() {
-  Cells names{"scatter", "threads", "ms_per_step", "steps_per_s", "speedup"};
-  for (const char* name : {"samples", "quiet", "quiet_ms_per_step", "quiet_steps_per_s", "quiet_speedup"}) names.emplace_back(name);
-  for (const char* name : {"handover_ns", "ns_per_joint", "ns_per_segment_side"}) names.emplace_back(name);
-  for (const char* name : solver::kStageNames) names.push_back(std::string("ms_") + name);
-  return names;
+Cells timing_header() {
+  return {"scatter",     "threads",      "ms_per_step",        "steps_per_s",       "speedup",
+          "samples",     "quiet",        "quiet_ms_per_step",  "quiet_steps_per_s", "quiet_speedup",
+          "handover_ns", "ns_per_joint", "ns_per_segment_side"};
 }
 
-/// Under that header; what has not been measured is empty.
+/// Under that header.
 Cells cells_of(bool gather, const Timing& t, const cases::Census& n) {
   const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
   Cells cells{gather ? "gather" : "colour", std::to_string(t.threads)};
-  const auto put = [&](const char* format, double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, format, value);
-    cells.emplace_back(text);
+  const auto put_if = [&](bool measured, const char* format, double value) {
+    measured ? put(cells, format, value) : static_cast<void>(cells.emplace_back());
   };
-  put("%.4f", 1e3 * t.step), put("%.0f", 1.0 / t.step), put("%.2f", t.speedup);
-  put("%.0f", t.samples), put("%.0f", t.quiet);
-  if (t.quiet > 0) {
-    put("%.4f", 1e3 * t.quiet_step), put("%.0f", 1.0 / t.quiet_step);
-  } else {
-    cells.insert(cells.end(), 2, "");
-  }
-  if (t.quiet_speedup > 0.0) {
-    put("%.2f", t.quiet_speedup);
-  } else {
-    cells.emplace_back();
-  }
-  put("%.0f", 1e9 * t.handover), put("%.1f", 1e9 * t.step / joints), put("%.2f", 1e9 * t.step / segments);
-  for (const double s : t.stages) put("%.4f", 1e3 * s);
+  put(cells, "%.4f", 1e3 * t.step), put(cells, "%.0f", 1.0 / t.step), put(cells, "%.2f", t.speedup);
+  put(cells, "%.0f", t.samples), put(cells, "%.0f", t.quiet);
+  put_if(t.quiet > 0, "%.4f", 1e3 * t.quiet_step), put_if(t.quiet > 0, "%.0f", 1.0 / t.quiet_step);
+  put_if(t.quiet_speedup > 0.0, "%.2f", t.quiet_speedup);
+  put(cells, "%.0f", 1e9 * t.handover), put(cells, "%.1f", 1e9 * t.step / joints), put(cells, "%.2f", 1e9 * t.step / segments);
   return cells;
 }
 
-std::string csv(const Cells& cells) {
-  std::string line = cells.front();
-  for (std::size_t k = 1; k < cells.size(); ++k) line += "," + cells[k];
-  return line + "\n";
+Cells split_header() {
+  return {"scatter", "threads",       "part_of_the_step", "ms_per_step",   "share_of_step",
+          "gflops",  "share_of_peak", "gbytes_per_s",     "share_of_triad"};
 }
 
-void print_columns(const Cells& cells) {
-  const Cells names = header();
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    std::printf("%*s ", static_cast<int>(std::max<std::size_t>(8, names[k].size())), cells[k].empty() ? "-" : cells[k].c_str());
+/// What a machine can do with so many threads at best.
+struct Limits {
+  double flops = 0.0, bandwidth = 0.0;  // flop/s, byte/s
+};
+
+/// Work that a part is known to have; none: 0, 0.
+solver::Work work_of(StepPart part, const solver::StepWork& w) {
+  switch (part) {
+    case StepPart::whole_joints:
+      return w.whole_joints;
+    case StepPart::damaged_joints:
+      return w.damaged_joints;
+    case StepPart::contacts:
+      return w.contacts;
+    case StepPart::scatter:
+      return w.scatter;
+    case StepPart::update:
+      return w.update;
+    default:
+      return {};
   }
-  std::printf("\n");
+}
+
+/// A row under that header for each part, and one for all.
+std::vector<Cells> cells_of(bool gather, const StepSplit& split, const solver::StepWork& works, Limits best) {
+  std::vector<Cells> rows;
+  const auto add = [&](const char* name, double time, solver::Work work) {
+    Cells cells{gather ? "gather" : "colour", std::to_string(split.threads), name};
+    put(cells, "%.4f", 1e3 * time), put(cells, "%.3f", time / split.step());
+    const auto put_rate = [&](double amount, double limit) {
+      if (amount <= 0.0 || time <= 0.0) return static_cast<void>(cells.insert(cells.end(), 2, ""));
+      put(cells, "%.1f", 1e-9 * amount / time), put(cells, "%.2f", amount / time / limit);
+    };
+    put_rate(work.operations, best.flops), put_rate(work.bytes, best.bandwidth);
+    rows.push_back(std::move(cells));
+  };
+  for (std::size_t k = 0; k < split.parts.size(); ++k) {
+    add(kStepPartNames[k], split.parts[k], work_of(static_cast<StepPart>(k), works));
+  }
+  add("step", split.step(), {});
+  return rows;
 }
 
 void print_subject(const cases::Census& census, const solver::World& w) {
@@ -132,45 +154,77 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
 }
 
-std::ofstream open_table(const BenchOptions& o) {
-  if (o.csv.empty()) return {};
-  if (!o.overwrite && std::filesystem::exists(o.csv)) throw FileError(o.csv, "exists; give another name or --overwrite");
-  std::ofstream file(o.csv);
-  if (!file) throw FileError(o.csv, "cannot be written");
-  return file;
-}
+/// A simulation to be measured, and what it refers to.
+struct Subject {
+  const cases::Case& value;
+  const cases::Model& model;
+  solver::Simulation& sim;
+  solver::RunState& plan;
+};
 
-/// The tables of one subject: `build(gather)` makes its simulation anew.
-template <class Build>
-void bench(Build build, const cases::Model& model, const BenchOptions& o) {
-  std::ofstream table = open_table(o);
-  const cases::Census census = cases::census(model);
-  const int most = o.threads > 0 ? o.threads : omp_get_max_threads();
-  TimingOptions timing;
-  if (o.batches > 0) timing.least = timing.most = o.batches;
-  timing.steps = o.steps;
-  for (const bool gather : {false, true}) {
-    omp_set_num_threads(most);
-    auto holder = build(gather);
-    solver::Simulation& sim = *holder->sim;
-    advance_to(sim, o.after);
-    if (!gather) {
-      print_subject(census, sim.world());
-      std::printf("waiting threads          %s\n", waiting_threads().c_str());
-      std::printf("machine at best          %.1f Gflop/s on one thread; %.1f GB/s on %d\n\n", 1e-9 * solver::peak_flops(1),
-                  1e-9 * solver::peak_bandwidth(most), most);
-      print_columns(header());
-      if (table) table << csv(header());
-    }
-    for (const Timing& t : time_steps(sim, thread_counts(most), timing)) {
-      const Cells cells = cells_of(gather, t, census);
-      print_columns(cells);
-      if (table) table << csv(cells);
-    }
+/// Where the time goes, in a pass of its own; its results go to a folder that vanishes.
+void bench_stages(const Subject& s, bool gather, std::span<const Timing> timings, const std::vector<Limits>& best, int batches,
+                  BenchTable& table) {
+  const ScratchFolder folder;
+  ResultsWriter results(folder.path(), s.model, "", history_names(s.value), provenance(0));
+  std::vector<int> counts, steps;
+  for (const Timing& t : timings) counts.push_back(t.threads), steps.push_back(t.steps);
+  const std::vector<StepSplit> splits = split_steps({s.value, s.sim, s.plan, results}, counts, steps, batches);
+  const solver::StepWork work = solver::step_work(s.sim.world());
+  for (std::size_t k = 0; k < splits.size(); ++k) {
+    for (const Cells& cells : cells_of(gather, splits[k], work, best[k])) table.add(cells);
   }
 }
 
-struct Holder {
+/// By number of threads; more of them than cores can do no more.
+std::vector<Limits> limits_of(std::span<const int> counts) {
+  std::vector<Limits> limits;
+  for (const int n : counts) {
+    const int cores = std::min(n, omp_get_num_procs());
+    limits.push_back({solver::peak_flops(cores), solver::peak_bandwidth(cores)});
+    std::printf("%-25s%.1f Gflop/s, %.1f GB/s on %d\n", limits.size() == 1 ? "machine at best" : "", 1e-9 * limits.back().flops,
+                1e-9 * limits.back().bandwidth, cores);
+    if (n >= omp_get_num_procs()) return limits.resize(counts.size(), limits.back()), limits;
+  }
+  return limits;
+}
+
+/// The tables of one subject: `build(gather)` makes it anew.
+template <class Build>
+void bench(Build build, const cases::Model& model, const BenchOptions& o) {
+  BenchTable table(timing_header(), o.csv, o.overwrite), stages(split_header(), o.stages_csv, o.overwrite);
+  const cases::Census census = cases::census(model);
+  const std::vector<int> counts = thread_counts(o.threads > 0 ? o.threads : omp_get_max_threads());
+  TimingOptions timing;
+  if (o.batches > 0) timing.least = timing.most = o.batches;
+  timing.steps = o.steps;
+  std::vector<Limits> best;
+  for (const bool gather : {false, true}) {
+    omp_set_num_threads(counts.back());
+    auto holder = build(gather);
+    solver::Simulation& sim = *holder->sim;
+    advance_to(sim, o.after);
+    holder->plan.shaking |= sim.phase() == solver::Phase::shaking;
+    if (!gather) {
+      print_subject(census, sim.world());
+      std::printf("waiting threads          %s\n", waiting_threads().c_str());
+      best = limits_of(counts);
+    }
+    std::printf("\n");
+    table.print_header();
+    const std::vector<Timing> timings = time_steps(sim, counts, timing);
+    for (const Timing& t : timings) table.add(cells_of(gather, t, census));
+    std::printf("\n");
+    stages.print_header();
+    bench_stages({holder->value, holder->model, sim, holder->plan}, gather, timings, best, timing.least, stages);
+  }
+}
+
+/// As RestoredRun is, of a case that has just been read.
+struct FreshRun {
+  const cases::Case& value;
+  const cases::Model& model;
+  solver::RunState plan;
   std::unique_ptr<solver::Simulation> sim;
 };
 
@@ -183,7 +237,8 @@ int bench_command(const LoadedCase& c, const BenchOptions& o) {
   const auto build = [&](bool gather) {
     solver::Options options;
     options.gather = gather;
-    return std::make_unique<Holder>(Holder{std::make_unique<solver::Simulation>(c.value, model, motion, options)});
+    return std::make_unique<FreshRun>(c.value, model, solver::RunState{},
+                                      std::make_unique<solver::Simulation>(c.value, model, motion, options));
   };
   bench(build, model, o);
   return kDone;

@@ -32,12 +32,10 @@ struct Team {
 
 Sample take_sample(solver::Simulation& sim, int steps) {
   const int threads = omp_get_max_threads();
-  Sample s{.steps = steps, .time = 0.0, .stages = {}, .cores = solver::core_times(threads)};
-  const solver::StageTimes before = sim.stage_times();
+  Sample s{.steps = steps, .time = 0.0, .cores = solver::core_times(threads)};
   const double start = omp_get_wtime();
   for (int i = 0; i < steps; ++i) sim.step({});
   s.time = omp_get_wtime() - start;
-  for (std::size_t k = 0; k < before.size(); ++k) s.stages[k] = sim.stage_times()[k] - before[k];
   const std::vector<double> after = solver::core_times(threads);
   for (std::size_t k = 0; k < after.size(); ++k) {
     const bool given = s.cores[k] > 0.0 && after[k] > 0.0;
@@ -67,18 +65,14 @@ double median(std::vector<double> values) {
   return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
-/// Some time of a batch, per step, over the samples chosen; 0: none is.
-template <class Time>
-double per_step(const Batch& b, const std::vector<bool>& chosen, Time time) {
+/// What a step took in a batch, over the samples chosen; 0: none is.
+double step_of(const Batch& b, const std::vector<bool>& chosen) {
   double sum = 0.0;
   std::int64_t steps = 0;
   for (std::size_t k = 0; k < b.samples.size(); ++k) {
-    if (chosen[k]) sum += time(b.samples[k]), steps += b.samples[k].steps;
+    if (chosen[k]) sum += b.samples[k].time, steps += b.samples[k].steps;
   }
   return steps > 0 ? sum / static_cast<double>(steps) : 0.0;
-}
-double step_of(const Batch& b, const std::vector<bool>& chosen) {
-  return per_step(b, chosen, [](const Sample& s) { return s.time; });
 }
 
 /// By batch and sample: was it quiet?
@@ -130,19 +124,13 @@ Steps steps_of(const Team& team, const std::vector<std::vector<bool>>& chosen, c
 Timing timing_of(const Team& team, const Team& one) {
   const std::vector<bool> all(kSamples, true);
   const std::vector<std::vector<bool>> every(team.batches.size(), all), those = quiet_samples(team);
-  const auto over_batches = [&](auto figure) {
-    std::vector<double> figures;
-    for (const Batch& b : team.batches) figures.push_back(figure(b));
-    return median(std::move(figures));
-  };
   Timing t;
-  t.threads = team.threads;
+  t.threads = team.threads, t.steps = team.steps;
   const Steps steps = steps_of(team, every, one, every), quiet_steps = steps_of(team, those, one, quiet_samples(one));
   t.step = steps.step, t.speedup = steps.speedup;
-  t.handover = over_batches([](const Batch& b) { return b.handover; });
-  for (std::size_t k = 0; k < t.stages.size(); ++k) {
-    t.stages[k] = over_batches([&](const Batch& b) { return per_step(b, all, [&](const Sample& s) { return s.stages[k]; }); });
-  }
+  std::vector<double> handovers;
+  for (const Batch& b : team.batches) handovers.push_back(b.handover);
+  t.handover = median(std::move(handovers));
   for (const Batch& b : team.batches) t.samples += static_cast<int>(b.samples.size());
   t.quiet = static_cast<int>(count(those));
   t.quiet_step = quiet_steps.step, t.quiet_speedup = quiet_steps.speedup;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "solver/simulation.h"
-#include "solver/stages.h"
 
 /// How long a step takes, on a machine that others use, too.
 namespace voussoir::io {
@@ -14,9 +13,8 @@ namespace voussoir::io {
 /// Some steps, a tenth of a batch.
 struct Sample {
   int steps = 0;
-  double time = 0.0;            // s, of all of them
-  solver::StageTimes stages{};  // s, likewise
-  std::vector<double> cores;    // s, by thread: solver::core_times beside them, the longer of before and after; 0: not given
+  double time = 0.0;          // s, of all of them
+  std::vector<double> cores;  // s, by thread: solver::core_times beside them, the longer of before and after; 0: not given
 };
 
 /// Which of these samples of one team were quiet: each of its cores was as fast beside them as beside any, or nearly.
@@ -25,11 +23,11 @@ std::vector<bool> quiet(std::span<const Sample> samples);
 /// What a step takes with so many threads: medians over batches.
 struct Timing {
   int threads = 1;
+  int steps = 1;  // in a batch
   // Whatever the machine did.
-  double step = 0.0;            // s
-  double speedup = 1.0;         // against one thread, of batches beside each other
-  double handover = 0.0;        // s, solver::handover_now
-  solver::StageTimes stages{};  // s a step
+  double step = 0.0;      // s
+  double speedup = 1.0;   // against one thread, of batches beside each other
+  double handover = 0.0;  // s, solver::handover_now
   // The same by those samples of each batch that were quiet; none with more threads than the machine has cores.
   int samples = 0, quiet = 0;                    // all, and these
   double quiet_step = 0.0, quiet_speedup = 0.0;  // s; 0: none

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/stills.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,30 +15,13 @@
 #include "io/packed_text.h"
 #include "io/report_data.h"
 #include "io/run_folder.h"
+#include "io/scratch_folder.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr int kWidth = 1600, kHeight = 1000;  // pixels
-
-/// A folder of its own that goes with its owner.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_((fs::temp_directory_path() / "voussoir-XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr) throw FileError(path_, "cannot make the folder");
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code left;  // in the system's folder for such things: no harm
-    fs::remove_all(path_, left);
-  }
-  [[nodiscard]] const std::string& path() const noexcept { return path_; }
-
- private:
-  std::string path_;
-};
 
 struct Still {
   std::string view, file;

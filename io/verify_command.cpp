@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <set>
 
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
+#include "io/scratch_folder.h"
 #include "io/session.h"
 #include "io/support_motion.h"
 #include "solver/errors.h"
@@ -22,33 +22,12 @@ namespace voussoir::io {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kSeconds = 12.0;      // wall-clock of one of the three runs, before anything breaks
 constexpr std::int64_t kTrial = 20;    // steps that are timed
 constexpr std::int64_t kMost = 20000;  // steps
 constexpr std::int64_t kLedgerSteps = 10;
-
-/// A folder for the checkpoints of a verification, gone with it.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "voussoir-verify-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw FileError(name, "cannot be made");
-    path_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] std::string checkpoint() const { return path_ + "/checkpoint.h5"; }
-
- private:
-  std::string path_;
-};
 
 /// What all runs of a verification share.
 struct Setting {
@@ -76,13 +55,14 @@ solver::SavedState outcome(const Setting& s, int threads, const std::set<std::in
   omp_set_num_threads(threads);
   auto sim = std::make_unique<solver::Simulation>(s.value, s.model, s.motion, s.options);
   solver::RunState plan;
-  const Scratch scratch;
+  const ScratchFolder scratch;
+  const std::string checkpoint = scratch.path() + "/checkpoint.h5";
   for (const std::int64_t stop : stops) {
     advance(*sim, plan, s, stop);
-    write_checkpoint(scratch.checkpoint(), facts_of(*sim, "", s.motion, s.options.reference_kernels), solver::fields(*sim, plan));
+    write_checkpoint(checkpoint, facts_of(*sim, "", s.motion, s.options.reference_kernels), solver::fields(*sim, plan));
     sim = std::make_unique<solver::Simulation>(s.value, s.model, s.motion, s.options);
     plan = {};
-    solver::restore(*sim, plan, read_checkpoint(scratch.checkpoint()).state);
+    solver::restore(*sim, plan, read_checkpoint(checkpoint).state);
   }
   advance(*sim, plan, s, s.steps);
   return solver::save(*sim, plan);

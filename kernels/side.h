@@ -158,6 +158,9 @@ struct Rows {
 /// Adds what sides left for element e to its rows, in the order of `codes`: side × 2 + (0: as master, 1: as slave).
 void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept;
 
+/// Hands out zeros for the sides `live` of a block to the rows of their elements, with the work that forces take.
+void scatter_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept;
+
 /// What became of a side whose segments were looked at.
 struct DamagedSide {
   double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step

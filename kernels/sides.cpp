@@ -101,6 +101,15 @@ void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Row
   }
 }
 
+void scatter_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept {
+  WrenchLanes nothing{};
+  asm("" : "+m"(nothing));  // as if it might be anything, or the compiler would leave out what turns columns into rows
+  for (int at = 0; at < kLanes; at += kWidth) {
+    const unsigned here = live >> at & kGroup;
+    if (here != 0) scatter(block, at, 0, nothing, here, rows, false);
+  }
+}
+
 void whole_side_energies(const SideBlock& block, const double* pose, double* energy) noexcept {
   const SideConstants& s = *block.constants;
   for (int at = 0; at < kLanes; at += kWidth) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the tables of perf/run: speed-up over threads, and time per joint over the number of houses.
+"""Draws the tables of perf/run: speed-up over threads, time per joint over the number of houses, and where the time of a step goes.
 
 usage: scripts/plot_bench.py FOLDER [-o PICTURE]      (needs python3-matplotlib)
 """
@@ -58,17 +58,47 @@ def growth(axes, tables):
     axes.legend(fontsize=7)
 
 
+def stages(axes, tables):
+    """One bar a subject and number of threads, by colour: shares of a step; in each part how near it comes to the nearest limit."""
+    bars = []
+    for path in tables:
+        mine = [r for r in rows(path) if r["scatter"] == "colour" and r["part_of_the_step"] != "step"]
+        for threads in dict.fromkeys(r["threads"] for r in mine):
+            name = path.stem.removesuffix("-stages")
+            bars.append((f"{name}, {threads} thread{'s' if threads != '1' else ''}", [r for r in mine if r["threads"] == threads]))
+    parts = list(dict.fromkeys(r["part_of_the_step"] for _, bar in bars for r in bar))
+    colours = dict(zip(parts, plt.get_cmap("tab10").colors))
+    for y, (_, bar) in enumerate(bars):
+        left = 0.0
+        for r in bar:
+            share = float(r["share_of_step"])
+            axes.barh(y, share, left=left, color=colours[r["part_of_the_step"]], label=r["part_of_the_step"] if y == 0 else None)
+            limits = {"P": r["share_of_peak"], "M": r["share_of_triad"]}
+            limits = {k: float(v) for k, v in limits.items() if v}
+            if limits and share > 0.07:
+                nearest = max(limits, key=limits.get)
+                axes.text(left + share / 2, y, f"{nearest} {100 * limits[nearest]:.0f} %", ha="center", va="center", fontsize=6)
+            left += share
+    axes.set(yticks=range(len(bars)), xlim=(0.0, 1.0), xlabel="share of a step (P: of the peak of multiply-adds, M: of STREAM's triad)")
+    axes.set_yticklabels([name for name, _ in bars], fontsize=7)
+    axes.invert_yaxis()
+    axes.legend(fontsize=7, ncols=5, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("-o", "--output", type=pathlib.Path, help="default: FOLDER/bench.png")
     words = parser.parse_args()
-    tables = sorted(words.folder.glob("*.csv"))
-    if not tables:
-        parser.error(f"{words.folder}: holds no table (*.csv) of perf/run")
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5), constrained_layout=True)
-    speedups(left, tables)
-    growth(right, tables)
+    by_stage = sorted(words.folder.glob("*-stages.csv"))
+    tables = sorted(set(words.folder.glob("*.csv")) - set(by_stage))
+    if not tables or not by_stage:
+        parser.error(f"{words.folder}: holds no tables (NAME.csv, NAME-stages.csv) of perf/run")
+    figure = plt.figure(figsize=(11, 5.5 + 0.4 * len(by_stage)), constrained_layout=True)
+    axes = figure.subplot_mosaic([["speedup", "growth"], ["stages", "stages"]], height_ratios=[4.5, 1 + 0.4 * len(by_stage)])
+    speedups(axes["speedup"], tables)
+    growth(axes["growth"], tables)
+    stages(axes["stages"], by_stage)
     picture = words.output or words.folder / "bench.png"
     figure.savefig(picture, dpi=120)
     print(picture)

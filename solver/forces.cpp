@@ -11,13 +11,14 @@ namespace voussoir::solver {
 namespace {
 
 /// What each element takes from the buffer for pairs and from the slots of its contacts.
-void gather(World& w) {
+void gather(World& w, LapClock& clock) {
   const Sides& s = w.sides;
   const bool contacts = !w.contacts.active.empty();
   if (!w.options.gather && !contacts) return;
   const kernels::Rows rows = w.rows();
 #pragma omp barrier
-#pragma omp for schedule(static)
+  clock.begin();
+#pragma omp for schedule(static) nowait
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (w.options.gather) {
@@ -26,6 +27,7 @@ void gather(World& w) {
     }
     if (contacts) gather_contacts(w, e);
   }
+  clock.lap(ForcePart::scatter);
 }
 
 }  // namespace
@@ -38,13 +40,19 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
 #pragma omp parallel
   {
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    advance_own_joints(joints, mine.joints);
+    mine.clock = LapClock(stage.split);
+    advance_own_joints(joints, mine.joints, mine.clock);
+    mine.clock.begin();
     advance_contacts(w, mine.contacts);
-    help_with_joints(joints, mine.joints);
-    gather(w);
+    mine.clock.lap(ForcePart::contacts);
+    help_with_joints(joints, mine.joints, mine.clock);
+    gather(w, mine.clock);
   }
   std::vector<JointFindings*> found;
-  for (ThreadRoom& r : stage.by_thread) found.push_back(&r.joints);
+  for (ThreadRoom& r : stage.by_thread) {
+    found.push_back(&r.joints);
+    for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k];
+  }
   collect(found, stage.events);
 }
 

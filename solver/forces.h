@@ -6,6 +6,7 @@
 
 #include "solver/contact_forces.h"
 #include "solver/joint_forces.h"
+#include "solver/stages.h"
 
 /// Stage 3 of the step: the forces of joints and contacts on the elements' rows.
 namespace voussoir::solver {
@@ -14,12 +15,15 @@ namespace voussoir::solver {
 struct ThreadRoom {
   JointFindings joints;
   ContactRoom contacts;
+  LapClock clock;
 };
 
 struct ForceStage {
   JointEvents events;  // of the last step
   std::vector<ThreadRoom> by_thread;
   JointTasks tasks;
+  bool split = false;  // whether parts are timed
+  ForceTimes parts{};  // so far
 };
 
 /// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has done

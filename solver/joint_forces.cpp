@@ -5,12 +5,11 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "kernels/fetch.h"
+#include "solver/quick_blocks.h"
 
 namespace voussoir::solver {
 
@@ -61,26 +60,6 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool look_clo
   } else if (try_steady && found_steady(w, id, r)) {
     s.quick[id] = kernels::Quick::steady;
   }
-}
-
-/// Lanes of a block that are as named.
-unsigned lanes_that_are(const Sides& s, std::size_t block, kernels::Quick quick) {
-  unsigned lanes = 0;
-  for (std::size_t l = 0; l < kernels::kLanes; ++l) {
-    lanes |= static_cast<unsigned>(s.quick[block * kernels::kLanes + l] == quick) << l;
-  }
-  return lanes & s.live_lanes[block];
-}
-
-/// True if nothing has happened in a block: then its constants are all there is to it.
-bool is_whole(const Sides& s, std::size_t block) {
-  constexpr std::array kAllWhole = [] {
-    std::array<kernels::Quick, kernels::kLanes> all{};
-    all.fill(kernels::Quick::whole);
-    return all;
-  }();
-  if (std::memcmp(&s.quick[block * kernels::kLanes], kAllWhole.data(), sizeof kAllWhole) == 0) return true;
-  return lanes_that_are(s, block, kernels::Quick::whole) == s.live_lanes[block];  // the last block of a task has lanes without a side
 }
 
 /// Asks for what the sides of a block take in which something has happened: the rows of their elements, constants, and of those whose
@@ -157,44 +136,72 @@ void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const s
 }
 
 /// Places [first, last) of the list of live blocks.
-void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, JointFindings& found) {
+void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, JointFindings& found, LapClock& watch) {
   World& w = at.w;
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, at.time};
   const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
+  watch.begin();
   if (!w.options.reference_kernels && kernels::has_short_form(w.failure) &&
       std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
     advance_whole_blocks(w, rows, numbers, clock, at.step, found);
+    watch.lap(ForcePart::whole_joints);
     return;
   }
   for (std::int32_t i = first; i < last; ++i) {
     if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
     if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
-    advance_block(w, rows, s.live[static_cast<std::size_t>(i)], 0, false, clock, at.step, found);
+    const std::int32_t number = s.live[static_cast<std::size_t>(i)];
+    const bool whole = is_whole(s, static_cast<std::size_t>(number));
+    advance_block(w, rows, number, 0, false, clock, at.step, found);
+    watch.lap(whole ? ForcePart::whole_joints : ForcePart::damaged_joints);
   }
 }
 
-void advance_task(const JointStep& at, std::size_t task, JointFindings& found) {
-  advance_blocks(at, at.w.sides.live_first[task], at.w.sides.live_first[task + 1], found);
+void advance_task(const JointStep& at, std::size_t task, JointFindings& found, LapClock& clock) {
+  advance_blocks(at, at.w.sides.live_first[task], at.w.sides.live_first[task + 1], found, clock);
 }
 
 }  // namespace
 
-void advance_own_joints(const JointStep& s, JointFindings& found) {
+void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * s.w.points.largest));
   if (s.w.options.gather) {
     constexpr std::int32_t kRun = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), found);
+    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), found, clock);
     return;
   }
-  s.tasks.run_own([&](std::size_t task) { advance_task(s, task, found); });
+  s.tasks.run_own([&](std::size_t task) { advance_task(s, task, found, clock); });
 }
 
-void help_with_joints(const JointStep& s, JointFindings& found) {
-  if (!s.w.options.gather) s.tasks.help([&](std::size_t task) { advance_task(s, task, found); });
+void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
+  if (!s.w.options.gather) s.tasks.help([&](std::size_t task) { advance_task(s, task, found, clock); });
+}
+
+double scatter_again(World& w, JointTasks& tasks) {
+  const Sides& s = w.sides;
+  const kernels::Rows rows = w.rows();
+  tasks.begin(omp_get_max_threads());
+  double time = 0.0;
+#pragma omp parallel reduction(+ : time)
+  {
+    LapClock clock(true);
+    const auto hand_out = [&](std::size_t task) {
+      clock.begin();
+      for (auto i = static_cast<std::size_t>(s.live_first[task]); i < static_cast<std::size_t>(s.live_first[task + 1]); ++i) {
+        const auto block = static_cast<std::size_t>(s.live[i]);
+        kernels::scatter_zeros(s.blocks[block], s.live_lanes[block] & ~lanes_that_are(s, block, kernels::Quick::open), rows);
+      }
+      clock.lap(ForcePart::scatter);
+    };
+    tasks.run_own(hand_out);
+    tasks.help(hand_out);
+    time = clock.time(ForcePart::scatter);
+  }
+  return time;
 }
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/joint_tasks.h"
+#include "solver/stages.h"
 #include "solver/world.h"
 
 /// Stage 3 of the step: forces of all joints.
@@ -35,9 +36,15 @@ struct JointStep {
   JointTasks& tasks;
 };
 /// Those of a thread's own queue; by gather, where no task has to wait for another, all that are left.
-void advance_own_joints(const JointStep& s, JointFindings& found);
+void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock);
 /// Then: what other threads have left of theirs, if they are late.
-void help_with_joints(const JointStep& s, JointFindings& found);
+void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock);
+
+/// After a step: hands out the forces of all joints by colour once more, as zeros, in the same order and by a team of the same size. So it
+/// changes nothing, and takes what handing out takes alone: within the kernels it cannot be timed apart.
+/// \param tasks  of its own, or the shares of the step would follow what this takes
+/// \return s, of all threads together, without their waiting
+double scatter_again(World& w, JointTasks& tasks);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);

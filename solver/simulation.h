@@ -64,6 +64,9 @@ class Simulation {
   /// Wall-clock by stage since the simulation was built; others add their own (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }
   [[nodiscard]] const StageTimes& stage_times() const { return times_; }
+  /// Whether the parts of the stage of forces are timed too from now on; costs some hundredths of a step.
+  void time_parts(bool on) { forces_stage_.split = on; }
+  [[nodiscard]] const ForceTimes& part_times() const { return forces_stage_.parts; }
   /// The element that moves fastest (or is no number any more), as messages call it: the first to look at when the numbers go wrong.
   [[nodiscard]] std::string fastest_element() const;
 

@@ -27,4 +27,35 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// What the threads of a team do in the stage of forces, each at its own pace. By colour `scatter` is what elements take from the slots of
+/// their contacts: joints hand their forces out as they go (see scatter_again).
+enum class ForcePart : std::size_t { whole_joints, damaged_joints, contacts, scatter };
+inline constexpr std::size_t kForceParts = 4;
+using ForceTimes = std::array<double, kForceParts>;  // s, of all threads together
+
+/// Splits a thread's time among these. One that is off looks at no clock: a look takes as long as a joint or two.
+class LapClock {
+ public:
+  explicit LapClock(bool on = false) : on_(on) {}
+  /// The lap begins now, whatever the thread did before.
+  void begin() {
+    if (on_) last_ = Clock::now();
+  }
+  /// So does the next one; this one was for `part`.
+  void lap(ForcePart part) {
+    if (!on_) return;
+    const Clock::time_point now = Clock::now();
+    times_[static_cast<std::size_t>(part)] += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+  [[nodiscard]] double time(ForcePart part) const { return times_[static_cast<std::size_t>(part)]; }  // s
+  [[nodiscard]] const ForceTimes& times() const { return times_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool on_;
+  Clock::time_point last_;
+  ForceTimes times_{};
+};
+
 }  // namespace voussoir::solver

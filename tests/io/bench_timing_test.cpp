@@ -18,7 +18,7 @@ using namespace voussoir;
 
 namespace {
 
-io::Sample sample(std::vector<double> cores) { return {.steps = 1, .time = 1.0, .stages = {}, .cores = std::move(cores)}; }
+io::Sample sample(std::vector<double> cores) { return {.steps = 1, .time = 1.0, .cores = std::move(cores)}; }
 
 }  // namespace
 
