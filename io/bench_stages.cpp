@@ -119,20 +119,15 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   }
   run.sim.time_parts(false);
   omp_set_num_threads(before);
-  // Rows of all batches go to the disk at once, as they do from time to time in a run.
-  const std::int64_t all_steps = [&] {
-    double n = 0.0;
-    for (const Team& t : teams) n += std::accumulate(t.steps.begin(), t.steps.end(), 0.0);
-    return static_cast<std::int64_t>(n);
-  }();
+  // A run writes its rows to the disk every so often.
   const double start = omp_get_wtime();
   run.results.flush();
-  const double written = (omp_get_wtime() - start) / static_cast<double>(all_steps);
+  const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;
   std::vector<StepSplit> splits;
   for (const Team& team : teams) {
     StepSplit s{.threads = team.threads, .parts = {}};
     for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, team.steps, part);
-    s.parts[static_cast<std::size_t>(StepPart::output)] += written;
+    s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();
     splits.push_back(s);
   }
   return splits;

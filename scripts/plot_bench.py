@@ -59,7 +59,7 @@ def growth(axes, tables):
 
 
 def stages(axes, tables):
-    """One bar a subject and number of threads, by colour: shares of a step; in each part how near it comes to the nearest limit."""
+    """One bar a subject and number of threads, by colour: shares of a step; in each part how near it comes to the machine's limits."""
     bars = []
     for path in tables:
         mine = [r for r in rows(path) if r["scatter"] == "colour" and r["part_of_the_step"] != "step"]
@@ -73,11 +73,9 @@ def stages(axes, tables):
         for r in bar:
             share = float(r["share_of_step"])
             axes.barh(y, share, left=left, color=colours[r["part_of_the_step"]], label=r["part_of_the_step"] if y == 0 else None)
-            limits = {"P": r["share_of_peak"], "M": r["share_of_triad"]}
-            limits = {k: float(v) for k, v in limits.items() if v}
-            if limits and share > 0.07:
-                nearest = max(limits, key=limits.get)
-                axes.text(left + share / 2, y, f"{nearest} {100 * limits[nearest]:.0f} %", ha="center", va="center", fontsize=6)
+            limits = [f"{name} {100 * float(r[key]):.0f} %" for name, key in (("P", "share_of_peak"), ("M", "share_of_triad")) if r[key]]
+            if share > 0.05:
+                axes.text(left + share / 2, y, "\n".join(limits), ha="center", va="center", fontsize=6)
             left += share
     axes.set(yticks=range(len(bars)), xlim=(0.0, 1.0), xlabel="share of a step (P: of the peak of multiply-adds, M: of STREAM's triad)")
     axes.set_yticklabels([name for name, _ in bars], fontsize=7)
