@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cstring>
-
 #include "kernels/certificate.h"
 #include "kernels/damaged_sides.h"
+#include "kernels/quick_bits.h"
 #include "kernels/steady_sides.h"
 #include "kernels/whole_sides.h"
 
@@ -11,22 +10,6 @@ namespace voussoir::kernels {
 
 namespace {
 
-/// Which sides of a block are what, one bit each.
-struct QuickBits {
-  unsigned whole, open, steady;
-};
-/// Bit i of the result is the lowest of byte i: the product brings it to place 56 + i.
-VOUSSOIR_INLINE unsigned lowest_bits(std::uint64_t bytes) noexcept {
-  return static_cast<unsigned>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56);
-}
-VOUSSOIR_INLINE QuickBits quick_bits(const Quick* quick) noexcept {
-  static_assert(static_cast<int>(Quick::whole) == 1 && static_cast<int>(Quick::open) == 2 && static_cast<int>(Quick::steady) == 3);
-  std::uint64_t bytes;
-  static_assert(sizeof bytes == kLanes * sizeof(Quick));
-  std::memcpy(&bytes, quick, sizeof bytes);
-  const unsigned low = lowest_bits(bytes), high = lowest_bits(bytes >> 1);
-  return {low & ~high, high & ~low, low & high};
-}
 VOUSSOIR_INLINE LaneMask steady_lanes(const Quick* quick) noexcept {
   return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(Quick::steady);
 }

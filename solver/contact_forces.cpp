@@ -5,6 +5,8 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "kernels/fetch.h"
 
@@ -59,6 +61,13 @@ void fetch_points(const World& w, std::size_t a) {
   }
 }
 
+/// Whether a slot pushes has changed: tells those that gather it. Seldom, so threads do not take lines of flags from each other.
+void note_push(Contacts& c, std::size_t slot) {
+  for (const std::int32_t place : {c.place[2 * slot], c.place[2 * slot + 1]}) {
+    if (place >= 0) c.gather_on[static_cast<std::size_t>(place)] = c.on[slot];
+  }
+}
+
 void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::Face* faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
   Patches& p = w.patches;
@@ -66,20 +75,33 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   FreePatch& patch = p.patch[i];
   const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
   const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
+  const std::span on(c.on.data() + first, count);
+  scratch.on.assign(on.begin(), on.end());
   const kernels::PatchResult r =
       advance(patch, w.points.view(patch.set), p.points(static_cast<std::int64_t>(i)), patch.touching, {c.candidate.data() + first, count},
-              bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, c.on.data() + first);
+              bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, on.data());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (on[k] != scratch.on[k]) note_push(c, first + k);
+  }
   patch.touching = r.touching;
   patch.stored = r.stored;
   patch.friction += r.friction;
   patch.impact += r.impact;
 }
 
-/// Asks for what the slots of an element hold.
-void fetch_slots(const Contacts& c, std::size_t element) {
-  for (auto g = static_cast<std::size_t>(c.first_gather[element]); g < static_cast<std::size_t>(c.first_gather[element + 1]); ++g) {
-    const auto slot = static_cast<std::size_t>(c.gather[g] / 2);
-    if (c.on[slot]) kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]);
+/// Calls `use(slot, is_slave)` for the slots of an element that push, in their order.
+template <class Use>
+void each_push(const Contacts& c, std::size_t element, Use use) {
+  constexpr std::int64_t kFlags = sizeof(std::uint64_t);
+  const std::int64_t last = c.first_gather[element + 1];
+  for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
+    std::uint64_t flags;
+    std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
+    if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
+    for (; flags != 0; flags &= flags - 1) {
+      const std::int64_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
+      use(static_cast<std::size_t>(code / 2), code % 2 != 0);
+    }
   }
 }
 
@@ -126,22 +148,21 @@ void advance_contacts(World& w, ContactRoom& room) {
 
 void gather_contacts(World& w, std::int32_t element) {
   const Contacts& c = w.contacts;
-  if (element + kElementsAhead < w.elements.count) fetch_slots(c, static_cast<std::size_t>(element + kElementsAhead));
+  if (element + kElementsAhead < w.elements.count) {
+    each_push(c, static_cast<std::size_t>(element + kElementsAhead),
+              [&](std::size_t slot, bool) { kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]); });
+  }
   double *wrench = w.elements.wrench.data(), *dashpot = w.elements.dashpot.data();
-  const auto i = static_cast<std::size_t>(element);
-  for (std::int64_t g = c.first_gather[i]; g < c.first_gather[i + 1]; ++g) {
-    const std::int64_t code = c.gather[static_cast<std::size_t>(g)];
-    const auto slot = static_cast<std::size_t>(code / 2);
-    if (!c.on[slot]) continue;
+  each_push(c, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {
     const kernels::PairWrench& x = c.wrench[slot];
-    if (code % 2 == 0) {
+    if (!is_slave) {
       kernels::add_wrench(wrench, element, x.force, x.torque_a);
       kernels::add_dashpot(wrench, dashpot, element, x.dash_force, x.dash_torque_a);
     } else {
       kernels::add_wrench(wrench, element, -x.force, x.torque_b);
       kernels::add_dashpot(wrench, dashpot, element, -x.dash_force, x.dash_torque_b);
     }
-  }
+  });
 }
 
 }  // namespace voussoir::solver

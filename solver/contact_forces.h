@@ -29,6 +29,7 @@ void search_all(World& w);
 struct ContactRoom {
   std::vector<double> depth;
   std::vector<std::int32_t> candidate, face;
+  std::vector<std::uint8_t> on;    // of the slots of a patch before this step
   std::vector<std::int64_t> runs;  // a thread takes those of [runs[i], runs[i + 1]) at a time
   [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
   void fit(std::int32_t points);

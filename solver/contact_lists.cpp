@@ -139,7 +139,14 @@ void build_gather(World& w) {
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
   c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
   std::vector<std::int64_t> at = c.first_gather;
-  each([&](std::size_t e, std::int64_t code) { c.gather[static_cast<std::size_t>(at[e]++)] = code; });
+  c.place.assign(2 * c.element.size(), -1);
+  c.gather_on.assign(c.gather.size() + sizeof(std::uint64_t), 0);
+  each([&](std::size_t e, std::int64_t code) {
+    const auto place = static_cast<std::size_t>(at[e]++);
+    c.gather[place] = code;
+    c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
+    c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
+  });
   c.gather_stale = false;
 }
 

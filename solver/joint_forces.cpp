@@ -66,7 +66,8 @@ void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool look_clo
 /// segments are looked at where these lie.
 void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
-  if (is_whole(s, block)) return;
+  const kernels::QuickBits quick = quick_of(s, block);
+  if (quick.whole == s.live_lanes[block]) return;
   const kernels::SideBlock& b = s.blocks[block];
   for (const std::int32_t* elements : {b.master, b.slave}) {
     for (int l = 0; l < kernels::kLanes; ++l) {
@@ -76,7 +77,7 @@ void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number)
     }
   }
   kernels::fetch(b.constants, sizeof *b.constants);
-  for (unsigned rest = lanes_that_are(s, block, kernels::Quick::segments); rest != 0; rest &= rest - 1) {
+  for (unsigned rest = quick.segments; rest != 0; rest &= rest - 1) {
     kernels::fetch(&s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))], sizeof(kernels::SideParts));
   }
 }
@@ -84,9 +85,9 @@ void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number)
 /// Then for what has happened in them.
 void fetch_histories(const Sides& s, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
-  if (is_whole(s, block)) return;
-  if (lanes_that_are(s, block, kernels::Quick::steady) != 0) kernels::fetch(&s.steady[block], sizeof s.steady[block]);
-  for (unsigned rest = lanes_that_are(s, block, kernels::Quick::segments); rest != 0; rest &= rest - 1) {
+  const kernels::QuickBits quick = quick_of(s, block);
+  if (quick.steady != 0) kernels::fetch(&s.steady[block], sizeof s.steady[block]);
+  for (unsigned rest = quick.segments; rest != 0; rest &= rest - 1) {
     const kernels::SideParts& parts = s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))];
     const auto n = static_cast<std::size_t>(parts.points.n);
     kernels::fetch(parts.segments.bond, n * sizeof(kernels::Bond));
@@ -193,7 +194,7 @@ double scatter_again(World& w, JointTasks& tasks) {
       clock.begin();
       for (auto i = static_cast<std::size_t>(s.live_first[task]); i < static_cast<std::size_t>(s.live_first[task + 1]); ++i) {
         const auto block = static_cast<std::size_t>(s.live[i]);
-        kernels::scatter_zeros(s.blocks[block], s.live_lanes[block] & ~lanes_that_are(s, block, kernels::Quick::open), rows);
+        kernels::scatter_zeros(s.blocks[block], s.live_lanes[block] & ~quick_of(s, block).open, rows);
       }
       clock.lap(ForcePart::scatter);
     };

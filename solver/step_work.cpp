@@ -67,7 +67,7 @@ void add_joints(const World& w, StepWork& work) {
   for (const std::int32_t number : s.live) {
     const auto b = static_cast<std::size_t>(number);
     const kernels::SideBlock& block = s.blocks[b];
-    const int pushing = std::popcount(s.live_lanes[b] & ~lanes_that_are(s, b, kernels::Quick::open));
+    const int pushing = std::popcount(s.live_lanes[b] & ~quick_of(s, b).open);
     (is_whole(s, b) ? work.whole_sides : work.damaged_sides) += pushing;
     if (is_whole(s, b)) {
       work.whole_joints.operations += pushing * (block.whole->axis < 0 ? kWholeAnyhow : kWholeAlongAxis);

@@ -143,7 +143,9 @@ struct Contacts {
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
-  std::int64_t searched = 0;               // active patches whose candidates a search found; the others are new (state)
+  std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
+  std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
+  std::int64_t searched = 0;            // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
 };
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "kernels/side.h"
+
+namespace voussoir::kernels {
+
+/// Which sides of a block are what, one bit each.
+struct QuickBits {
+  unsigned segments, whole, open, steady;
+};
+
+namespace detail {
+/// Bit i of the result is the lowest of byte i: the product brings it to place 56 + i.
+inline unsigned lowest_bits(std::uint64_t bytes) noexcept {
+  return static_cast<unsigned>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56);
+}
+}  // namespace detail
+
+/// Of kLanes sides.
+inline QuickBits quick_bits(const Quick* quick) noexcept {
+  static_assert(static_cast<int>(Quick::segments) == 0 && static_cast<int>(Quick::whole) == 1 && static_cast<int>(Quick::open) == 2 &&
+                static_cast<int>(Quick::steady) == 3);
+  std::uint64_t bytes;
+  static_assert(sizeof bytes == kLanes * sizeof(Quick));
+  std::memcpy(&bytes, quick, sizeof bytes);
+  const unsigned low = detail::lowest_bits(bytes), high = detail::lowest_bits(bytes >> 1);
+  constexpr unsigned kAll = (1U << kLanes) - 1U;
+  return {kAll & ~(low | high), low & ~high, high & ~low, low & high};
+}
+
+}  // namespace voussoir::kernels
