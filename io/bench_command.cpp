@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/census.h"
+#include "io/bench_rows.h"
 #include "io/bench_stages.h"
 #include "io/bench_table.h"
 #include "io/bench_timing.h"
@@ -67,75 +68,6 @@ std::vector<int> thread_counts(int most) {
   return counts;
 }
 
-Cells timing_header() {
-  return {"scatter",     "threads",      "ms_per_step",        "steps_per_s",       "speedup",
-          "samples",     "quiet",        "quiet_ms_per_step",  "quiet_steps_per_s", "quiet_speedup",
-          "handover_ns", "ns_per_joint", "ns_per_segment_side"};
-}
-
-/// Under that header.
-Cells cells_of(bool gather, const Timing& t, const cases::Census& n) {
-  const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
-  Cells cells{gather ? "gather" : "colour", std::to_string(t.threads)};
-  const auto put_if = [&](bool measured, const char* format, double value) {
-    measured ? put(cells, format, value) : static_cast<void>(cells.emplace_back());
-  };
-  put(cells, "%.4f", 1e3 * t.step), put(cells, "%.0f", 1.0 / t.step), put(cells, "%.2f", t.speedup);
-  put(cells, "%.0f", t.samples), put(cells, "%.0f", t.quiet);
-  put_if(t.quiet > 0, "%.4f", 1e3 * t.quiet_step), put_if(t.quiet > 0, "%.0f", 1.0 / t.quiet_step);
-  put_if(t.quiet_speedup > 0.0, "%.2f", t.quiet_speedup);
-  put(cells, "%.0f", 1e9 * t.handover), put(cells, "%.1f", 1e9 * t.step / joints), put(cells, "%.2f", 1e9 * t.step / segments);
-  return cells;
-}
-
-Cells split_header() {
-  return {"scatter", "threads",       "part_of_the_step", "ms_per_step",   "share_of_step",
-          "gflops",  "share_of_peak", "gbytes_per_s",     "share_of_triad"};
-}
-
-/// What a machine can do with so many threads at best.
-struct Limits {
-  double flops = 0.0, bandwidth = 0.0;  // flop/s, byte/s
-};
-
-/// Work that a part is known to have; none: 0, 0.
-solver::Work work_of(StepPart part, const solver::StepWork& w) {
-  switch (part) {
-    case StepPart::whole_joints:
-      return w.whole_joints;
-    case StepPart::damaged_joints:
-      return w.damaged_joints;
-    case StepPart::contacts:
-      return w.contacts;
-    case StepPart::scatter:
-      return w.scatter;
-    case StepPart::update:
-      return w.update;
-    default:
-      return {};
-  }
-}
-
-/// A row under that header for each part, and one for all.
-std::vector<Cells> cells_of(bool gather, const StepSplit& split, const solver::StepWork& works, Limits best) {
-  std::vector<Cells> rows;
-  const auto add = [&](const char* name, double time, solver::Work work) {
-    Cells cells{gather ? "gather" : "colour", std::to_string(split.threads), name};
-    put(cells, "%.4f", 1e3 * time), put(cells, "%.3f", time / split.step());
-    const auto put_rate = [&](double amount, double limit) {
-      if (amount <= 0.0 || time <= 0.0) return static_cast<void>(cells.insert(cells.end(), 2, ""));
-      put(cells, "%.1f", 1e-9 * amount / time), put(cells, "%.2f", amount / time / limit);
-    };
-    put_rate(work.operations, best.flops), put_rate(work.bytes, best.bandwidth);
-    rows.push_back(std::move(cells));
-  };
-  for (std::size_t k = 0; k < split.parts.size(); ++k) {
-    add(kStepPartNames[k], split.parts[k], work_of(static_cast<StepPart>(k), works));
-  }
-  add("step", split.step(), {});
-  return rows;
-}
-
 void print_subject(const cases::Census& census, const solver::World& w) {
   const Sides n = sides_now(w);
   std::printf("elements                 %s\n", format_count(census.elements).c_str());
@@ -154,25 +86,17 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
 }
 
-/// A simulation to be measured, and what it refers to.
-struct Subject {
-  const cases::Case& value;
-  const cases::Model& model;
-  solver::Simulation& sim;
-  solver::RunState& plan;
-};
-
 /// Where the time goes, in a pass of its own; its results go to a folder that vanishes.
-void bench_stages(const Subject& s, bool gather, std::span<const Timing> timings, const std::vector<Limits>& best, int batches,
-                  BenchTable& table) {
+template <class Run>
+void bench_stages(Run& run, bool gather, std::span<const Timing> timings, const std::vector<Limits>& best, int batches, BenchTable& table) {
   const ScratchFolder folder;
-  ResultsWriter results(folder.path(), s.model, "", history_names(s.value), provenance(0));
+  ResultsWriter results(folder.path(), run.model, "", history_names(run.value), provenance(0));
   std::vector<int> counts, steps;
   for (const Timing& t : timings) counts.push_back(t.threads), steps.push_back(t.steps);
-  const std::vector<StepSplit> splits = split_steps({s.value, s.sim, s.plan, results}, counts, steps, batches);
-  const solver::StepWork work = solver::step_work(s.sim.world());
+  const std::vector<StepSplit> splits = split_steps({run.value, *run.sim, run.plan, results}, counts, steps, batches);
+  const solver::StepWork work = solver::step_work(run.sim->world());
   for (std::size_t k = 0; k < splits.size(); ++k) {
-    for (const Cells& cells : cells_of(gather, splits[k], work, best[k])) table.add(cells);
+    for (const Cells& cells : stage_rows(gather, splits[k], work, best[k])) table.add(cells);
   }
 }
 
@@ -192,7 +116,8 @@ std::vector<Limits> limits_of(std::span<const int> counts) {
 /// The tables of one subject: `build(gather)` makes it anew.
 template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
-  BenchTable table(timing_header(), o.csv, o.overwrite), stages(split_header(), o.stages_csv, o.overwrite);
+  if (!o.csv.empty() && o.csv == o.stages_csv) throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
+  BenchTable table(timing_header(), o.csv, o.overwrite), stages(stage_header(), o.stages_csv, o.overwrite);
   const cases::Census census = cases::census(model);
   const std::vector<int> counts = thread_counts(o.threads > 0 ? o.threads : omp_get_max_threads());
   TimingOptions timing;
@@ -213,10 +138,10 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
     std::printf("\n");
     table.print_header();
     const std::vector<Timing> timings = time_steps(sim, counts, timing);
-    for (const Timing& t : timings) table.add(cells_of(gather, t, census));
+    for (const Timing& t : timings) table.add(timing_row(gather, t, census));
     std::printf("\n");
     stages.print_header();
-    bench_stages({holder->value, holder->model, sim, holder->plan}, gather, timings, best, timing.least, stages);
+    bench_stages(*holder, gather, timings, best, timing.least, stages);
   }
 }
 

@@ -131,7 +131,7 @@ void add_run(CLI::App& app, Words& w) {
 }
 
 void add_bench(CLI::App& app, Words& w) {
-  CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment; thread scaling");
+  CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment, and where it goes; thread scaling");
   add_case(bench, w);
   bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(CLI::NonNegativeNumber);
   bench

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
@@ -128,6 +130,37 @@ TEST_CASE("check draws and modes lists frequencies, and neither writes over a fi
   CHECK(std::filesystem::exists(folder.path("arch.vtu")));
   CHECK(voussoir(modes + " --no-impulse").code == 3);
   CHECK(voussoir(modes + " --no-impulse --overwrite").code == 0);
+}
+
+TEST_CASE("bench keeps its two tables as CSV, each in a file of its own, and replaces none unless told to") {
+  const TempFolder folder;
+  check(folder, box("a", "[0, 0, 0]", "[1, 1, 1]") + box("b", "[0, 0, 1]", "[1, 1, 2]"));
+  const auto bench = [&](const std::string& more) {
+    return voussoir("bench " + folder.path("case.toml") + " -j 2 --batches 1 --steps 20 --csv " + folder.path("t.csv") + " " + more);
+  };
+  Outcome o = bench("--stages-csv " + folder.path("t.csv"));
+  CHECK(o.code == 3);
+  CHECK(says(o, {"t.csv", "two tables"}));
+  CHECK_FALSE(std::filesystem::exists(folder.path("t.csv")));
+  o = bench("--stages-csv " + folder.path("s.csv"));
+  REQUIRE(o.code == 0);
+  const auto lines = [&](const char* name) {
+    std::ifstream file(folder.path(name));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(file, line);) all.push_back(line);
+    return all;
+  };
+  const std::vector<std::string> timings = lines("t.csv"), stages = lines("s.csv");
+  CHECK(timings.size() == 1 + 2 * 2);      // by colour and by gather, on one thread and on two
+  CHECK(stages.size() == 1 + 2 * 2 * 11);  // ten parts and the step
+  const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
+  for (const auto& table : {timings, stages}) {
+    for (const std::string& line : table) CHECK(commas(line) == commas(table.front()));
+  }
+  o = bench("");
+  CHECK(o.code == 3);
+  CHECK(says(o, {"t.csv", "exists"}));
+  CHECK(lines("t.csv") == timings);
 }
 
 TEST_CASE("a run writes its results, and never over another's unless told to") {
