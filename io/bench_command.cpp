@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "cases/census.h"
@@ -23,7 +26,6 @@
 #include "io/session.h"
 #include "io/support_motion.h"
 #include "io/waiting_threads.h"
-#include "solver/field_table.h"
 #include "solver/machine.h"
 #include "solver/memory.h"
 #include "solver/simulation.h"
@@ -86,17 +88,19 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
 }
 
-/// Where the time goes, in a pass of its own; its results go to a folder that vanishes.
+/// Where the time goes, in a pass of its own. \param folder  for results that nobody reads
 template <class Run>
-void bench_stages(Run& run, bool gather, std::span<const Timing> timings, const std::vector<Limits>& best, int batches, BenchTable& table) {
-  const ScratchFolder folder;
-  ResultsWriter results(folder.path(), run.model, "", history_names(run.value), provenance(0));
+void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<Limits>& best,
+                  int batches, BenchTable& table) {
+  ResultsOptions when_told;
+  when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
+  std::filesystem::create_directory(folder);
+  ResultsWriter results(folder, run.model, "", history_names(run.value), provenance(0), when_told);
   std::vector<int> counts, steps;
   for (const Timing& t : timings) counts.push_back(t.threads), steps.push_back(t.steps);
   const std::vector<StepSplit> splits = split_steps({run.value, *run.sim, run.plan, results}, counts, steps, batches);
-  const solver::StepWork work = solver::step_work(run.sim->world());
   for (std::size_t k = 0; k < splits.size(); ++k) {
-    for (const Cells& cells : stage_rows(gather, splits[k], work, best[k])) table.add(cells);
+    for (const Cells& cells : stage_rows(gather, splits[k], best[k])) table.add(cells);
   }
 }
 
@@ -116,8 +120,13 @@ std::vector<Limits> limits_of(std::span<const int> counts) {
 /// The tables of one subject: `build(gather)` makes it anew.
 template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
-  if (!o.csv.empty() && o.csv == o.stages_csv) throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
-  BenchTable table(timing_header(), o.csv, o.overwrite), stages(stage_header(), o.stages_csv, o.overwrite);
+  namespace fs = std::filesystem;
+  if (!o.csv.empty() && fs::weakly_canonical(o.csv) == fs::weakly_canonical(o.stages_csv)) {
+    throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
+  }
+  for (const std::string& path : {o.csv, o.stages_csv}) refuse_to_replace(path, o.overwrite);
+  const ScratchFolder scratch;
+  BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
   const cases::Census census = cases::census(model);
   const std::vector<int> counts = thread_counts(o.threads > 0 ? o.threads : omp_get_max_threads());
   TimingOptions timing;
@@ -141,7 +150,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
     for (const Timing& t : timings) table.add(timing_row(gather, t, census));
     std::printf("\n");
     stages.print_header();
-    bench_stages(*holder, gather, timings, best, timing.least, stages);
+    bench_stages(*holder, gather, scratch.path() + (gather ? "/gather" : "/colour"), timings, best, timing.least, stages);
   }
 }
 
@@ -158,12 +167,12 @@ struct FreshRun {
 int bench_command(const LoadedCase& c, const BenchOptions& o) {
   cases::Model model = cases::build_model(c.value);
   load_support_motions(model, c.value.folder);
-  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
+  if (c.value.motion && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
   const auto build = [&](bool gather) {
     solver::Options options;
     options.gather = gather;
-    return std::make_unique<FreshRun>(c.value, model, solver::RunState{},
-                                      std::make_unique<solver::Simulation>(c.value, model, motion, options));
+    return std::make_unique<FreshRun>(FreshRun{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)});
   };
   bench(build, model, o);
   return kDone;

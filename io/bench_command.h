@@ -19,7 +19,7 @@ struct BenchOptions {
   bool overwrite = false;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, by colour and by gather, and prints two tables: what a step takes, and where.
+/// Steps the case with 1, 2, 4, ... threads, by colour and by gather, and prints two tables: what a step takes, and where it goes.
 /// \throw cases::InputError, FileError before anything runs
 int bench_command(const LoadedCase& c, const BenchOptions& o);
 

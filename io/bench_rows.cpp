@@ -53,7 +53,7 @@ Cells stage_header() {
           "gflops",  "share_of_peak", "gbytes_per_s",     "share_of_triad"};
 }
 
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, const solver::StepWork& work, Limits best) {
+std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best) {
   std::vector<Cells> rows;
   const auto add = [&](const char* name, double time, solver::Work its) {
     Cells cells{gather ? "gather" : "colour", std::to_string(split.threads), name};
@@ -66,7 +66,7 @@ std::vector<Cells> stage_rows(bool gather, const StepSplit& split, const solver:
     rows.push_back(std::move(cells));
   };
   for (std::size_t k = 0; k < split.parts.size(); ++k) {
-    add(kStepPartNames[k], split.parts[k], work_of(static_cast<StepPart>(k), work));
+    add(kStepPartNames[k], split.parts[k], work_of(static_cast<StepPart>(k), split.work));
   }
   add("step", split.step(), {});
   return rows;

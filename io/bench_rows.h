@@ -8,7 +8,6 @@
 #include "io/bench_stages.h"
 #include "io/bench_table.h"
 #include "io/bench_timing.h"
-#include "solver/step_work.h"
 
 /// The tables of `voussoir bench`.
 namespace voussoir::io {
@@ -24,6 +23,6 @@ struct Limits {
 
 /// Where it goes, and what that is of the limits: a row for each part, and one for all.
 Cells stage_header();
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, const solver::StepWork& work, Limits best);
+std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best);
 
 }  // namespace voussoir::io

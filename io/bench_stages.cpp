@@ -7,24 +7,27 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solver/step_work.h"
-
 namespace voussoir::io {
 
 namespace {
 
-/// What a batch took, s of all its steps.
+/// What a batch took, s a step.
 struct Batch {
   std::int64_t steps = 0;
-  solver::StageTimes stages{};
-  solver::ForceTimes forces{};  // of the mean thread
-  double scatter = 0.0;         // s a step, likewise: of joints, by colour
+  StepParts parts{};
+  solver::StepWork work;  // of its last step
 };
 
 template <std::size_t n>
-std::array<double, n> since(const std::array<double, n>& before, std::array<double, n> now) {
-  for (std::size_t k = 0; k < n; ++k) now[k] -= before[k];
+std::array<double, n> a_step(const std::array<double, n>& before, std::array<double, n> now, std::int64_t steps) {
+  for (std::size_t k = 0; k < n; ++k) now[k] = (now[k] - before[k]) / static_cast<double>(steps);
   return now;
+}
+
+/// Of all sides that hand out forces, the share of those in whole blocks.
+double whole_share(const solver::StepWork& work) {
+  const double sides = work.whole_sides + work.damaged_sides;
+  return sides > 0.0 ? work.whole_sides / sides : 0.0;
 }
 
 Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, solver::JointTasks& tasks) {
@@ -41,30 +44,65 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
     }
     return at.step < first + steps;
   });
-  Batch b{run.plan.steps - first, since(stages, sim.stage_times()), since(forces, sim.part_times()), 0.0};
-  for (double& t : b.forces) t /= omp_get_max_threads();
-  if (scatters > 0) b.scatter = scatter / scatters / omp_get_max_threads();
+  Batch b{.steps = run.plan.steps - first, .parts = {}, .work = solver::step_work(sim.world())};
+  b.parts = parts_of(a_step(stages, sim.stage_times(), b.steps), a_step(forces, sim.part_times(), b.steps),
+                     scatters > 0 ? scatter / scatters : 0.0, whole_share(b.work));
   return b;
 }
 
-/// Of all sides that hand out forces, the share of those in whole blocks.
-double whole_share(const solver::World& w) {
-  const solver::StepWork work = solver::step_work(w);
-  const double sides = work.whole_sides + work.damaged_sides;
-  return sides > 0.0 ? work.whole_sides / sides : 0.0;
+bool is_rare(std::size_t part) {
+  const auto p = static_cast<StepPart>(part);
+  return p == StepPart::search || p == StepPart::ledger || p == StepPart::output;
 }
 
-StepParts parts_of(const Batch& b, double whole_share) {
-  const auto steps = static_cast<double>(b.steps);
-  const auto stage = [&](solver::Stage s) { return b.stages[static_cast<std::size_t>(s)] / steps; };
-  const auto force = [&](solver::ForcePart p) { return b.forces[static_cast<std::size_t>(p)] / steps; };
+double over_batches(const std::vector<Batch>& batches, std::size_t part) {
+  if (is_rare(part)) {
+    double sum = 0.0, steps = 0.0;
+    for (const Batch& b : batches) sum += b.parts[part] * static_cast<double>(b.steps), steps += static_cast<double>(b.steps);
+    return sum / steps;
+  }
+  std::vector<double> times;
+  for (const Batch& b : batches) times.push_back(b.parts[part]);
+  std::ranges::sort(times);
+  return 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
+}
+
+solver::StepWork mean_work(const std::vector<Batch>& batches) {
+  solver::StepWork mean;
+  const auto n = static_cast<double>(batches.size());
+  for (const Batch& b : batches) {
+    using Part = solver::Work solver::StepWork::*;
+    using W = solver::StepWork;
+    for (const Part part : {&W::whole_joints, &W::damaged_joints, &W::contacts, &W::scatter, &W::update}) {
+      (mean.*part).operations += (b.work.*part).operations / n, (mean.*part).bytes += (b.work.*part).bytes / n;
+    }
+    mean.whole_sides += b.work.whole_sides / n, mean.damaged_sides += b.work.damaged_sides / n;
+  }
+  return mean;
+}
+
+/// All that was measured with one number of threads.
+struct Team {
+  int threads = 1, steps_in_a_batch = 1;
+  std::vector<Batch> batches;
+};
+
+}  // namespace
+
+double StepSplit::step() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
+
+StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& forces, double scatter, double whole_share) {
+  const auto stage = [&](solver::Stage s) { return stages[static_cast<std::size_t>(s)]; };
+  const auto force = [&](solver::ForcePart p) { return forces[static_cast<std::size_t>(p)]; };
   StepParts parts{};
-  const auto put = [&](StepPart p, double time) { parts[static_cast<std::size_t>(p)] = std::max(time, 0.0); };
-  put(StepPart::whole_joints, force(solver::ForcePart::whole_joints) - whole_share * b.scatter);
-  put(StepPart::damaged_joints, force(solver::ForcePart::damaged_joints) - (1.0 - whole_share) * b.scatter);
+  const auto put = [&](StepPart p, double time) { parts[static_cast<std::size_t>(p)] = time; };
+  const double whole = force(solver::ForcePart::whole_joints), damaged = force(solver::ForcePart::damaged_joints);
+  const double of_whole = std::min(whole, whole_share * scatter), of_damaged = std::min(damaged, (1.0 - whole_share) * scatter);
+  put(StepPart::whole_joints, whole - of_whole);
+  put(StepPart::damaged_joints, damaged - of_damaged);
   put(StepPart::contacts, force(solver::ForcePart::contacts));
-  put(StepPart::scatter, force(solver::ForcePart::scatter) + b.scatter);
-  put(StepPart::waiting, stage(solver::Stage::forces) - std::accumulate(b.forces.begin(), b.forces.end(), 0.0) / steps);
+  put(StepPart::scatter, force(solver::ForcePart::scatter) + of_whole + of_damaged);
+  put(StepPart::waiting, std::max(0.0, stage(solver::Stage::forces) - std::accumulate(forces.begin(), forces.end(), 0.0)));
   put(StepPart::search, stage(solver::Stage::search));
   put(StepPart::damage, stage(solver::Stage::damage));
   put(StepPart::update, stage(solver::Stage::update));
@@ -73,48 +111,19 @@ StepParts parts_of(const Batch& b, double whole_share) {
   return parts;
 }
 
-bool is_rare(std::size_t part) {
-  const auto p = static_cast<StepPart>(part);
-  return p == StepPart::search || p == StepPart::ledger || p == StepPart::output;
-}
-
-/// \param batches  what each step of each took, and how many steps it had
-double over_batches(const std::vector<StepParts>& batches, const std::vector<double>& steps, std::size_t part) {
-  std::vector<double> times;
-  for (const StepParts& b : batches) times.push_back(b[part]);
-  if (is_rare(part)) {
-    return std::inner_product(times.begin(), times.end(), steps.begin(), 0.0) / std::accumulate(steps.begin(), steps.end(), 0.0);
-  }
-  std::ranges::sort(times);
-  return 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
-}
-
-/// All that was measured with one number of threads.
-struct Team {
-  int threads = 1, steps_in_a_batch = 1;
-  std::vector<StepParts> batches;
-  std::vector<double> steps;  // of each
-};
-
-}  // namespace
-
-double StepSplit::step() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
-
 std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> counts, std::span<const int> steps, int batches) {
   const int before = omp_get_max_threads();
   cases::Case endless = run.value;
   endless.time.after_collapse.reset();
   solver::JointTasks tasks(run.sim.world());
   std::vector<Team> teams;
-  for (std::size_t k = 0; k < counts.size(); ++k) teams.push_back({counts[k], steps[k], {}, {}});
+  for (std::size_t k = 0; k < counts.size(); ++k) teams.push_back({counts[k], steps[k], {}});
   run.sim.time_parts(true);
   for (int b = 0; b < batches; ++b) {
     for (Team& team : teams) {
       omp_set_num_threads(team.threads);
       take_batch(run, endless, 1, tasks);  // another team has other shares, and other rows in its caches
-      const Batch batch = take_batch(run, endless, team.steps_in_a_batch, tasks);
-      team.batches.push_back(parts_of(batch, whole_share(run.sim.world())));
-      team.steps.push_back(static_cast<double>(batch.steps));
+      team.batches.push_back(take_batch(run, endless, team.steps_in_a_batch, tasks));
     }
   }
   run.sim.time_parts(false);
@@ -125,8 +134,8 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;
   std::vector<StepSplit> splits;
   for (const Team& team : teams) {
-    StepSplit s{.threads = team.threads, .parts = {}};
-    for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, team.steps, part);
+    StepSplit s{.threads = team.threads, .parts = {}, .work = mean_work(team.batches)};
+    for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, part);
     s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();
     splits.push_back(s);
   }

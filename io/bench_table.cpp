@@ -16,9 +16,12 @@ void put(Cells& cells, const char* format, double value) {
   cells.emplace_back(text);
 }
 
-BenchTable::BenchTable(Cells header, const std::string& path, bool overwrite) : header_(std::move(header)) {
-  if (path.empty()) return;
+void refuse_to_replace(const std::string& path, bool overwrite) {
   if (!overwrite && std::filesystem::exists(path)) throw FileError(path, "exists; give another name or --overwrite");
+}
+
+BenchTable::BenchTable(Cells header, const std::string& path) : header_(std::move(header)) {
+  if (path.empty()) return;
   file_.open(path);
   if (!file_) throw FileError(path, "cannot be written");
   write(header_);

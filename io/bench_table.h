@@ -14,12 +14,14 @@ using Cells = std::vector<std::string>;
 /// Appends a number; printf's format.
 void put(Cells& cells, const char* format, double value);
 
+/// \throw FileError if the file exists, unless it is to be replaced
+void refuse_to_replace(const std::string& path, bool overwrite);
+
 /// A table of which the screen shows each row as soon as it is there, and a CSV file, if one is wanted, keeps all.
 class BenchTable {
  public:
-  /// \param path  of the file; empty: none
-  /// \throw FileError if it exists and is not to be replaced, or cannot be written
-  BenchTable(Cells header, const std::string& path, bool overwrite);
+  /// \param path  of the file, which is replaced; empty: none \throw FileError if it cannot be written
+  BenchTable(Cells header, const std::string& path);
 
   void print_header() const { print(header_); }
   void add(const Cells& cells);

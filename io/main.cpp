@@ -139,8 +139,8 @@ void add_bench(CLI::App& app, Words& w) {
                    "a figure is the median of so many batches of steps (default: 15, up to 60 if the machine is seldom quiet)")
       ->check(CLI::Range(1, 1000));
   bench->add_option("--steps", w.bench.steps, "steps in a batch (default: about 0.1 s of them)")->check(CLI::Range(1, 1000000));
-  bench->add_option("--csv", w.bench.csv, "also write the table to this file");
-  bench->add_option("--stages-csv", w.bench.stages_csv, "also write the table of the stages to this file");
+  bench->add_option("--csv", w.bench.csv, "also write the table of what a step takes to this file");
+  bench->add_option("--stages-csv", w.bench.stages_csv, "also write the table of where it goes, part by part, to this file");
   bench->add_flag("--overwrite", w.bench.overwrite, "replace these files");
   bench->footer(
       "CASE may also be a checkpoint (.h5) of a run: measured as it stands there\nexample: voussoir bench flat20n -j 2 --after 3.5");

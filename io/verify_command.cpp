@@ -10,7 +10,6 @@
 #include <memory>
 #include <set>
 
-#include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
 #include "io/scratch_folder.h"

@@ -118,6 +118,7 @@ void list_candidates(World& w) {
   for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
   c.wrench.assign(c.element.size(), {});
   c.on.assign(c.element.size(), 0);
+  c.gather_stale = true;  // it knows who pushed
 }
 
 void build_gather(World& w) {

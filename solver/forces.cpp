@@ -4,8 +4,6 @@
 
 #include <omp.h>
 
-#include "solver/contact_lists.h"
-
 namespace voussoir::solver {
 
 namespace {
@@ -33,12 +31,13 @@ void gather(World& w, LapClock& clock) {
 }  // namespace
 
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
-  if (w.contacts.gather_stale) build_gather(w);
   stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
   if (!w.options.gather) stage.tasks.begin(omp_get_max_threads());
   const JointStep joints{w, time, step, stage.tasks};
-#pragma omp parallel
+  int team = 0;  // the system may give fewer
+#pragma omp parallel reduction(+ : team)
   {
+    team = 1;
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
     mine.clock = LapClock(stage.split);
     advance_own_joints(joints, mine.joints, mine.clock);
@@ -49,9 +48,10 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     gather(w, mine.clock);
   }
   std::vector<JointFindings*> found;
-  for (ThreadRoom& r : stage.by_thread) {
+  for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
+    ThreadRoom& r = stage.by_thread[thread];
     found.push_back(&r.joints);
-    for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k];
+    for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
   }
   collect(found, stage.events);
 }

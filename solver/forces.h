@@ -23,11 +23,12 @@ struct ForceStage {
   std::vector<ThreadRoom> by_thread;
   JointTasks tasks;
   bool split = false;  // whether parts are timed
-  ForceTimes parts{};  // so far
+  ForceTimes parts{};  // of the mean thread, so far
 };
 
 /// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has done
 /// its own joints goes on with contacts, where others still work on theirs, and helps these last.
+/// \pre  the gather lists of contacts are up to date (build_gather)
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

@@ -43,7 +43,7 @@ void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock)
 /// After a step: hands out the forces of all joints by colour once more, as zeros, in the same order and by a team of the same size. So it
 /// changes nothing, and takes what handing out takes alone: within the kernels it cannot be timed apart.
 /// \param tasks  of its own, or the shares of the step would follow what this takes
-/// \return s, of all threads together, without their waiting
+/// \return s, of the mean thread, without its waiting
 double scatter_again(World& w, JointTasks& tasks);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.

@@ -122,6 +122,7 @@ class Plan {
       const bool ledger = sim_.steps() % ledger_ == 0;
       sim_.step({false, ledger || sim_.steps() % look == 0});
       ++state_.steps;
+      const StageTimer timer(sim_.stage_times(), Stage::output);
       if (ledger) report_.ledger(time);
     }
     state_.settled = at_rest();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "solver/contact_forces.h"
+#include "solver/contact_lists.h"
 #include "solver/errors.h"
 #include "solver/setup.h"
 
@@ -292,9 +293,10 @@ void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
   place_supports();
-  if (search_due(w, moved_)) {
+  {
     const StageTimer timer(times_, Stage::search);
-    search_contacts(w);
+    if (search_due(w, moved_)) search_contacts(w);
+    if (w.contacts.gather_stale) build_gather(w);
   }
   {
     const StageTimer timer(times_, Stage::forces);

@@ -31,7 +31,7 @@ class StageTimer {
 /// their contacts: joints hand their forces out as they go (see scatter_again).
 enum class ForcePart : std::size_t { whole_joints, damaged_joints, contacts, scatter };
 inline constexpr std::size_t kForceParts = 4;
-using ForceTimes = std::array<double, kForceParts>;  // s, of all threads together
+using ForceTimes = std::array<double, kForceParts>;  // s
 
 /// Splits a thread's time among these. One that is off looks at no clock: a look takes as long as a joint or two.
 class LapClock {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/step_work.h"
 
+#include <algorithm>
 #include <bit>
 #include <set>
 #include <vector>
@@ -22,6 +23,7 @@ constexpr double kUpdate = 382.0;                                // of an elemen
 constexpr double kRow = kernels::kPoseStride * sizeof(double);       // bytes, of a pose
 constexpr double kTwist = kernels::kTwistStride * sizeof(double);    // of a twist
 constexpr double kWrench = kernels::kWrenchStride * sizeof(double);  // of a wrench
+constexpr double kLeft = kernels::kPairStride * sizeof(double) + 1;  // what a side leaves in the buffer for pairs
 constexpr double kTwice = 2.0;                                       // read and written
 
 /// Joints of one kind: what their blocks fetch, things that several share once.
@@ -81,6 +83,7 @@ void add_joints(const World& w, StepWork& work) {
       work.damaged_joints.operations += side.operations, work.damaged_joints.bytes += side.bytes;
     }
   }
+  if (w.options.gather) work.whole_joints.bytes += work.whole_sides * kLeft, work.damaged_joints.bytes += work.damaged_sides * kLeft;
   work.whole_joints.bytes += whole.bytes(sizeof(kernels::WholeConstants), kRow);
   work.damaged_joints.bytes += damaged.bytes(sizeof(kernels::SideConstants), kRow + kTwist);
 }
@@ -103,11 +106,11 @@ void add_contacts(const World& w, StepWork& work) {
       work.contacts.operations += kPair;
       work.contacts.bytes += points * (2 * sizeof(std::int32_t) + kTwice * kSprings) + sizeof(kernels::Face) + sizeof(kernels::PairWrench) +
                              kRow + kTwist + sizeof(kernels::BodyConstants);
-      work.scatter.bytes += sizeof(kernels::PairWrench);  // both of its elements, one after the other
+      work.scatter.bytes += sizeof(kernels::PairWrench) + 2 * sizeof(std::int64_t);  // by both of its elements, one after the other
     }
     if (pushed) work.contacts.bytes += kTwice * sizeof(FreePatch) + sizeof(kernels::Face) + kRow + kTwist + sizeof(kernels::BodyConstants);
   }
-  work.scatter.bytes += slots * (1 + 2 * sizeof(std::int64_t));
+  work.scatter.bytes += slots * 2;  // flags, those of each slot for both
 }
 
 void add_scatter(const World& w, StepWork& work) {
@@ -115,7 +118,7 @@ void add_scatter(const World& w, StepWork& work) {
   double sides = 0.0;
   for (const std::int32_t b : w.sides.live) sides += std::popcount(w.sides.live_lanes[static_cast<std::size_t>(b)]);
   if (w.options.gather) {
-    work.scatter.bytes += sides * (kernels::kPairStride * sizeof(double) + 1 + 2 * sizeof(std::int64_t));
+    work.scatter.bytes += sides * (kLeft + 2 * sizeof(std::int64_t));
   } else {
     work.scatter.bytes += sides * 2 * sizeof(std::int32_t);
   }
