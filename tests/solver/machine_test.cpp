@@ -16,6 +16,16 @@ TEST_CASE("a value takes no time within a thread, some from one to another, and 
   CHECK(time < 0.1);
 }
 
+TEST_CASE("what a machine can do at best is within reason, with two threads as with one") {
+  const double one = peak_flops(1);
+  CHECK(one > 1e8);
+  CHECK(one < 1e12);
+  CHECK(peak_flops(2) > 0.7 * one);  // two halves of one core do no more
+  const double bandwidth = peak_bandwidth(1);
+  CHECK(bandwidth > 1e8);
+  CHECK(bandwidth < 1e12);
+}
+
 TEST_CASE("every core of a team is timed") {
   for (const int threads : {1, 2}) {
     const std::vector<double> times = core_times(threads);
