@@ -89,7 +89,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   patch.impact += r.impact;
 }
 
-/// Calls `use(slot, is_slave)` for the slots of an element that push, in their order.
+/// Calls `use(slot, is_slave)` for the slots of an element that push, in their order. (Flags are 0 or 1; the first is the lowest byte.)
 template <class Use>
 void each_push(const Contacts& c, std::size_t element, Use use) {
   constexpr std::int64_t kFlags = sizeof(std::uint64_t);
