@@ -4,6 +4,10 @@
 
 #include <cstddef>
 
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
 namespace voussoir::kernels {
 
 /// Asks for memory some time before it is needed: rows of elements, patches and points lie all over it, where no hardware foresees them.
@@ -12,6 +16,20 @@ inline void fetch(const void* from, std::size_t bytes) noexcept {
   const char* at = static_cast<const char*>(from);
   for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(at + line);
   asm volatile("");
+}
+
+/// The same of what is needed only after much else: into the second cache, the first one is small.
+inline void fetch_for_later(const void* from, std::size_t bytes) noexcept {
+  const char* at = static_cast<const char*>(from);
+  for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(at + line, 0, 2);
+  asm volatile("");
+}
+
+/// What this thread has stored past its caches comes before all that it stores from now on: a barrier alone does not promise that.
+inline void finish_stores() noexcept {
+#if defined(__AVX__)
+  _mm_sfence();
+#endif
 }
 
 }  // namespace voussoir::kernels

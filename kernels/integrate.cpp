@@ -76,9 +76,21 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
 
 VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
   const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
-  store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
-  store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
-  store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
+  if (rows.past_caches) {
+    Quad x[kWidth], y[kWidth], z[kWidth];
+    to_rows(d.r0.x, d.r0.y, d.r0.z, u.x, x);
+    to_rows(d.r1.x, d.r1.y, d.r1.z, u.y, y);
+    to_rows(d.r2.x, d.r2.y, d.r2.z, u.z, z);
+    for (int l = 0; l < kWidth; ++l) {  // row by row: whole lines in one go
+      store_past_caches(pose_row(l), x[l]);
+      store_past_caches(pose_row(l) + 4, y[l]);
+      store_past_caches(pose_row(l) + 8, z[l]);
+    }
+  } else {
+    store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
+    store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
+    store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
+  }
   const SixColumns twists = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
   for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, twists, l);
 }

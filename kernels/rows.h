@@ -22,6 +22,7 @@ inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (
 /// Rows of all elements.
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
+  bool past_caches = false;  // poses are stored past the caches: the model is far larger than these (kernels::finish_stores)
 };
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).

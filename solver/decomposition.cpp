@@ -9,6 +9,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "kernels/rows.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr double kFits = 0.995;  // share of the sides that must fit between two
 // Elements in a cell, if the model filled its plan evenly; walls are denser. Elements on the borders of cells are fetched once for each
 // colour, so a model of which little stays near the core has larger cells. In a smaller one these would only keep less of a task near.
 constexpr std::size_t kManyElements = 5000;
-constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0;
+constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0, kElementsInAFarCell = 256.0;
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -60,22 +62,25 @@ std::vector<std::int32_t> in_rounds(std::span<const Writes> sides, const std::ve
   return result;
 }
 
-/// Kind by kind, each in rounds.
+/// Kind by kind, each in rounds. \param together  what comes in such numbers of one kind goes first, the rest of all kinds after it
 std::vector<std::int32_t> kind_by_kind(std::span<const Writes> sides, std::span<const std::int32_t> kinds,
-                                       const std::vector<std::int32_t>& items) {
+                                       const std::vector<std::int32_t>& items, std::size_t together) {
   std::map<std::int32_t, std::vector<std::int32_t>> of_kind;
   for (const std::int32_t i : items) of_kind[kinds[static_cast<std::size_t>(i)]].push_back(i);
-  std::vector<std::int32_t> result;
+  std::vector<std::int32_t> result, rest;
   for (const auto& [kind, of_this] : of_kind) {
     const std::vector<std::int32_t> ordered = in_rounds(sides, of_this);
-    result.insert(result.end(), ordered.begin(), ordered.end());
+    const auto end = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / together * together);
+    result.insert(result.end(), ordered.begin(), end);
+    rest.insert(rest.end(), end, ordered.end());
   }
+  result.insert(result.end(), rest.begin(), rest.end());
   return result;
 }
 
 }  // namespace
 
-double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids) {
+double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool far) {
   const Plan plan = plan_of(centroids);
   std::vector<double> reach;
   for (const Writes& w : sides) {
@@ -87,13 +92,14 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
   const double needed = reach.empty() ? 0.0 : reach[static_cast<std::size_t>(kFits * static_cast<double>(reach.size() - 1))];
   const Vec3 size = plan.high - plan.low;
   const double area = along(size, plan.first) * along(size, plan.second);
-  const double elements = centroids.size() < kManyElements ? kElementsInACell : kElementsInALargeCell;
+  const double elements = far ? kElementsInAFarCell : centroids.size() < kManyElements ? kElementsInACell : kElementsInALargeCell;
   const double useful = std::sqrt(area * elements / static_cast<double>(std::max<std::size_t>(1, centroids.size())));
   const double cell = std::max(1.001 * needed, useful);  // a hair more than needed: centroids lie on a grid
   return cell > 0.0 ? cell : 1.0;
 }
 
-Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell) {
+Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell,
+                        bool far) {
   const Plan plan = plan_of(centroids);
   using Cell = std::array<std::int64_t, 2>;
   const auto cell_of = [&](std::int32_t e) {
@@ -115,7 +121,7 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const std::int3
   for (const auto& of_colour : tasks) {
     if (of_colour.empty()) continue;
     d.colours.emplace_back();
-    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items));
+    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items, far ? kernels::kLanes : 1));
   }
   return d;
 }

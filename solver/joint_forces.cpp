@@ -20,6 +20,7 @@ namespace {
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
 constexpr std::int32_t kBlockAhead = 2;      // blocks, when their memory is asked for
+constexpr std::size_t kAtATime = 4;          // whole blocks, between two requests for elements of the next task
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
 
@@ -123,6 +124,29 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, uns
   }
 }
 
+/// Asks for the rows of elements that the next task writes to, a few with each block of this one.
+class RowsAhead {
+ public:
+  /// \param blocks  of this task, at least 1
+  RowsAhead(const kernels::Rows& rows, std::span<const std::int32_t> elements, std::size_t blocks)
+      : rows_(rows), left_(elements), each_((elements.size() + blocks - 1) / blocks) {}
+  [[nodiscard]] bool any() const { return each_ > 0; }
+  void fetch(std::size_t blocks) {
+    const std::span<const std::int32_t> now = left_.first(std::min(each_ * blocks, left_.size()));
+    for (const std::int32_t element : now) {
+      const auto e = static_cast<std::int64_t>(element);
+      kernels::fetch_for_later(rows_.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
+      kernels::fetch_for_later(rows_.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
+    }
+    left_ = left_.subspan(now.size());
+  }
+
+ private:
+  const kernels::Rows& rows_;
+  std::span<const std::int32_t> left_;
+  std::size_t each_;
+};
+
 /// Blocks in which nothing has happened. Those that a bound does not prove to stay so are looked at like any other.
 void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, kernels::StepClock clock,
                           std::int64_t step, JointFindings& found) {
@@ -136,21 +160,30 @@ void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const s
   }
 }
 
-/// Places [first, last) of the list of live blocks.
-void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, JointFindings& found, LapClock& watch) {
+/// Places [first, last) of the list of live blocks. \param next  elements that are needed after them
+void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, std::span<const std::int32_t> next, JointFindings& found,
+                    LapClock& watch) {
+  if (first == last) return;
   World& w = at.w;
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, at.time};
   const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
+  RowsAhead ahead(rows, next, numbers.size());
   watch.begin();
   if (!w.options.reference_kernels && kernels::has_short_form(w.failure) &&
       std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
-    advance_whole_blocks(w, rows, numbers, clock, at.step, found);
+    const std::size_t some = ahead.any() ? kAtATime : numbers.size();
+    for (std::size_t i = 0; i < numbers.size(); i += some) {
+      const std::span<const std::int32_t> now = numbers.subspan(i, std::min(some, numbers.size() - i));
+      ahead.fetch(now.size());
+      advance_whole_blocks(w, rows, now, clock, at.step, found);
+    }
     watch.lap(ForcePart::whole_joints);
     return;
   }
   for (std::int32_t i = first; i < last; ++i) {
+    ahead.fetch(1);
     if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
     if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
     const std::int32_t number = s.live[static_cast<std::size_t>(i)];
@@ -160,8 +193,12 @@ void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, 
   }
 }
 
-void advance_task(const JointStep& at, std::size_t task, JointFindings& found, LapClock& clock) {
-  advance_blocks(at, at.w.sides.live_first[task], at.w.sides.live_first[task + 1], found, clock);
+/// What is to be done with each task.
+auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
+  return [&](std::size_t task, std::span<const std::int32_t> ahead) {
+    const std::vector<std::int32_t>& first = at.w.sides.live_first;
+    advance_blocks(at, first[task], first[task + 1], ahead, found, clock);
+  };
 }
 
 }  // namespace
@@ -172,14 +209,14 @@ void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& cloc
     constexpr std::int32_t kRun = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), found, clock);
+    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), {}, found, clock);
     return;
   }
-  s.tasks.run_own([&](std::size_t task) { advance_task(s, task, found, clock); });
+  s.tasks.run_own(advance_task(s, found, clock));
 }
 
 void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
-  if (!s.w.options.gather) s.tasks.help([&](std::size_t task) { advance_task(s, task, found, clock); });
+  if (!s.w.options.gather) s.tasks.help(advance_task(s, found, clock));
 }
 
 double scatter_again(World& w, JointTasks& tasks) {
@@ -191,7 +228,7 @@ double scatter_again(World& w, JointTasks& tasks) {
 #pragma omp parallel reduction(+ : time, team)
   {
     LapClock clock(true);
-    const auto hand_out = [&](std::size_t task) {
+    const auto hand_out = [&](std::size_t task, std::span<const std::int32_t> /*ahead*/) {
       clock.begin();
       for (auto i = static_cast<std::size_t>(s.live_first[task]); i < static_cast<std::size_t>(s.live_first[task + 1]); ++i) {
         const auto block = static_cast<std::size_t>(s.live[i]);

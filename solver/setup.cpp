@@ -91,6 +91,7 @@ double choose_skin(const cases::Model& m) {
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) {
   auto w = std::make_unique<World>(m);
   w->options = o;
+  w->far = m.blocks.size() >= o.far_from;
   w->failure = failure_options(c.failure);
   w->has_base = c.base.has_value();
   w->drop_debris_damping = !c.damping.debris;

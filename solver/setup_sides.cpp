@@ -234,7 +234,8 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   }
   std::vector<Vec3> centroids;
   for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);
-  Decomposition d = decompose(writes, kinds, centroids, w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids));
+  const double cell = w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids, w.far);
+  Decomposition d = decompose(writes, kinds, centroids, cell, w.far);
   Sides& s = w.sides;
   if (!d.overflow.empty()) {
     s.overflow_colour = static_cast<std::int32_t>(d.colours.size());

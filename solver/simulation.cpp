@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "kernels/fetch.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
 #include "solver/errors.h"
@@ -45,6 +46,7 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
     };
     shares.take_own(omp_get_thread_num(), do_run);
     shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
+    kernels::finish_stores();
   }
   return most;
 }
@@ -271,7 +273,7 @@ void Simulation::drift(double dt) {
   World& w = *world_;
   moved_ = over_elements(
       w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
         kernels::drift(view, rows, dt, first, last);
         return kernels::measure_moves(view, moves, first, last);
       });
@@ -282,7 +284,7 @@ void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
   moved_ = over_elements(
       w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
         kernels::kick(view, rows, f, first, last);
         kernels::drift(view, rows, f.dt, first, last);
         return kernels::measure_moves(view, moves, first, last);

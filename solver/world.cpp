@@ -36,7 +36,9 @@ kernels::ElementsView Elements::view() noexcept {
           .iyz = iyz.data()};
 }
 
-kernels::ElementRows Elements::row_view() noexcept { return {pose.data(), twist.data(), wrench.data(), dashpot.data()}; }
+kernels::ElementRows Elements::row_view(bool past_caches) noexcept {
+  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), past_caches};
+}
 
 kernels::Bodies World::bodies() const noexcept {
   return {elements.pose.data(), elements.twist.data(), elements.body.data(), contacts.path.data()};

@@ -25,8 +25,9 @@ struct Options {
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
   bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
-  int threads = 0;                 // 0: OpenMP's default
-  std::optional<double> step;      // s; overrides the case
+  std::size_t far_from = 25'000;  // elements from which a model is far, see World::far; a number of its own, or bits would depend on caches
+  int threads = 0;                // 0: OpenMP's default
+  std::optional<double> step;     // s; overrides the case
 };
 
 /// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole vectors and is
@@ -52,7 +53,8 @@ struct Elements {
   Array<double> pose, twist, wrench, dashpot;
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
-  [[nodiscard]] kernels::ElementRows row_view() noexcept;
+  /// \param past_caches  see kernels::ElementRows
+  [[nodiscard]] kernels::ElementRows row_view(bool past_caches = false) noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
@@ -168,6 +170,7 @@ struct World {
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
   bool has_base = false;
+  bool far = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
   bool drop_debris_damping = false;
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/fetch.h"
 #include "tests/kernels/flying_fixture.h"
 
 using namespace voussoir;
@@ -69,6 +70,21 @@ TEST_CASE("the angular velocity is that of the implicit midpoint, and turns the 
       fastest = std::max(fastest, phi);
     }
     CHECK(fastest > 5.0 * dt);  // rad/s, halved: they do turn
+  }
+}
+
+TEST_CASE("poses stored past the caches are the same") {
+  alignas(64) static double poses[kCount * kernels::kPoseStride];
+  Flying near, far;
+  kernels::ElementRows rows = far.rows();
+  rows.pose = poses, rows.past_caches = true;
+  for (int k = 0; k < 3; ++k) {
+    near.step();
+    kernels::drift(far.view(), rows, kStep, 0, kCount);
+    kernels::finish_stores();
+    CHECK(std::ranges::equal(near.pose, poses));
+    CHECK(near.twist == far.twist);
+    CHECK(near.columns == far.columns);
   }
 }
 

@@ -56,7 +56,7 @@ std::vector<Span> one_round(solver::JointTasks& tasks, std::size_t count, int as
   tasks.begin(asked);
 #pragma omp parallel num_threads(given)
   {
-    const auto work = [&](std::size_t t) {
+    const auto work = [&](std::size_t t, std::span<const std::int32_t>) {
       spans[t].begin = ++clock;
       work_for(t, round);
       spans[t].end = ++clock;
@@ -86,9 +86,14 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(const solver::World&
 TEST_CASE("joint tasks that share an element follow each other in one order, with any number of threads") {
   const cases::Case c = small_wall(12, 12);
   const cases::Model m = cases::build_model(c);
-  for (const double cell : {0.21, 0.06}) {  // with the smaller one sides span more than two cells
+  struct Form {
+    double cell;
+    std::size_t far_from;
+  };
+  for (const Form form :
+       {Form{0.21, 1000}, Form{0.06, 1000}, Form{0.21, 1}, Form{0.06, 1}}) {  // sides span more than two of the small cells
     solver::Options o;
-    o.cell = cell;
+    o.cell = form.cell, o.far_from = form.far_from;
     const auto w = solver::build_world(c, m, o);
     const auto pairs = neighbours(*w);
     const std::size_t count = w->sides.task_first.size() - 1;
@@ -102,4 +107,55 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
       for (const auto& [a, b] : pairs) REQUIRE(spans[a].end < spans[b].begin);
     }
   }
+}
+
+TEST_CASE("tasks of a far model run along the plan, those at borders of shares and all that they wait for first") {
+  cases::Case c = small_wall(40, 6);
+  std::ranges::stable_sort(c.blocks, {},
+                           [](const cases::BlockSpec& b) { return (*b.box)[0].x; });  // elements that lie together, as in a house
+  const cases::Model m = cases::build_model(c);
+  struct Order {
+    std::vector<std::size_t> tasks;
+    std::vector<std::vector<std::int32_t>> ahead;
+  };
+  const auto order_of = [&](solver::JointTasks& tasks, int threads) {
+    std::vector<Order> orders(static_cast<std::size_t>(threads));
+    tasks.begin(threads);
+#pragma omp parallel num_threads(threads)
+    {
+      Order& mine = orders[static_cast<std::size_t>(omp_get_thread_num())];
+      tasks.run_own([&](std::size_t t, std::span<const std::int32_t> ahead) {
+        mine.tasks.push_back(t);
+        mine.ahead.emplace_back(ahead.begin(), ahead.end());
+      });
+    }
+    return orders;
+  };
+  const auto colour_changes = [](const solver::World& w, const std::vector<std::size_t>& tasks) {
+    const auto colour = [&](std::size_t t) { return std::ranges::upper_bound(w.sides.colour_first, static_cast<std::int32_t>(t)); };
+    int changes = 0;
+    for (std::size_t k = 1; k < tasks.size(); ++k) changes += colour(tasks[k]) != colour(tasks[k - 1]);
+    return changes;
+  };
+  solver::Options o;
+  o.cell = 0.21;
+  const auto near = solver::build_world(c, m, o);
+  o.far_from = 1;
+  const auto far = solver::build_world(c, m, o);
+  solver::JointTasks near_tasks(*near), far_tasks(*far);
+  const auto in_near = order_of(near_tasks, 1), in_far = order_of(far_tasks, 1);
+  const int colours = static_cast<int>(near->sides.colour_first.size()) - 1;
+  CHECK(colour_changes(*near, in_near[0].tasks) == colours - 1);
+  CHECK(colour_changes(*far, in_far[0].tasks) > 20);
+  CHECK(std::ranges::all_of(in_near[0].ahead, [](const auto& ahead) { return ahead.empty(); }));
+  // What is asked for ahead are the elements of the task that follows.
+  const auto elements = elements_by_task(*far);
+  for (std::size_t k = 0; k + 1 < in_far[0].tasks.size(); ++k) {
+    const auto& next = elements[in_far[0].tasks[k + 1]];
+    CHECK(std::ranges::equal(in_far[0].ahead[k], next));
+  }
+  CHECK(in_far[0].ahead.back().empty());
+  // Two threads: each begins at the border, and goes along the plan then.
+  const auto of_two = order_of(far_tasks, 2);
+  for (const Order& order : of_two) CHECK(colour_changes(*far, order.tasks) > 5);
 }

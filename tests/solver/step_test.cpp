@@ -55,32 +55,34 @@ TEST_CASE("decomposition: no two tasks of a colour share an element, every side 
   for (int x = 0; x < 20; ++x) sides.push_back({beam, 6 * x + 5});
   std::vector<std::int32_t> kinds(sides.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = static_cast<std::int32_t>(i % 3);
-  const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 0.25);
-  CHECK(d.colours.size() == 4);
-  std::vector<int> placed(sides.size(), 0);
-  for (const std::int32_t i : d.overflow) ++placed[static_cast<std::size_t>(i)];
-  for (const auto& tasks : d.colours) {
-    std::vector<int> owner(centroids.size(), -1);
-    for (std::size_t t = 0; t < tasks.size(); ++t) {
-      for (const std::int32_t i : tasks[t]) {
-        ++placed[static_cast<std::size_t>(i)];
-        for (const std::int32_t e : sides[static_cast<std::size_t>(i)]) {
-          if (e < 0) continue;
-          int& of = owner[static_cast<std::size_t>(e)];
-          CHECK((of == -1 || of == static_cast<int>(t)));
-          of = static_cast<int>(t);
+  for (const bool far : {false, true}) {
+    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 0.25, far);
+    CHECK(d.colours.size() == 4);
+    std::vector<int> placed(sides.size(), 0);
+    for (const std::int32_t i : d.overflow) ++placed[static_cast<std::size_t>(i)];
+    for (const auto& tasks : d.colours) {
+      std::vector<int> owner(centroids.size(), -1);
+      for (std::size_t t = 0; t < tasks.size(); ++t) {
+        for (const std::int32_t i : tasks[t]) {
+          ++placed[static_cast<std::size_t>(i)];
+          for (const std::int32_t e : sides[static_cast<std::size_t>(i)]) {
+            if (e < 0) continue;
+            int& of = owner[static_cast<std::size_t>(e)];
+            CHECK((of == -1 || of == static_cast<int>(t)));
+            of = static_cast<int>(t);
+          }
         }
       }
     }
+    CHECK(std::all_of(placed.begin(), placed.end(), [](int n) { return n == 1; }));
+    CHECK(d.overflow.size() > 10);  // the beam's far ends
+    CHECK(d.overflow.size() < 20);
   }
-  CHECK(std::all_of(placed.begin(), placed.end(), [](int n) { return n == 1; }));
-  CHECK(d.overflow.size() > 10);  // the beam's far ends
-  CHECK(d.overflow.size() < 20);
-  CHECK(solver::choose_cell(sides, centroids) > 0.2);
+  CHECK(solver::choose_cell(sides, centroids, false) > 0.2);
 }
 
 TEST_CASE("decomposition: cells of a large model are larger, so that most elements lie within one") {
-  const auto cell_of_a_floor = [](int edge) {  // of edge × edge slabs, 0.2 m each
+  const auto cell_of_a_floor = [](int edge, bool far = false) {  // of edge × edge slabs, 0.2 m each
     std::vector<Vec3> centroids;
     std::vector<solver::Writes> sides;
     for (int x = 0; x < edge; ++x) {
@@ -89,10 +91,33 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
         if (y > 0) sides.push_back({x * edge + y, x * edge + y - 1});
       }
     }
-    return solver::choose_cell(sides, centroids);
+    return solver::choose_cell(sides, centroids, far);
   };
   CHECK(cell_of_a_floor(70) == doctest::Approx(std::sqrt(32.0) * 0.2).epsilon(0.02));  // thirty-two slabs of 4,900
   CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));                // sixty-four of 5,041
+  CHECK(cell_of_a_floor(71, true) == doctest::Approx(16 * 0.2).epsilon(0.02));         // two hundred and fifty-six
+}
+
+TEST_CASE("decomposition: in a task of a far model full blocks of one kind come first") {
+  // Columns of two bricks in one cell: sides of three kinds, twenty-one of each.
+  std::vector<Vec3> centroids;
+  std::vector<solver::Writes> sides;
+  std::vector<std::int32_t> kinds;
+  for (int k = 0; k < 63; ++k) {
+    centroids.insert(centroids.end(), {{0.01 * k, 0.0, 0.0}, {0.01 * k, 0.0, 0.1}});
+    sides.push_back({2 * k, 2 * k + 1}), kinds.push_back(k % 3);
+  }
+  const auto kinds_in_order = [&](bool far) {
+    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 10.0, far);
+    std::vector<std::int32_t> order;
+    for (const std::int32_t i : d.colours.at(0).at(0)) order.push_back(kinds[static_cast<std::size_t>(i)]);
+    return order;
+  };
+  std::vector<std::int32_t> near, far;  // twenty-one of each; sixteen of each, then five
+  for (int kind = 0; kind < 3; ++kind) near.insert(near.end(), 21, kind), far.insert(far.end(), 16, kind);
+  for (int kind = 0; kind < 3; ++kind) far.insert(far.end(), 5, kind);
+  CHECK(kinds_in_order(false) == near);
+  CHECK(kinds_in_order(true) == far);
 }
 
 TEST_CASE("fast and reference kernels: the same wall until it cracks, then the same segments break in the same order") {
