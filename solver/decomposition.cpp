@@ -19,7 +19,7 @@ constexpr double kFits = 0.995;  // share of the sides that must fit between two
 // Elements in a cell, if the model filled its plan evenly; walls are denser. Elements on the borders of cells are fetched once for each
 // colour, so a model of which little stays near the core has larger cells. In a smaller one these would only keep less of a task near.
 constexpr std::size_t kManyElements = 5000;
-constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0, kElementsInAFarCell = 256.0;
+constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0, kElementsInAFarCell = 512.0;
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 

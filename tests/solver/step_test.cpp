@@ -93,9 +93,9 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
     }
     return solver::choose_cell(sides, centroids, far);
   };
-  CHECK(cell_of_a_floor(70) == doctest::Approx(std::sqrt(32.0) * 0.2).epsilon(0.02));  // thirty-two slabs of 4,900
-  CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));                // sixty-four of 5,041
-  CHECK(cell_of_a_floor(71, true) == doctest::Approx(16 * 0.2).epsilon(0.02));         // two hundred and fifty-six
+  CHECK(cell_of_a_floor(70) == doctest::Approx(std::sqrt(32.0) * 0.2).epsilon(0.02));         // thirty-two slabs of 4,900
+  CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));                       // sixty-four of 5,041
+  CHECK(cell_of_a_floor(71, true) == doctest::Approx(std::sqrt(512.0) * 0.2).epsilon(0.02));  // five hundred and twelve
 }
 
 TEST_CASE("decomposition: in a task of a far model full blocks of one kind come first") {
