@@ -77,6 +77,7 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
 VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
   const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
   if (rows.past_caches) {
+    static_assert(kPoseStride % 4 == 0);  // or thirds of rows would not lie where store_past_caches can write
     Quad x[kWidth], y[kWidth], z[kWidth];
     to_rows(d.r0.x, d.r0.y, d.r0.z, u.x, x);
     to_rows(d.r1.x, d.r1.y, d.r1.z, u.y, y);

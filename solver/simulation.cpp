@@ -46,7 +46,7 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
     };
     shares.take_own(omp_get_thread_num(), do_run);
     shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
-    kernels::finish_stores();
+    kernels::finish_stores();  // of poses that went past the caches
   }
   return most;
 }
