@@ -39,9 +39,24 @@ VOUSSOIR_INLINE VecLanes transposed_times(const MatLanes& d, VecLanes v) noexcep
           d.r0.z * v.x + d.r1.z * v.y + d.r2.z * v.z};
 }
 
-VOUSSOIR_INLINE MatLanes inverse_inertia(const ElementsView& e, std::int64_t i) noexcept {
+struct PrincipalLanes {
+  VecLanes d;
+};
+VOUSSOIR_INLINE VecLanes operator*(const PrincipalLanes& m, VecLanes v) noexcept { return {m.d.x * v.x, m.d.y * v.y, m.d.z * v.z}; }
+
+VOUSSOIR_INLINE MatLanes full_inverse_inertia(const ElementsView& e, std::int64_t i) noexcept {
   const Lanes xy = load_lanes(e.ixy + i), xz = load_lanes(e.ixz + i), yz = load_lanes(e.iyz + i);
   return {{load_lanes(e.ixx + i), xy, xz}, {xy, load_lanes(e.iyy + i), yz}, {xz, yz, load_lanes(e.izz + i)}};
+}
+
+/// Bricks look along their principal axes: half as many numbers to read.
+template <bool kPrincipal>
+VOUSSOIR_INLINE auto inverse_inertia(const ElementsView& e, std::int64_t i) noexcept {
+  if constexpr (kPrincipal) {
+    return PrincipalLanes{load3(e.ixx, e.iyy, e.izz, i)};
+  } else {
+    return full_inverse_inertia(e, i);
+  }
 }
 
 /// m turned by the rotation vector −h, a series to h⁵: no library trigonometry, whose bits depend on the processor.
@@ -92,6 +107,7 @@ VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLane
     store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
     store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
   }
+  if (rows.watched != nullptr && rows.watched[i / kBunch] == 0) return;
   const SixColumns twists = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
   for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, twists, l);
 }
@@ -109,6 +125,10 @@ VOUSSOIR_INLINE bool any_dashed(const ElementRows& rows, std::int64_t i) noexcep
   return any != 0;
 }
 
+VOUSSOIR_INLINE double* book(const ElementsView& e, std::int64_t i, Book column) noexcept {
+  return e.books + i / kBunch * kBooks + static_cast<int>(column);
+}
+
 /// Books the work of the dashpots' torques with the mean of the angular velocities before and after, clears their rows.
 VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecLanes after, const ElementRows& rows, double dt) noexcept {
   const VecLanes before = load3(e.wx, e.wy, e.wz, i);
@@ -117,14 +137,16 @@ VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecL
   const auto row = [&](int l) { return rows.dashpot + (i + l) * kDashpotStride; };
   load_columns(row, 0, x, y, z, torque.x);
   load_columns(row, 4, torque.y, torque.z, unused, unused);
-  store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - lanes(0.5 * dt) * dot(torque, before + after));
+  const Quad taken = sums_of(dot(torque, before + after), Lanes{}, Lanes{}, Lanes{});
+  *book(e, i, Book::loss_dashpots) -= 0.5 * dt * taken[0];
   clear_rows(rows.dashpot, i);
 }
 
 /// Angular velocity, half a step ahead, of the angular momentum there, in body axes: the orientation half a step ahead is that of now
 /// turned by φ = ½ Δt Ω, so Ω = J⁻¹ exp(−φ) Rᵀ L. The last ω gives a first φ, to first order a second, and that Ω; a φ that is not quite
 /// parallel to Ω turns it as it turns the element. \param m  Rᵀ L  \param last  Rᵀ ω, of the last half step
-VOUSSOIR_INLINE VecLanes spin_ahead(const MatLanes& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
+template <class Inertia>
+VOUSSOIR_INLINE VecLanes spin_ahead(const Inertia& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
   const VecLanes guess = half * last;
   const VecLanes phi = half * (inverse * (m - cross(guess, m)));
   const VecLanes spin = inverse * turned_back(m, phi);
@@ -146,7 +168,7 @@ VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLa
 
 /// The drift of kGroups times kWidth elements, side by side: the chain from ω to the next orientation is long, and one group alone leaves
 /// the machine waiting.
-template <int kGroups>
+template <int kGroups, bool kPrincipal>
 VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t i) noexcept {
   const Lanes half = lanes(0.5 * dt);
   QuaternionLanes q[kGroups];
@@ -160,7 +182,7 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
     m[g] = l + transposed_times(d[g], l);
     spin[g] = w + transposed_times(d[g], w);
   }
-  for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia(e, i + g * kWidth), m[g], spin[g], half);
+  for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia<kPrincipal>(e, i + g * kWidth), m[g], spin[g], half);
   for (int g = 0; g < kGroups; ++g) q[g] = normalised(turned(q[g], half * spin[g]));
   for (int g = 0; g < kGroups; ++g) spin[g] = spin[g] + d[g] * spin[g];
   for (int g = 0; g < kGroups; ++g) {
@@ -169,49 +191,69 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
   for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, q[g], spin[g], rows, dt);
 }
 
+/// What an element or several have done in a step [J].
+struct Booked {
+  Lanes ground{}, gravity{}, damping{}, dashpots{};
+};
+
+/// BodyForces in lanes.
+struct Pushes {
+  Lanes dt;
+  VecLanes body, mean_gravity, mean_ground;
+  bool damps_rotation;
+};
+
+/// The kick of kWidth elements.
+VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, Booked& booked) noexcept {
+  const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
+  VecLanes force, torque;
+  Lanes unused, dashed;
+  load_columns(row, 0, force.x, force.y, force.z, torque.x);
+  load_columns(row, 4, torque.y, torque.z, unused, dashed);
+  const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
+  const LaneMask fixed = im == 0.0;
+  const Lanes a = 0.5 * alpha * f.dt;
+  const VecLanes before = load3(e.vx, e.vy, e.vz, i);
+  const VecLanes after = select3(fixed, before, (1.0 / (1.0 + a)) * ((1.0 - a) * before + f.dt * (im * force + f.body)));
+  const VecLanes mean = lanes(0.5) * (before + after);
+  store3(e.vx, e.vy, e.vz, i, after);
+  const VecLanes l = load3(e.lx, e.ly, e.lz, i);
+  const Lanes turn = select(fixed, Lanes{}, f.dt);
+  VecLanes turned_on = l + turn * torque;
+  Lanes lost = lanes(0.0);
+  if (f.damps_rotation) {
+    turned_on = (1.0 / (1.0 + a)) * (turned_on - a * l);
+    lost = lanes(0.5) * dot(l + turned_on, load3(e.wx, e.wy, e.wz, i));
+  }
+  store3(e.lx, e.ly, e.lz, i, turned_on);
+  booked.gravity = booked.gravity + m * dot(f.mean_gravity, before);
+  booked.ground = booked.ground - m * dot(f.mean_ground, before);
+  booked.damping = booked.damping + alpha * (m * dot(mean, mean) + lost);
+  if (bits(dashed != 0.0) != 0) {
+    VecLanes dash;
+    load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);
+    booked.dashpots = booked.dashpots - dot(dash, mean);
+  }
+}
+
 }  // namespace
 
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
-  const VecLanes body = spread(f.gravity - f.ground), mean_gravity = spread(f.mean_gravity), mean_ground = spread(f.mean_ground);
-  const Lanes dt = lanes(f.dt);
-  for (std::int64_t i = first; i < last; i += kWidth) {
-    const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
-    VecLanes force, torque;
-    Lanes unused, dashed;
-    load_columns(row, 0, force.x, force.y, force.z, torque.x);
-    load_columns(row, 4, torque.y, torque.z, unused, dashed);
-    const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
-    const LaneMask fixed = im == 0.0;
-    const Lanes a = 0.5 * alpha * dt;
-    const VecLanes before = load3(e.vx, e.vy, e.vz, i);
-    VecLanes after = (1.0 / (1.0 + a)) * ((1.0 - a) * before + dt * (im * force + body));
-    after = {select(fixed, before.x, after.x), select(fixed, before.y, after.y), select(fixed, before.z, after.z)};
-    const VecLanes mean = lanes(0.5) * (before + after);
-    store3(e.vx, e.vy, e.vz, i, after);
-    const VecLanes l = load3(e.lx, e.ly, e.lz, i);
-    const Lanes turn = select(fixed, Lanes{}, dt);
-    VecLanes turned_on = l + turn * torque;
-    Lanes lost = lanes(0.0);
-    if (f.damps_rotation) {
-      turned_on = (1.0 / (1.0 + a)) * (turned_on - a * l);
-      lost = lanes(0.5) * dot(l + turned_on, load3(e.wx, e.wy, e.wz, i));
-    }
-    store3(e.lx, e.ly, e.lz, i, turned_on);
-    store_lanes(e.work_gravity + i, load_lanes(e.work_gravity + i) + dt * m * dot(mean_gravity, before));
-    store_lanes(e.work_ground + i, load_lanes(e.work_ground + i) - dt * m * dot(mean_ground, before));
-    store_lanes(e.loss_damping + i, load_lanes(e.loss_damping + i) + dt * alpha * (m * dot(mean, mean) + lost));
-    if (bits(dashed != 0.0) != 0) {
-      VecLanes dash;
-      load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);
-      store_lanes(e.loss_dashpot + i, load_lanes(e.loss_dashpot + i) - dt * dot(dash, mean));
-    }
+  const Pushes pushes{lanes(f.dt), spread(f.gravity - f.ground), spread(f.mean_gravity), spread(f.mean_ground), f.damps_rotation};
+  for (std::int64_t i = first; i < last; i += kBunch) {
+    Booked booked;
+    for (int k = 0; k < kBunch; k += kWidth) kick_group(e, rows, pushes, i + k, booked);
+    const Quad sums = sums_of(booked.ground, booked.gravity, booked.damping, booked.dashpots);
+    add_quad(book(e, i, Book::work_ground), f.dt * sums);
   }
 }
 
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept {
-  std::int64_t i = first;
-  for (; i + 2 * kWidth <= last; i += 2 * kWidth) drift_groups<2>(e, rows, dt, i);
-  if (i < last) drift_groups<1>(e, rows, dt, i);
+  constexpr int kGroups = 2;
+  for (std::int64_t i = first; i < last; i += kGroups * kWidth) {
+    const bool principal = e.principal[i / kBunch] != 0;
+    principal ? drift_groups<kGroups, true>(e, rows, dt, i) : drift_groups<kGroups, false>(e, rows, dt, i);
+  }
 }
 
 }  // namespace voussoir::kernels

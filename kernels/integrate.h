@@ -10,6 +10,10 @@
 /// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
 namespace voussoir::kernels {
 
+/// What is booked of a bunch, each a sum over its elements and over all steps so far [J].
+enum class Book : std::uint8_t { work_ground, work_gravity, loss_damping, loss_dashpots };
+inline constexpr int kBooks = 4;
+
 /// State and constants of all elements, structure of arrays; SI units, global axes unless said.
 struct ElementsView {
   double *ux, *uy, *uz;                             // displacement of the centroid [m]
@@ -17,11 +21,11 @@ struct ElementsView {
   double *vx, *vy, *vz;                             // velocity at the half step [m/s]
   double *lx, *ly, *lz;                             // angular momentum at the half step, space axes [kg m2/s]
   double *wx, *wy, *wz;                             // angular velocity at the half step, space axes [rad/s]
-  double *work_ground, *work_gravity;               // J, done on the element so far
-  double *loss_damping, *loss_dashpot;              // J
+  double* books;                                    // J, kBooks of each bunch
   const double *mass, *inv_mass;                    // kg, 1/kg; 0 and 0: fixed
   const double* alpha;                              // 1/s, mass damping (Eq. 13)
   const double *ixx, *iyy, *izz, *ixy, *ixz, *iyz;  // inverse inertia, body axes [1/(kg m2)]; 0: fixed
+  const std::uint8_t* principal;                    // by bunch, 1: all are along their principal axes (ixy, ixz, iyz are 0)
 };
 
 /// Accelerations that act on every element in a step.
@@ -34,13 +38,13 @@ struct BodyForces {
 
 /// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
 /// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
-/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), both multiples of
-/// kLanes.
+/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), whole bunches.
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
-/// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose and twist
-/// rows, books the work of the dashpots' torques, clears the wrench and dashpot rows.
+/// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose rows and
+/// those of twists that are watched, books the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
+/// whole bunches.
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

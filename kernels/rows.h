@@ -19,10 +19,14 @@ inline constexpr int kWrenchStride = 8;   // force (3) [N], torque about the cen
 inline constexpr int kDashedColumn = 7;   // of a wrench row: not 0 if dashpots have a share in it; else their row is all zeros
 inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (3) [N m], 2 spare
 
+/// Elements that are moved on together, and share what is booked.
+inline constexpr int kBunch = 2 * kLanes;
+
 /// Rows of all elements.
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
-  bool past_caches = false;  // poses are stored past the caches: the model is far larger than these (kernels::finish_stores)
+  const std::uint8_t* watched = nullptr;  // by bunch, 1: somebody looks at its twists; nullptr: at all
+  bool past_caches = false;               // poses are stored past the caches: the model is far larger than these (kernels::finish_stores)
 };
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).

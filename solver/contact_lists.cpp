@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "solver/twists.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -136,7 +138,10 @@ void build_gather(World& w) {
   c.master.resize(c.active.size());
   for (std::size_t a = 0; a < c.active.size(); ++a) c.master[a] = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
   c.first_gather.assign(n + 1, 0);
-  each([&](std::size_t e, std::int64_t) { ++c.first_gather[e + 1]; });
+  each([&](std::size_t e, std::int64_t) {
+    ++c.first_gather[e + 1];
+    watch(w.elements, static_cast<std::int32_t>(e));
+  });
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
   c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
   std::vector<std::int64_t> at = c.first_gather;

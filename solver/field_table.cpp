@@ -68,31 +68,15 @@ Field member(const char* name, const char* unit, const char* shape, Column& a, T
 
 void add_elements(Table& t, Elements& e) {
   const char* shape = "element";
-  t.insert(t.end(), {field("ux", "m", shape, e.ux),
-                     field("uy", "m", shape, e.uy),
-                     field("uz", "m", shape, e.uz),
-                     field("qw", "-", shape, e.qw),
-                     field("qx", "-", shape, e.qx),
-                     field("qy", "-", shape, e.qy),
-                     field("qz", "-", shape, e.qz),
-                     field("vx", "m/s", shape, e.vx),
-                     field("vy", "m/s", shape, e.vy),
-                     field("vz", "m/s", shape, e.vz),
-                     field("lx", "kg m2/s", shape, e.lx),
-                     field("ly", "kg m2/s", shape, e.ly),
-                     field("lz", "kg m2/s", shape, e.lz),
-                     field("wx", "rad/s", shape, e.wx),
-                     field("wy", "rad/s", shape, e.wy),
-                     field("wz", "rad/s", shape, e.wz),
-                     field("work_ground", "J", shape, e.work_ground),
-                     field("work_gravity", "J", shape, e.work_gravity),
-                     field("loss_damping", "J", shape, e.loss_damping),
-                     field("loss_dashpot", "J", shape, e.loss_dashpot),
-                     field("alpha", "1/s", shape, e.alpha),
-                     field("bonds", "-", shape, e.bonds)});
-  // The rows could be made from the columns, but only by the drift of a step are they the same to the last bit.
+  t.insert(t.end(), {field("ux", "m", shape, e.ux), field("uy", "m", shape, e.uy), field("uz", "m", shape, e.uz),
+                     field("qw", "-", shape, e.qw), field("qx", "-", shape, e.qx), field("qy", "-", shape, e.qy),
+                     field("qz", "-", shape, e.qz), field("vx", "m/s", shape, e.vx), field("vy", "m/s", shape, e.vy),
+                     field("vz", "m/s", shape, e.vz), field("lx", "kg m2/s", shape, e.lx), field("ly", "kg m2/s", shape, e.ly),
+                     field("lz", "kg m2/s", shape, e.lz), field("wx", "rad/s", shape, e.wx), field("wy", "rad/s", shape, e.wy),
+                     field("wz", "rad/s", shape, e.wz), field("alpha", "1/s", shape, e.alpha), field("bonds", "-", shape, e.bonds)});
+  t.push_back(rows<double>("books", "J", "bunch of elements", e.books, kernels::kBooks));
+  // These rows could be made from the columns, but only by the drift of a step are they the same to the last bit.
   t.push_back(rows<double>("pose", "m, -", shape, e.pose, kernels::kPoseStride));
-  t.push_back(rows<double>("twist", "m/s, rad/s", shape, e.twist, kernels::kTwistStride));
 }
 
 void add_sides(Table& t, Sides& s) {

@@ -10,6 +10,7 @@
 
 #include "kernels/fetch.h"
 #include "solver/quick_blocks.h"
+#include "solver/twists.h"
 
 namespace voussoir::solver {
 
@@ -96,6 +97,17 @@ void fetch_histories(const Sides& s, std::int32_t number) {
   }
 }
 
+/// Has the twists of all elements of a block.
+void have_twists(Elements& e, const kernels::SideBlock& block, JointFindings& found) {
+  for (const std::int32_t* ends : {block.master, block.slave}) {
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      if (is_watched(e, ends[l]) || ends[l] == e.base) continue;
+      make_twist(e, ends[l]);
+      found.looked_at.push_back(ends[l]);
+    }
+  }
+}
+
 /// \param done  lanes of it that have been advanced already, as whole ones
 /// \param bound_tried  the others have not been found certain to stay whole
 void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, unsigned done, bool bound_tried, kernels::StepClock clock,
@@ -103,6 +115,7 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, uns
   const Sides& s = w.sides;
   const auto block = static_cast<std::size_t>(number);
   const std::size_t first = block * kernels::kLanes;
+  have_twists(w.elements, s.blocks[block], found);
   kernels::EventSink sink{found.room.data(), 0};
   const bool look_closely = step % kOpenInterval == 0;
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;

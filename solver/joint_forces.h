@@ -17,6 +17,7 @@ namespace voussoir::solver {
 struct JointFindings {
   std::vector<kernels::SegmentEvent> events;
   std::vector<std::int32_t> coming_apart;
+  std::vector<std::int32_t> looked_at;  // elements whose twists were, and which were not watched
   // For the block in hand.
   std::vector<kernels::SegmentEvent> room;
   std::array<kernels::DamagedSide, kernels::kLanes> sides;

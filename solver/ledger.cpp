@@ -26,11 +26,16 @@ double total(const Patches& patches, double FreePatch::*value) {
   return sum;
 }
 
+double total(const Elements& e, kernels::Book book) {
+  double sum = 0.0;
+  for (auto i = static_cast<std::size_t>(book); i < e.books.size(); i += kernels::kBooks) sum += e.books[i];
+  return sum;
+}
+
 }  // namespace
 
 void Ledger::restart(World& w) {
-  Elements& e = w.elements;
-  for (auto* column : {&e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot}) std::fill(column->begin(), column->end(), 0.0);
+  std::ranges::fill(w.elements.books, 0.0);
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
   *this = Ledger(w);
@@ -83,8 +88,8 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
     if (damps_rotation) damping_ahead += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick booked half a step behind
     dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
-  row.damping = total(e.loss_damping) - damping_ahead;
-  row.dashpot = total(e.loss_dashpot) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact);
+  row.damping = total(e, kernels::Book::loss_damping) - damping_ahead;
+  row.dashpot = total(e, kernels::Book::loss_dashpots) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact);
   row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction);
   row.fracture = total(w.sides.fracture);
 }
@@ -95,11 +100,11 @@ EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) 
   row.kinetic = kinetic(w);
   row.strain = stored_.bonds;
   row.contact = stored_.contact + patches_;
-  row.gravity = -total(w.elements.work_gravity);
+  row.gravity = -total(w.elements, kernels::Book::work_gravity);
   sum_losses(w, damps_rotation, row);
   const double losses = row.dashpot + row.friction + row.fracture + row.damping;
   const double balance = row.kinetic + row.strain + row.contact + row.gravity + losses;
-  const double work = total(w.elements.work_ground) + loads_ + supports_;
+  const double work = total(w.elements, kernels::Book::work_ground) + loads_ + supports_;
   if (fresh_) initial_ = balance - work;
   fresh_ = false;
   row.input = initial_ + work;

@@ -24,7 +24,7 @@ MemoryUse memory_use(const World& w) {
   const Contacts& c = w.contacts;
   MemoryUse use;
   use.elements = bytes(e.ux, e.uy, e.uz, e.qw, e.qx, e.qy, e.qz, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.wx, e.wy, e.wz) +
-                 bytes(e.work_ground, e.work_gravity, e.loss_damping, e.loss_dashpot, e.alpha, e.bonds, e.body) +
+                 bytes(e.books, e.alpha, e.bonds, e.body) +
                  bytes(e.mass, e.inv_mass, e.ixx, e.iyy, e.izz, e.ixy, e.ixz, e.iyz, e.radius, e.half_x, e.half_y, e.half_z) +
                  bytes(e.first_face, e.face_count, e.bonds_at_start, e.fixed, e.pose, e.twist, e.wrench, e.dashpot) + bytes(w.faces);
   use.sides = bytes(s.constants, s.whole, s.blocks, s.task_first, s.live, s.live_first, s.live_lanes, s.joint, s.set, s.master_face,

@@ -15,6 +15,7 @@
 #include "solver/hash.h"
 #include "solver/run.h"
 #include "solver/setup.h"
+#include "solver/twists.h"
 
 namespace voussoir::solver {
 
@@ -151,6 +152,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   size_search(w, from);
   for (const Field& f : fields(sim, plan)) copy_in(f, from);
   check_contacts(w);
+  make_twists(w.elements);
   list_candidates(w);
   list_live_blocks(w);
 }

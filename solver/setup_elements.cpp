@@ -7,6 +7,7 @@
 #include <string>
 
 #include "solver/setup.h"
+#include "solver/twists.h"
 
 namespace voussoir::solver {
 
@@ -16,12 +17,12 @@ double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - 
 
 void size_arrays(Elements& e) {
   const auto n = static_cast<std::size_t>(e.rows);
-  for (Array<double>* a :
-       {&e.ux,  &e.uy,  &e.uz,  &e.qx,  &e.qy,          &e.qz,           &e.vx,           &e.vy,           &e.vz,     &e.lx,    &e.ly,
-        &e.lz,  &e.wx,  &e.wy,  &e.wz,  &e.work_ground, &e.work_gravity, &e.loss_damping, &e.loss_dashpot, &e.alpha,  &e.mass,  &e.inv_mass,
-        &e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz,         &e.iyz,          &e.radius,       &e.half_x,       &e.half_y, &e.half_z}) {
+  for (Array<double>* a : {&e.ux,  &e.uy,  &e.uz,  &e.qx,  &e.qy,     &e.qz,     &e.vx,     &e.vy,       &e.vz,  &e.lx,
+                           &e.ly,  &e.lz,  &e.wx,  &e.wy,  &e.wz,     &e.alpha,  &e.mass,   &e.inv_mass, &e.ixx, &e.iyy,
+                           &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
     a->assign(n, 0.0);
   }
+  e.books.assign(n / kernels::kBunch * kernels::kBooks, 0.0);
   e.qw.assign(n, 1.0);
   e.body.assign(n, {});
   e.bonds.assign(n, 0);
@@ -31,6 +32,7 @@ void size_arrays(Elements& e) {
   e.face_count.assign(n, 0);
   e.pose.assign(n * kernels::kPoseStride, 0.0);
   e.twist.assign(n * kernels::kTwistStride, 0.0);
+  e.watched.assign(n / kernels::kBunch, 0);
   e.wrench.assign(n * kernels::kWrenchStride, 0.0);
   e.dashpot.assign(n * kernels::kDashpotStride, 0.0);
 }
@@ -42,6 +44,14 @@ void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
   const Eigen::Matrix3d inverse = j.inverse();
   e.ixx[i] = inverse(0, 0), e.iyy[i] = inverse(1, 1), e.izz[i] = inverse(2, 2);
   e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
+}
+
+/// Call when all inertias are set.
+void find_principal(Elements& e) {
+  e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBunch), 1);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.rows); ++i) {
+    if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBunch] = 0;
+  }
 }
 
 void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, Vec3 centroid) {
@@ -73,7 +83,7 @@ void set_up_elements(World& w, const cases::Case& c) {
   Elements& e = w.elements;
   e.count = static_cast<std::int32_t>(m.blocks.size());
   e.base = e.count;
-  e.rows = round_up(e.count + 1, kernels::kLanes);
+  e.rows = round_up(e.count + 1, kernels::kBunch);
   size_arrays(e);
   const double alpha = mass_damping(c.damping);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
@@ -90,6 +100,7 @@ void set_up_elements(World& w, const cases::Case& c) {
     e.alpha[i] = alpha;
     set_inverse_inertia(e, i, density * g.mass.inertia);
   }
+  find_principal(e);
   const auto base = static_cast<std::size_t>(e.base);
   e.body[base].ref.z = c.base ? c.base->z : 0.0;
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
@@ -98,7 +109,6 @@ void set_up_elements(World& w, const cases::Case& c) {
 
 void set_initial_velocities(World& w) {
   Elements& e = w.elements;
-  std::fill(e.twist.begin(), e.twist.end(), 0.0);
   for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
     const cases::Block& b = w.model.blocks[i];
     const Vec3 v = b.fixed ? Vec3{} : b.velocity, spin = b.fixed ? Vec3{} : b.angular_velocity;
@@ -108,8 +118,8 @@ void set_initial_velocities(World& w) {
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
     e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
     e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
-    kernels::store_twist(e.twist.data(), static_cast<std::int64_t>(i), {v, spin});
   }
+  make_twists(e);
 }
 
 void set_up_faces(World& w) {

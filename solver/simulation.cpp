@@ -27,11 +27,9 @@ constexpr double kRamp = 1.0;                // s, of gravity, if the case says 
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
-// Elements that are updated at a time: as many as `drift` takes side by side, few enough that their rows stay near; and that a thread takes
-// at a time.
-constexpr std::int64_t kChunk = 2 * kernels::kLanes, kRun = 2 * kChunk;
+constexpr std::int64_t kRun = 2 * kernels::kBunch;  // elements that a thread takes at a time
 
-/// Calls `work(first, last)` for all elements, chunk by chunk. \return the most of what it returns
+/// Calls `work(first, last)` for all elements, bunch by bunch: the rows of one stay near. \return the most of what it returns
 template <class Work>
 double over_elements(const World& w, TaskShares& shares, Work work) {
   const std::int64_t rows = w.elements.rows;
@@ -42,7 +40,7 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
   {
     const auto do_run = [&](std::int32_t run) {
       const std::int64_t last = std::min((run + 1) * kRun, rows);
-      for (std::int64_t i = run * kRun; i < last; i += kChunk) most = std::max(most, work(i, std::min(i + kChunk, last)));
+      for (std::int64_t i = run * kRun; i < last; i += kernels::kBunch) most = std::max(most, work(i, i + kernels::kBunch));
     };
     shares.take_own(omp_get_thread_num(), do_run);
     shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
@@ -161,7 +159,8 @@ void Simulation::move_supports_on() {
     const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
     // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
-    e.loss_dashpot[i] += 0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
+    e.books[i / kernels::kBunch * kernels::kBooks + static_cast<std::size_t>(kernels::Book::loss_dashpots)] +=
+        0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   }
 }

@@ -126,11 +126,16 @@ void add_scatter(const World& w, StepWork& work) {
 
 /// kick, drift, measure_moves.
 void add_update(const World& w, StepWork& work) {
-  constexpr double kState = 16 + 3, kWays = 1;  // numbers read and written: state and ledgers; paths
-  constexpr double kConstants = 9 + 2;          // read: masses, inertia and damping; radius and until
-  const auto rows = static_cast<double>(w.elements.rows);
+  constexpr double kState = 16, kWays = 1;  // numbers read and written: state; paths
+  constexpr double kConstants = 6 + 2;      // read: masses, inertia along principal axes and damping; radius and until
+  const Elements& e = w.elements;
+  const auto rows = static_cast<double>(e.rows), bunches = rows / kernels::kBunch;
+  const auto anyhow = static_cast<double>(std::ranges::count(e.principal, 0)),
+             watched = static_cast<double>(std::ranges::count(e.watched, 1));
   work.update.operations = rows * kUpdate;
-  work.update.bytes = rows * ((kTwice * (kState + kWays) + kConstants) * sizeof(double) + kRow + kTwist + kTwice * kWrench);
+  work.update.bytes = rows * ((kTwice * (kState + kWays) + kConstants) * sizeof(double) + kRow + kTwice * kWrench) +
+                      (kTwice * bunches * kernels::kBooks + 3 * anyhow * kernels::kBunch) * sizeof(double) +
+                      watched * kernels::kBunch * kTwist;
 }
 
 }  // namespace

@@ -21,10 +21,7 @@ kernels::ElementsView Elements::view() noexcept {
           .wx = wx.data(),
           .wy = wy.data(),
           .wz = wz.data(),
-          .work_ground = work_ground.data(),
-          .work_gravity = work_gravity.data(),
-          .loss_damping = loss_damping.data(),
-          .loss_dashpot = loss_dashpot.data(),
+          .books = books.data(),
           .mass = mass.data(),
           .inv_mass = inv_mass.data(),
           .alpha = alpha.data(),
@@ -33,11 +30,12 @@ kernels::ElementsView Elements::view() noexcept {
           .izz = izz.data(),
           .ixy = ixy.data(),
           .ixz = ixz.data(),
-          .iyz = iyz.data()};
+          .iyz = iyz.data(),
+          .principal = principal.data()};
 }
 
 kernels::ElementRows Elements::row_view(bool past_caches) noexcept {
-  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), past_caches};
+  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), watched.data(), past_caches};
 }
 
 kernels::Bodies World::bodies() const noexcept {

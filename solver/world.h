@@ -30,27 +30,29 @@ struct Options {
   std::optional<double> step;     // s; overrides the case
 };
 
-/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole vectors and is
-/// inert.
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole bunches
+/// (kernels::kBunch) and is inert.
 struct Elements {
   std::int32_t count = 0, base = 0;
   std::int64_t rows = 0;
   // State.
   Array<double> ux, uy, uz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz, wx, wy, wz;
-  Array<double> work_ground, work_gravity, loss_damping, loss_dashpot;  // J
-  Array<double> alpha;                                                  // 1/s (changes where debris loses its damping)
-  Array<std::int32_t> bonds;                                            // bonded segment sides left
+  Array<double> books;        // J, see kernels::Book
+  Array<double> alpha;        // 1/s (changes where debris loses its damping)
+  Array<std::int32_t> bonds;  // bonded segment sides left
   // Constants.
   Array<double> mass, inv_mass;                // kg, 1/kg
   Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
+  std::vector<std::uint8_t> principal;         // by bunch, see kernels::ElementsView
   std::vector<kernels::BodyConstants> body;
   Array<double> radius;                              // m, round the centroid
   Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Rows, see kernels/rows.h.
+  // Rows, see kernels/rows.h; those of twists are kept of watched bunches alone (solver/twists.h).
   Array<double> pose, twist, wrench, dashpot;
+  std::vector<std::uint8_t> watched;  // by bunch
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
   /// \param past_caches  see kernels::ElementRows

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "kernels/fetch.h"
 #include "tests/kernels/flying_fixture.h"
@@ -32,27 +33,28 @@ Mat3 orientation(const Flying& f, std::size_t i) { return rotation({f.columns[3]
 
 }  // namespace
 
-// The plain twin: (24) of THEORY.md in space axes, with matrices, iterated until nothing changes. Three groups of lanes, so that groups
-// that go side by side and one that goes alone are both looked at.
+// The plain twin: (24) of THEORY.md in space axes, with matrices, iterated until nothing changes. The second bunch is along its principal
+// axes.
 TEST_CASE("the angular velocity is that of the implicit midpoint, and turns the element") {
-  constexpr std::size_t kSome = 3 * kernels::kWidth;
   Flying f;
   Noise noise(5);
   for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t c = 23; c < 29; ++c) f.columns[c][i] = c < 26 ? 10.0 * static_cast<double>(c - 22) : 3.0 * noise();
+    for (std::size_t c = 19; c < 25; ++c)
+      f.columns[c][i] = c < 22 ? 10.0 * static_cast<double>(c - 18) : i < kernels::kBunch ? 3.0 * noise() : 0.0;
   }
-  const auto drift = [&f](double dt) { kernels::drift(f.view(), f.rows(), dt, 0, kSome); };
+  f.principal[0] = 0;
+  const auto drift = [&f](double dt) { kernels::drift(f.view(), f.rows(), dt, 0, kCount); };
   for (int k = 0; k < 3; ++k) drift(kStep);  // until ω fits L
   for (const double dt : {kStep, 10.0 * kStep}) {
     const Flying before = f;
     drift(dt);
     double fastest = 0.0;
-    for (std::size_t i = 0; i < kSome; ++i) {
+    for (std::size_t i = 0; i < kCount; ++i) {
       CAPTURE(i);
       const Mat3 r = orientation(before, i);
-      const Vec3 xy_xz_yz = at(before, 26, i), l = at(before, 10, i), w = at(f, 13, i);
+      const Vec3 xy_xz_yz = at(before, 22, i), l = at(before, 10, i), w = at(f, 13, i);
       const Mat3 inverse = Mat3{{0, xy_xz_yz.x, xy_xz_yz.y}, {xy_xz_yz.x, 0, xy_xz_yz.z}, {xy_xz_yz.y, xy_xz_yz.z, 0}} +
-                           Mat3::diagonal(before.columns[23][i], before.columns[24][i], before.columns[25][i]);
+                           Mat3::diagonal(before.columns[19][i], before.columns[20][i], before.columns[21][i]);
       Vec3 exact = at(before, 13, i);
       for (int k = 0; k < 30; ++k) {
         const Mat3 half = turn(0.5 * dt * exact) * r;
@@ -88,6 +90,67 @@ TEST_CASE("poses stored past the caches are the same") {
   }
 }
 
+TEST_CASE("twists of bunches that nobody watches are not written; nothing else depends on it") {
+  Flying all, some;
+  const std::uint8_t watched[kCount / kernels::kBunch] = {0, 1, 0};
+  kernels::ElementRows rows = some.rows();
+  rows.watched = watched;
+  for (int k = 0; k < 3; ++k) {
+    all.step();
+    kernels::drift(some.view(), rows, kStep, 0, kCount);
+  }
+  CHECK(all.columns == some.columns);
+  CHECK(all.pose == some.pose);
+  constexpr std::ptrdiff_t kOfBunch = kernels::kBunch * kernels::kTwistStride;
+  for (std::ptrdiff_t bunch = 0; bunch < std::ssize(watched); ++bunch) {
+    const auto *written = all.twist.data() + bunch * kOfBunch, *row = some.twist.data() + bunch * kOfBunch;
+    if (bunch == 1) {
+      CHECK(std::equal(row, row + kOfBunch, written));
+    } else {
+      CHECK(std::all_of(row, row + kOfBunch, [](double x) { return x == 0.0; }));
+    }
+  }
+}
+
+TEST_CASE("what is said of elements along their principal axes is what their inertia says") {
+  Flying said, unsaid;
+  std::ranges::fill(unsaid.principal, 0);
+  for (int k = 0; k < 3; ++k) {
+    said.step(), unsaid.step();
+    for (std::size_t c = 0; c < said.columns.size(); ++c) {
+      for (std::size_t i = 0; i < kCount; ++i) CHECK(said.columns[c][i] == doctest::Approx(unsaid.columns[c][i]).epsilon(1e-15));
+    }
+  }
+}
+
+// The plain twin: (27) of THEORY.md for gravity, ground and damping, element by element.
+TEST_CASE("a bunch's books are the sums over its elements") {
+  Flying f;
+  Noise noise(9);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double mass = i == 3 ? 0.0 : 20.0 + noise();
+    f.columns[16][i] = mass, f.columns[17][i] = mass > 0.0 ? 1.0 / mass : 0.0, f.columns[18][i] = 2.0 + noise();
+  }
+  f.step();
+  const Flying before = f;
+  const kernels::BodyForces bodies{kStep, {0.1, 0.2, -9.81}, {1.0, -2.0, 0.5}, {0.1, 0.3, -9.7}, {0.9, -2.1, 0.4}};
+  kernels::kick(f.view(), f.rows(), bodies, 0, kCount);
+  for (std::size_t bunch = 0; bunch < kCount / kernels::kBunch; ++bunch) {
+    double ground = 0.0, gravity = 0.0, damping = 0.0;
+    for (std::size_t i = bunch * kernels::kBunch; i < (bunch + 1) * kernels::kBunch; ++i) {
+      const Vec3 v = at(before, 7, i), mean = 0.5 * (v + at(f, 7, i));
+      ground -= kStep * f.columns[16][i] * dot(bodies.mean_ground, v);
+      gravity += kStep * f.columns[16][i] * dot(bodies.mean_gravity, v);
+      damping += kStep * f.columns[18][i] * f.columns[16][i] * dot(mean, mean);
+    }
+    const double* books = f.books.data() + bunch * kernels::kBooks;
+    CHECK(books[0] == doctest::Approx(ground).epsilon(1e-12));
+    CHECK(books[1] == doctest::Approx(gravity).epsilon(1e-12));
+    CHECK(books[2] == doctest::Approx(damping).epsilon(1e-12));
+    CHECK(books[3] == 0.0);
+  }
+}
+
 // (27) of THEORY.md: force times the mean velocity, torque times the mean of the angular velocities before and after.
 TEST_CASE("what dashpots took is booked where they did something, and nothing of a step is left in the rows") {
   Flying f;
@@ -106,12 +169,15 @@ TEST_CASE("what dashpots took is booked where they did something, and nothing of
   bodies.dt = kStep;
   kernels::kick(f.view(), rows, bodies, 0, kCount);
   f.step();
-  for (std::size_t i = 0; i < kCount; ++i) {
-    CAPTURE(i);
+  double loss[kCount / kernels::kBunch] = {};
+  for (const std::size_t i : kThree) {
     const Vec3 v = 0.5 * (at(before, 7, i) + at(f, 7, i)), w = 0.5 * (at(before, 13, i) + at(f, 13, i));
-    const double loss = -kStep * (dot(force[i], v) + dot(torque[i], w));
-    CHECK(f.columns[19][i] == doctest::Approx(loss).epsilon(1e-12));
-    CHECK((loss != 0.0) == (force[i] != Vec3{}));
+    loss[i / kernels::kBunch] -= kStep * (dot(force[i], v) + dot(torque[i], w));
+  }
+  for (std::size_t bunch = 0; bunch < std::size(loss); ++bunch) {
+    CAPTURE(bunch);
+    CHECK(f.books[bunch * kernels::kBooks + 3] == doctest::Approx(loss[bunch]).epsilon(1e-12));
+    CHECK((loss[bunch] != 0.0) == (bunch < 2));
   }
   CHECK(std::ranges::all_of(f.wrench, [](double x) { return x == 0.0; }));
   CHECK(std::ranges::all_of(f.dashpot, [](double x) { return x == 0.0; }));

@@ -17,7 +17,7 @@ TEST_CASE("no point of an element moves farther than what is said of its move an
   Flying f;
   Noise noise(11);
   for (int k = 0; k < 10; ++k) f.step();
-  const std::array<std::vector<double>, 29> before = f.columns;
+  const std::array<std::vector<double>, 25> before = f.columns;
   const kernels::SearchedPoses at{before[0].data(), before[1].data(), before[2].data(), before[3].data(),
                                   before[4].data(), before[5].data(), before[6].data(), f.radius.data()};
   constexpr double kLimit = 2e-2;  // m
@@ -38,7 +38,7 @@ TEST_CASE("no point of an element moves farther than what is said of its move an
   CHECK(within > 50);
   CHECK(looks < within / 2);
   for (std::size_t i = 0; i < kCount; ++i) {
-    const auto turn = [&](const std::array<std::vector<double>, 29>& c, Vec3 arm) {
+    const auto turn = [&](const std::array<std::vector<double>, 25>& c, Vec3 arm) {
       return Vec3{c[0][i], c[1][i], c[2][i]} + rotation({c[3][i], c[4][i], c[5][i], c[6][i]}) * arm;
     };
     for (int point = 0; point < 20; ++point) {

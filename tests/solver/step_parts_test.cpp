@@ -19,7 +19,7 @@ double part(const solver::Simulation& s, solver::ForcePart p) { return s.part_ti
 /// A wall that has cracked, with blocks on the ground.
 struct Ruin {
   explicit Ruin(bool gather) : ground(strong_shaking()), sim(value, model, ground, options(gather)) {
-    for (int i = 0; i < 3000; ++i) sim.step({});
+    for (int i = 0; i < 2000; ++i) sim.step({});
   }
   static solver::Options options(bool gather) {
     solver::Options o;
