@@ -33,6 +33,50 @@ VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, 
 // `move_of` of a sum is at most the sum of those of its parts, and that of a part at most sqrt(2.2) of its way.
 constexpr double kMoveOfWay = 1.5;
 
+VOUSSOIR_INLINE Lanes moves_of_group(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
+  return sqrt(squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i), difference(e.qw, at.qw, i),
+                           difference(e.qx, at.qx, i), difference(e.qy, at.qy, i), difference(e.qz, at.qz, i), load_lanes(at.radius + i)));
+}
+
+VOUSSOIR_INLINE double largest(Lanes x) noexcept {
+  double most = 0.0;
+  for (int l = 0; l < kWidth; ++l) most = x[l] > most ? x[l] : most;
+  return most;
+}
+
+/// Each element of a bunch has its own way. \return moves of those that had to be looked at
+VOUSSOIR_INLINE Lanes measure_each(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
+  constexpr unsigned kAll = (1U << kWidth) - 1U;
+  Lanes farthest{};
+  for (std::int64_t i = first; i < first + kBunch; i += kWidth) {
+    const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
+    const Lanes path = load_lanes(m.element.path + i) + step * (speed + spin * load_lanes(m.at.radius + i));
+    store_lanes(m.element.path + i, path);
+    if (bits(path <= load_lanes(m.element.until + i)) == kAll) continue;
+    const Lanes move = moves_of_group(e, m.at, i);
+    store_lanes(m.element.until + i, path + (m.limit - move) * (1.0 / kMoveOfWay));
+    farthest = max(farthest, move);
+  }
+  return farthest;
+}
+
+/// All of them have one: as long as that of the fastest, with the radius of the largest.
+VOUSSOIR_INLINE Lanes measure_together(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
+  const std::int64_t bunch = first / kBunch;
+  const Lanes radius = lanes(m.largest_radius[bunch]);
+  Lanes way{};
+  for (std::int64_t i = first; i < first + kBunch; i += kWidth) {
+    way = max(way, step * (length(e.vx, e.vy, e.vz, i) + length(e.wx, e.wy, e.wz, i) * radius));
+  }
+  double& path = m.bunch.path[bunch];
+  path += largest(way);
+  if (path <= m.bunch.until[bunch]) return Lanes{};
+  Lanes farthest{};
+  for (std::int64_t i = first; i < first + kBunch; i += kWidth) farthest = max(farthest, moves_of_group(e, m.at, i));
+  m.bunch.until[bunch] = path + (m.limit - largest(farthest)) / kMoveOfWay;
+  return farthest;
+}
+
 }  // namespace
 
 double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
@@ -41,24 +85,13 @@ double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) n
 }
 
 double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept {
-  constexpr unsigned kAll = (1U << kWidth) - 1U;
-  const SearchedPoses& at = m.at;
   const Lanes step = lanes(1.001 * m.dt);  // a little more for round-off and what `drift` cuts off
   Lanes farthest{};
-  for (std::int64_t i = first; i < last; i += kWidth) {
-    const Lanes radius = load_lanes(at.radius + i);
-    const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
-    const Lanes path = load_lanes(m.path + i) + step * (speed + spin * radius);
-    store_lanes(m.path + i, path);
-    if (bits(path <= load_lanes(m.until + i)) == kAll) continue;
-    const Lanes move =
-        sqrt(squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i), difference(e.qw, at.qw, i),
-                          difference(e.qx, at.qx, i), difference(e.qy, at.qy, i), difference(e.qz, at.qz, i), radius));
-    store_lanes(m.until + i, path + (m.limit - move) * (1.0 / kMoveOfWay));
-    farthest = max(farthest, move);
+  for (std::int64_t i = first; i < last; i += kBunch) {
+    const bool each = m.watched == nullptr || m.watched[i / kBunch] != 0;
+    farthest = max(farthest, each ? measure_each(e, m, step, i) : measure_together(e, m, step, i));
   }
-  double most = 0.0;
-  for (int l = 0; l < kWidth; ++l) most = farthest[l] > most ? farthest[l] : most;
+  const double most = largest(farthest);
   return most > m.limit ? most : 0.0;
 }
 

@@ -19,16 +19,24 @@ struct SearchedPoses {
 /// What any point of an element has moved since [m], or a little more.
 double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept;
 
-/// What elements have moved, by element.
-struct Moves {
-  SearchedPoses at;
-  double dt;      // s
-  double limit;   // m, that nobody asks about less; always the same
-  double* path;   // m, bound on the way that any point of it has gone since it was searched
+/// Bounds on the ways that elements have gone, and how far they may go before somebody has to look where they are.
+struct Ways {
+  double* path;   // m, bound on the way that any point has gone
   double* until;  // m, as long as the path is no longer than this, `move_of` is at most the limit
 };
 
-/// Adds to the paths of the elements [first, last), both multiples of kLanes, what they go in a step with the velocities they have.
+/// What elements have moved. Of bunches that nobody watches (ElementRows::watched) all elements share one way: fewer numbers to go through.
+struct Moves {
+  SearchedPoses at;
+  double dt;                               // s
+  double limit;                            // m, that nobody asks about less; always the same
+  Ways element;                            // by element, of watched bunches; paths begin when an element is searched
+  const std::uint8_t* watched = nullptr;   // by bunch; nullptr: all are
+  Ways bunch{};                            // by bunch, of the others
+  const double* largest_radius = nullptr;  // m, by bunch
+};
+
+/// Adds to the paths of the elements [first, last), whole bunches, what they go in a step with the velocities they have.
 /// \return the largest `move_of` over the limit, 0 if none is: most elements need no look at where they were
 double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept;
 

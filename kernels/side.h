@@ -39,6 +39,7 @@ struct SideBlock {
   const WholeConstants* whole = nullptr;       // of the same sides
   std::int32_t master[kLanes], slave[kLanes];  // elements (rows)
   std::uint32_t on_base = 0;                   // bit mask: the slave is the base, which does not move and takes no force
+  std::int32_t axis = -1;                      // of `whole`, here too: it says which kernel, before anything of that is read
 };
 
 /// One side, taken out of its block, for the segment-by-segment kernels.

@@ -58,7 +58,7 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     constexpr std::int32_t kThis[] = {0};
     const auto lanes = static_cast<std::uint8_t>(live);
     unsigned done = 0;
-    if (advance_whole({&block, &lanes, kThis, state.first}, rows, done) == 1) return 0;
+    if (advance_whole({&block, &lanes, kThis, state.first, {}}, rows, done) == 1) return 0;
     live &= ~done;
   }
   for (int at = 0; at < kLanes; at += kWidth) {

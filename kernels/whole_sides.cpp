@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "kernels/fetch.h"
 #include "kernels/side_lanes.h"
 
 namespace voussoir::kernels {
@@ -203,6 +205,12 @@ VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live
   return true;
 }
 
+/// Asks for what the kernel of an axis reads.
+template <int axis>
+VOUSSOIR_INLINE void fetch_constants(const WholeConstants& c) noexcept {
+  fetch(&c, axis < 0 ? sizeof c : offsetof(WholeConstants, es));
+}
+
 /// Goes on with block `i` of the run as long as blocks look along `axis`; false: block i is not certain to stay whole, but for `lanes` of
 /// it, which are done.
 template <int axis>
@@ -210,8 +218,9 @@ template <int axis>
   for (; i < run.numbers.size(); ++i) {
     const auto number = static_cast<std::size_t>(run.numbers[i]);
     const SideBlock& block = run.blocks[number];
-    if (block.whole->axis != axis) return true;
+    if (block.axis != axis) return true;
     lanes = 0;
+    if (i < run.ahead.size()) fetch_constants<axis>(*run.blocks[static_cast<std::size_t>(run.ahead[i])].whole);
     for (int at = 0; at < kLanes; at += kWidth) {
       const unsigned live = run.live_lanes[number] >> at & kGroup;
       if (live == 0) continue;
@@ -227,7 +236,7 @@ template <int axis>
 std::size_t advance_whole(const WholeRun& run, const Rows& rows, unsigned& lanes) noexcept {
   std::size_t i = 0;
   for (bool certain = true; certain && i < run.numbers.size();) {
-    switch (run.blocks[static_cast<std::size_t>(run.numbers[i])].whole->axis) {
+    switch (run.blocks[static_cast<std::size_t>(run.numbers[i])].axis) {
       case 0:
         certain = advance_along<0>(run, i, rows, lanes);
         break;

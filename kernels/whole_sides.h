@@ -33,12 +33,15 @@ int axis_of_side(Vec3 es, Vec3 et) noexcept;
 /// \param on_base  bit mask: the slave is the base
 WholeConstants whole_constants(const SideConstants& sides, unsigned on_base) noexcept;
 
+inline void set_whole(SideBlock& block, const WholeConstants& c) noexcept { block.whole = &c, block.axis = c.axis; }
+
 /// Blocks one after the other, whose live sides are all whole.
 struct WholeRun {
   const SideBlock* blocks = nullptr;
   const std::uint8_t* live_lanes = nullptr;  // by block: bit mask of the lanes that take part
   std::span<const std::int32_t> numbers;     // which blocks
   std::int64_t first_side = 0;               // number of the first side of block 0
+  std::span<const std::int32_t> ahead;       // blocks whose constants are asked for: the i-th with the i-th of the run
 };
 
 /// Whether the bound of `advance_whole` is one under these options: it takes c for the least limit in shear under tension.

@@ -140,7 +140,7 @@ void build_gather(World& w) {
   c.first_gather.assign(n + 1, 0);
   each([&](std::size_t e, std::int64_t) {
     ++c.first_gather[e + 1];
-    watch(w.elements, static_cast<std::int32_t>(e));
+    watch(w, static_cast<std::int32_t>(e));
   });
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
   c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));

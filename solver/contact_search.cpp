@@ -265,7 +265,13 @@ double mark_moved(World& w, double farther_than, Anew& anew) {
 
 kernels::Moves moves_of(World& w) {
   Contacts& c = w.contacts;
-  return {searched_poses(w), w.dt, c.farthest(), c.path.data(), c.until.data()};
+  return {.at = searched_poses(w),
+          .dt = w.dt,
+          .limit = c.farthest(),
+          .element = {c.path.data(), c.until.data()},
+          .watched = w.elements.watched.data(),
+          .bunch = {c.bunch_path.data(), c.bunch_until.data()},
+          .largest_radius = w.elements.largest_radius.data()};
 }
 
 double measure_move(World& w, std::int32_t element) {

@@ -4,6 +4,8 @@
 
 #include <omp.h>
 
+#include "solver/twists.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -50,7 +52,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   std::vector<JointFindings*> found;
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
     ThreadRoom& r = stage.by_thread[thread];
-    for (const std::int32_t e : r.joints.looked_at) w.elements.watched[static_cast<std::size_t>(e / kernels::kBunch)] = 1;
+    for (const std::int32_t e : r.joints.looked_at) watch_from_now_on(w, e);
     r.joints.looked_at.clear();
     found.push_back(&r.joints);
     for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;

@@ -21,6 +21,7 @@ namespace {
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
 constexpr std::int32_t kBlockAhead = 2;      // blocks, when their memory is asked for
+constexpr std::size_t kWholeAhead = 2;       // whole blocks of a far model, when their constants are asked for
 constexpr std::size_t kAtATime = 4;          // whole blocks, between two requests for elements of the next task
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
@@ -161,15 +162,16 @@ class RowsAhead {
 };
 
 /// Blocks in which nothing has happened. Those that a bound does not prove to stay so are looked at like any other.
-void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, kernels::StepClock clock,
-                          std::int64_t step, JointFindings& found) {
-  kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers};
+/// \param ahead  blocks whose constants are asked for meanwhile
+void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, std::span<const std::int32_t> ahead,
+                          kernels::StepClock clock, std::int64_t step, JointFindings& found) {
+  kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers, .ahead = ahead};
   while (!run.numbers.empty()) {
     unsigned lanes = 0;
     run.numbers = run.numbers.subspan(kernels::advance_whole(run, rows, lanes));
     if (run.numbers.empty()) return;
     advance_block(w, rows, run.numbers.front(), lanes, true, clock, step, found);
-    run.numbers = run.numbers.subspan(1);
+    run.numbers = run.numbers.subspan(1), run.ahead = {};
   }
 }
 
@@ -190,7 +192,8 @@ void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, 
     for (std::size_t i = 0; i < numbers.size(); i += some) {
       const std::span<const std::int32_t> now = numbers.subspan(i, std::min(some, numbers.size() - i));
       ahead.fetch(now.size());
-      advance_whole_blocks(w, rows, now, clock, at.step, found);
+      const std::size_t from = ahead.any() ? std::min(i + kWholeAhead, numbers.size()) : numbers.size();
+      advance_whole_blocks(w, rows, now, numbers.subspan(from), clock, at.step, found);
     }
     watch.lap(ForcePart::whole_joints);
     return;

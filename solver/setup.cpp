@@ -110,6 +110,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_loads(*w, c);
   w->contacts.skin = choose_skin(m);
   for (auto* column : {&w->contacts.path, &w->contacts.until}) column->assign(w->elements.ux.size(), 0.0);
+  for (auto* column : {&w->contacts.bunch_path, &w->contacts.bunch_until}) column->assign(w->elements.watched.size(), 0.0);
   return w;
 }
 

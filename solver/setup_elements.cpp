@@ -46,10 +46,13 @@ void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
   e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
 }
 
-/// Call when all inertias are set.
-void find_principal(Elements& e) {
+/// What bunches have in common. Call when all elements are there.
+void set_up_bunches(Elements& e) {
   e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBunch), 1);
+  e.largest_radius.assign(e.principal.size(), 0.0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.rows); ++i) {
+    double& largest = e.largest_radius[i / kernels::kBunch];
+    largest = std::max(largest, e.radius[i]);
     if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBunch] = 0;
   }
 }
@@ -100,7 +103,7 @@ void set_up_elements(World& w, const cases::Case& c) {
     e.alpha[i] = alpha;
     set_inverse_inertia(e, i, density * g.mass.inertia);
   }
-  find_principal(e);
+  set_up_bunches(e);
   const auto base = static_cast<std::size_t>(e.base);
   e.body[base].ref.z = c.base ? c.base->z : 0.0;
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());

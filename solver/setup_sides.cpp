@@ -281,7 +281,7 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
     const std::size_t i = constants[block];
     if (!found[i]) s.whole[i] = kernels::whole_constants(s.constants[i], s.blocks[block].on_base), found[i] = true;
     s.blocks[block].constants = &s.constants[i];
-    s.blocks[block].whole = &s.whole[i];
+    kernels::set_whole(s.blocks[block], s.whole[i]);
   }
 }
 

@@ -72,7 +72,7 @@ void add_joints(const World& w, StepWork& work) {
     const int pushing = std::popcount(s.live_lanes[b] & ~quick_of(s, b).open);
     (is_whole(s, b) ? work.whole_sides : work.damaged_sides) += pushing;
     if (is_whole(s, b)) {
-      work.whole_joints.operations += pushing * (block.whole->axis < 0 ? kWholeAnyhow : kWholeAlongAxis);
+      work.whole_joints.operations += pushing * (block.axis < 0 ? kWholeAnyhow : kWholeAlongAxis);
       whole.add(block, block.whole);
       continue;
     }
@@ -126,16 +126,19 @@ void add_scatter(const World& w, StepWork& work) {
 
 /// kick, drift, measure_moves.
 void add_update(const World& w, StepWork& work) {
-  constexpr double kState = 16, kWays = 1;  // numbers read and written: state; paths
-  constexpr double kConstants = 6 + 2;      // read: masses, inertia along principal axes and damping; radius and until
+  constexpr double kState = 16, kConstants = 6;       // numbers read and written; read: masses, inertia along principal axes, damping
+  constexpr double kOffDiagonal = 3;                  // read beside, where elements do not lie along these
+  constexpr double kWay = kTwice + 2, kBunchWay = 4;  // path, until and radius: of a watched element; of a bunch
+  const auto of_bunches = [](const auto& flags, int value) {
+    return static_cast<double>(std::ranges::count(flags, value)) * kernels::kBunch;
+  };
   const Elements& e = w.elements;
-  const auto rows = static_cast<double>(e.rows), bunches = rows / kernels::kBunch;
-  const auto anyhow = static_cast<double>(std::ranges::count(e.principal, 0)),
-             watched = static_cast<double>(std::ranges::count(e.watched, 1));
+  const auto rows = static_cast<double>(e.rows);
+  const double watched = of_bunches(e.watched, 1);
+  const double numbers = rows * (kTwice * kState + kConstants) + kOffDiagonal * of_bunches(e.principal, 0) + kWay * watched +
+                         rows / kernels::kBunch * (kTwice * kernels::kBooks + kBunchWay);
   work.update.operations = rows * kUpdate;
-  work.update.bytes = rows * ((kTwice * (kState + kWays) + kConstants) * sizeof(double) + kRow + kTwice * kWrench) +
-                      (kTwice * bunches * kernels::kBooks + 3 * anyhow * kernels::kBunch) * sizeof(double) +
-                      watched * kernels::kBunch * kTwist;
+  work.update.bytes = numbers * sizeof(double) + rows * (kRow + kTwice * kWrench) + watched * kTwist;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,12 +27,20 @@ inline void make_twists(Elements& e) {
   for (std::int32_t i = 0; i < e.count; ++i) make_twist(e, i);
 }
 
-/// From the next drift on. Between two steps: then all elements of the bunch have their rows at once.
-inline void watch(Elements& e, std::int32_t element) {
-  if (is_watched(e, element)) return;
-  const std::int32_t bunch = element / kernels::kBunch;
-  for (std::int32_t i = bunch * kernels::kBunch; i < (bunch + 1) * kernels::kBunch; ++i) make_twist(e, i);
-  e.watched[static_cast<std::size_t>(bunch)] = 1;
+/// From the next drift on the bunch of an element is watched. Until then its elements have no ways of their own: so they are looked at.
+inline void watch_from_now_on(World& w, std::int32_t element) {
+  const auto bunch = static_cast<std::size_t>(element / kernels::kBunch);
+  if (w.elements.watched[bunch] != 0) return;
+  w.elements.watched[bunch] = 1;
+  std::fill_n(w.contacts.until.begin() + static_cast<std::ptrdiff_t>(bunch * kernels::kBunch), kernels::kBunch, -1.0);
+}
+
+/// The same between two steps: then all elements of the bunch have their rows at once.
+inline void watch(World& w, std::int32_t element) {
+  if (is_watched(w.elements, element)) return;
+  const std::int32_t first = element / kernels::kBunch * kernels::kBunch;
+  for (std::int32_t i = first; i < first + kernels::kBunch; ++i) make_twist(w.elements, i);
+  watch_from_now_on(w, element);
 }
 
 }  // namespace voussoir::solver

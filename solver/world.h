@@ -45,7 +45,7 @@ struct Elements {
   Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
   std::vector<std::uint8_t> principal;         // by bunch, see kernels::ElementsView
   std::vector<kernels::BodyConstants> body;
-  Array<double> radius;                              // m, round the centroid
+  Array<double> radius, largest_radius;              // m, round the centroid; by bunch
   Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
@@ -136,7 +136,7 @@ struct Contacts {
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
-  Array<double> path, until;                                      // m, see kernels::Moves (derived)
+  Array<double> path, until, bunch_path, bunch_until;             // m, see kernels::Moves (derived)
   [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
   std::vector<std::int32_t> active;                                      // patches with candidates
   std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries

@@ -110,7 +110,7 @@ struct SideUnderTest {
       c.t_low[lane] = std::min(c.t_low[lane], t[i]), c.t_high[lane] = std::max(c.t_high[lane], t[i]);
     }
     whole = kernels::whole_constants(c, b.on_base);
-    b.whole = &whole;
+    kernels::set_whole(b, whole);
     return b;
   }
 

@@ -84,7 +84,8 @@ ShortForm short_form(const kernels::SideBlock& block, unsigned live, const TwoBo
   const std::uint8_t lanes = static_cast<std::uint8_t>(live);
   const std::int32_t number[] = {0};
   unsigned done = 0;
-  r.certain = kernels::advance_whole({&block, &lanes, number, 0}, {b.pose.data(), b.twist.data(), r.wrench.data(), nullptr, {}}, done) == 1;
+  r.certain =
+      kernels::advance_whole({&block, &lanes, number, 0, {}}, {b.pose.data(), b.twist.data(), r.wrench.data(), nullptr, {}}, done) == 1;
   return r;
 }
 
@@ -150,7 +151,7 @@ TEST_CASE("sides along an axis take the form without tangents, others do not; bo
     const ShortForm r = short_form(block, 1U << kLane, b);
     kernels::WholeConstants anyhow = u.whole;
     anyhow.axis = -1;
-    block.whole = &anyhow;
+    kernels::set_whole(block, anyhow);
     const ShortForm g = short_form(block, 1U << kLane, b);
     REQUIRE(r.certain);
     REQUIRE(g.certain);
@@ -181,7 +182,7 @@ TEST_CASE("sides that look one way or different ways share a block, each as if i
       CHECK(whole.axis == (one.whole.axis == other.whole.axis ? one.whole.axis : -1));
       one_axis += whole.axis >= 0;
       two_axes += whole.axis < 0 && one.whole.axis >= 0 && other.whole.axis >= 0;
-      block.whole = &whole;
+      kernels::set_whole(block, whole);
       const ShortForm r = short_form(block, 1U << 2 | 1U << kLane, b);
       const ShortForm x = short_form(first, 1U << 2, b), y = short_form(second, 1U << kLane, b);
       REQUIRE(r.certain);
@@ -322,12 +323,12 @@ TEST_CASE("a side that is not certain leaves its neighbours in the block as they
   copy_lane(whole, kLane, 1);  // in lane 5 a side whose bound never passes: its limits are 0, and d is not
   block.master[kLane] = block.master[1], block.slave[kLane] = block.slave[1];
   for (auto* column : {&whole.ahead, &whole.back, &whole.slide2}) (*column)[kLane] = -1.0;
-  block.whole = &whole;
+  kernels::set_whole(block, whole);
   std::array<double, 3 * kernels::kWrenchStride> wrench{};
   const std::uint8_t live[] = {1U << 1 | 1U << kLane};
   const std::int32_t number[] = {0};
   unsigned done = 0;
-  CHECK(kernels::advance_whole({&block, live, number, 0}, {b.pose.data(), b.twist.data(), wrench.data(), nullptr, {}}, done) == 0);
+  CHECK(kernels::advance_whole({&block, live, number, 0, {}}, {b.pose.data(), b.twist.data(), wrench.data(), nullptr, {}}, done) == 0);
   CHECK(done == (kernels::kWidth == 4 ? 1U << 1 : 0U));  // groups of four: lane 1 is in the first, lane 5 in the second
   for (std::size_t k = 0; k < wrench.size(); ++k) CHECK(wrench[k] == (done != 0 ? alone.wrench[k] : 0.0));
 }
@@ -346,10 +347,10 @@ TEST_CASE("a run of blocks goes on up to the first side that is not certain to s
   std::array<double, 3 * kernels::kWrenchStride> wrench{};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench.data(), nullptr, {}};
   unsigned lanes = 0xff;
-  CHECK(kernels::advance_whole({blocks, live, all, 0}, rows, lanes) == 3);
+  CHECK(kernels::advance_whole({blocks, live, all, 0, {}}, rows, lanes) == 3);
   CHECK(lanes == 0);
   const Vec3 force{wrench[0], wrench[1], wrench[2]};
   CHECK(norm(force) == doctest::Approx(3.0 * norm(part(short_form(blocks[0], live[0], b), 0, 0))).epsilon(1e-9));
-  CHECK(kernels::advance_whole({blocks, live, some, 0}, rows, lanes) == 3);
-  CHECK(kernels::advance_whole({blocks, live, {}, 0}, rows, lanes) == 0);
+  CHECK(kernels::advance_whole({blocks, live, some, 0, {}}, rows, lanes) == 3);
+  CHECK(kernels::advance_whole({blocks, live, {}, 0, {}}, rows, lanes) == 0);
 }
