@@ -18,7 +18,7 @@ constexpr double kWholeAlongAxis = 230.0, kWholeAnyhow = 354.0;  // of a side
 constexpr double kDamagedBlock = 4250.0;                         // of a block in which something has happened, steady sides included
 constexpr double kSegment = 198.0;                               // of a segment that is looked at, with its share of the side's
 constexpr double kPair = 3760.0;                                 // of a patch and an element that push each other, with their points
-constexpr double kUpdate = 382.0;                                // of an element
+constexpr double kUpdate = 360.0;                                // of an element
 
 constexpr double kRow = kernels::kPoseStride * sizeof(double);       // bytes, of a pose
 constexpr double kTwist = kernels::kTwistStride * sizeof(double);    // of a twist
