@@ -4,12 +4,22 @@
 
 #include <bit>
 
+#include "kernels/fetch.h"
 #include "kernels/lanes.h"
 #include "kernels/rows.h"
 
 namespace voussoir::kernels {
 
 namespace {
+
+/// Models that are far: elements ahead, whose numbers are asked for. The columns are more than hardware follows; a few lines at a time, in
+/// between the arithmetic, since all at once they would wait for each other. Beyond the last element there is nothing to have.
+constexpr std::int64_t kAhead = 2 * kBunch;
+
+template <class... Columns>
+VOUSSOIR_INLINE void fetch_ahead(const ElementRows& rows, std::int64_t i, Columns... columns) noexcept {
+  if (rows.far) (fetch(columns + i + kAhead, kWidth * sizeof(double)), ...);
+}
 
 struct QuaternionLanes {
   Lanes w, x, y, z;
@@ -91,7 +101,7 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
 
 VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
   const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
-  if (rows.past_caches) {
+  if (rows.far) {
     static_assert(kPoseStride % 4 == 0);  // or thirds of rows would not lie where store_past_caches can write
     Quad x[kWidth], y[kWidth], z[kWidth];
     to_rows(d.r0.x, d.r0.y, d.r0.z, u.x, x);
@@ -182,8 +192,10 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
     m[g] = l + transposed_times(d[g], l);
     spin[g] = w + transposed_times(d[g], w);
   }
+  for (int g = 0; g < kGroups; ++g) fetch_ahead(rows, i + g * kWidth, e.qw, e.qx, e.qy, e.qz, e.wx, e.wy, e.wz);
   for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia<kPrincipal>(e, i + g * kWidth), m[g], spin[g], half);
   for (int g = 0; g < kGroups; ++g) q[g] = normalised(turned(q[g], half * spin[g]));
+  for (int g = 0; g < kGroups; ++g) fetch_ahead(rows, i + g * kWidth, e.ixx, e.iyy, e.izz, e.ux, e.uy, e.uz);
   for (int g = 0; g < kGroups; ++g) spin[g] = spin[g] + d[g] * spin[g];
   for (int g = 0; g < kGroups; ++g) {
     if (any_dashed(rows, i + g * kWidth)) finish_dashpots(e, i + g * kWidth, spin[g], rows, dt);
@@ -205,6 +217,8 @@ struct Pushes {
 
 /// The kick of kWidth elements.
 VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, Booked& booked) noexcept {
+  if (rows.far) fetch(rows.wrench + (i + kAhead) * kWrenchStride, kWidth * kWrenchStride * sizeof(double));
+  fetch_ahead(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
   const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
   VecLanes force, torque;
   Lanes unused, dashed;

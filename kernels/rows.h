@@ -26,7 +26,7 @@ inline constexpr int kBunch = 2 * kLanes;
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
   const std::uint8_t* watched = nullptr;  // by bunch, 1: somebody looks at its twists; nullptr: at all
-  bool past_caches = false;               // poses are stored past the caches: the model is far larger than these (kernels::finish_stores)
+  bool far = false;  // far larger than the caches: poses are stored past these (kernels::finish_stores), memory is asked for ahead
 };
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).

@@ -34,8 +34,8 @@ kernels::ElementsView Elements::view() noexcept {
           .principal = principal.data()};
 }
 
-kernels::ElementRows Elements::row_view(bool past_caches) noexcept {
-  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), watched.data(), past_caches};
+kernels::ElementRows Elements::row_view(bool far) noexcept {
+  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), watched.data(), far};
 }
 
 kernels::Bodies World::bodies() const noexcept {

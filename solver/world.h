@@ -55,8 +55,8 @@ struct Elements {
   std::vector<std::uint8_t> watched;  // by bunch
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
-  /// \param past_caches  see kernels::ElementRows
-  [[nodiscard]] kernels::ElementRows row_view(bool past_caches = false) noexcept;
+  /// \param far  see kernels::ElementRows
+  [[nodiscard]] kernels::ElementRows row_view(bool far = false) noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.

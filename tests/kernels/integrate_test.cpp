@@ -79,7 +79,7 @@ TEST_CASE("poses stored past the caches are the same") {
   alignas(64) static double poses[kCount * kernels::kPoseStride];
   Flying near, far;
   kernels::ElementRows rows = far.rows();
-  rows.pose = poses, rows.past_caches = true;
+  rows.pose = poses, rows.far = true;
   for (int k = 0; k < 3; ++k) {
     near.step();
     kernels::drift(far.view(), rows, kStep, 0, kCount);
