@@ -88,6 +88,7 @@ void set_up_elements(World& w, const cases::Case& c) {
   e.base = e.count;
   e.rows = round_up(e.count + 1, kernels::kBunch);
   size_arrays(e);
+  if (w.options.gather) std::ranges::fill(e.watched, 1);  // several threads may look at an element at a time: none may make its row then
   const double alpha = mass_damping(c.damping);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Block& b = m.blocks[i];
