@@ -330,6 +330,8 @@ TEST_CASE("a wedge that falls on its sharpest corner finds hold") {
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
   const solver::Elements& e = sim.world().elements;
+  CHECK(e.ixz[0] != 0.0);
+  CHECK(e.principal[0] == 0);
   const auto lowest = [&] {
     const kernels::Pose pose = kernels::load_pose(e.pose.data(), 0);
     double z = 1e300;

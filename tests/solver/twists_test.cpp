@@ -48,3 +48,22 @@ TEST_CASE("while a wall is whole nobody watches it") {
   for (int i = 0; i < 100; ++i) sim.step({});
   CHECK(std::ranges::count(sim.world().elements.watched, 0) == std::ssize(sim.world().elements.watched));
 }
+
+TEST_CASE("a bunch that is watched has the rows of all its elements at once") {
+  const cases::Case c = small_wall(60, 4, 1000.0);
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, strong_shaking(), {});
+  for (int i = 0; i < 50; ++i) sim.step({});
+  solver::Elements& e = sim.world().elements;
+  constexpr std::int32_t kOne = kernels::kBunch + 3;
+  REQUIRE(!solver::is_watched(e, kOne));
+  solver::watch(sim.world(), kOne);
+  CHECK(solver::is_watched(e, kOne));
+  for (std::int32_t i = kernels::kBunch; i < 2 * kernels::kBunch; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const kernels::Twist row = kernels::load_twist(e.twist.data(), i);
+    CHECK(row.v == Vec3{e.vx[k], e.vy[k], e.vz[k]});
+    CHECK(row.w == Vec3{e.wx[k], e.wy[k], e.wz[k]});
+    CHECK(norm(row.v) > 0.0);
+  }
+}
