@@ -14,12 +14,13 @@
 ///
 /// A contact point of A touches B when it is inside B. It has one partner at a time, kept until it has left. Its depth is measured to the
 /// face of B chosen at first touch: the least penetrated one that opposes the patch (n_A·n_B < −0.5, or where no face of A does, as at a
-/// corner sharper than a brick's, that which opposes most). A point that came in through a side, or was deeper than kDeepest before the
-/// step in which it is found, carries no force until it has left. Of several partners one with such a face is first, then the element that
-/// the patch was joined to, then the one in which the point was deepest.
+/// corner sharper than a brick's, that which opposes most). A point that is deeper than kSlight under this one came in past an edge: it is
+/// held by the face through which it just came. One that was inside before the step in which it is found begins with that depth as an
+/// offset, hence without force. Of several partners one in which it is not deep is first, then the element that the patch was joined to,
+/// then the one in which the point was deepest. What points do not see, solver/overlap_contact.h does.
 namespace voussoir::kernels {
 
-inline constexpr double kDeepest = 3e-3;   // m, a point that was deeper before its step came in through a side: no face stopped it
+inline constexpr double kSlight = 1e-3;    // m, deeper than this under a face no point is that just came through it or slid along it
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
 inline constexpr int kMostFaces = 64;      // of one element
@@ -94,6 +95,7 @@ struct ContactOptions {
   double tan_phi = 0.0;        // friction of new pairs
   bool master_normal = false;  // contact.normal = master
   std::int32_t base = 0;       // row of the base: against it a patch carries the full area
+  bool crossed_faces = true;   // points also meet the face through which they came, if it does not oppose theirs (see patch_work.h)
 };
 
 /// What never changes of a body.

@@ -145,8 +145,11 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   const PlaneField g = plane_field(y, faces, face);
   Facing f;
   // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
-  const double stretch = o.master_normal ? 1.0 / std::abs(dot(m.normal, nb)) : 1.0;
-  f.n = o.master_normal ? m.normal : -nb;
+  // Faces that hardly look against each other have no such distance: there it is B's normal as well.
+  const double opposed = -dot(m.normal, nb);
+  const bool along_own = o.master_normal && opposed > -kOpposing;
+  const double stretch = along_own ? 1.0 / opposed : 1.0;
+  f.n = along_own ? m.normal : -nb;
   f.depth = {stretch * g.g0, stretch * g.gs, stretch * g.gt};
   const Vec3 arm_a = m.centre - m.pose.u;
   const Vec3 arm_b = (m.ref - reference(b, c.element)) + (m.centre - slave.u);
@@ -200,24 +203,70 @@ struct Entry {
   double depth = 0.0;  // m, under the face when this step began, above 0: inside
 };
 
-/// Where point i came into candidate c. A point that came in through the face is no deeper than this step took it; one that was deeper
-/// than kDeepest before came in through a side, and no face has stopped it.
+/// True if no face holds the point near its plane.
+inline bool is_deep(const Entry& e) noexcept { return e.face == kNoFace || e.depth > kSlight; }
+
+/// The face through which point i came into candidate c in this step, the last one if there were several; kNoFace: none.
+inline std::int32_t crossed_face(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
+  const double s = w.points.s[i], t = w.points.t[i];
+  const Pose slave = load_pose(w.bodies.pose, c.element);
+  const Facing f = facing(w.patch, w.m, y, c, c.first_face, w.bodies, w.faces, w.o);
+  const Vec3 v = apply_transposed(slave, f.v0 + s * f.vs + t * f.vt);  // of the candidate, as seen from the point, in its body axes
+  std::int32_t last = kNoFace;
+  double ago = w.o.step;
+  for (int k = 0; k < planes.count; ++k) {
+    const double speed = dot(v, w.faces[c.first_face + k].normal);  // into the face
+    const double depth = -planes.g[k].at(s, t);
+    if (speed <= 0.0 || depth > ago * speed) continue;
+    ago = depth / speed;
+    last = c.first_face + k;
+  }
+  return last;
+}
+
+/// The least penetrated face that looks against the patch at all; kNoFace if there is none.
+inline std::int32_t nearest_face(double s, double t, const InSlave& y, const PlaneFields& planes, const Face* faces,
+                                 const Candidate& c) noexcept {
+  std::int32_t best = kNoFace;
+  double depth = 1e300;
+  for (int f = 0; f < planes.count; ++f) {
+    const double d = -planes.g[f].at(s, t);
+    if (d >= depth || dot(y.normal, faces[c.first_face + f].normal) >= 0.0) continue;
+    depth = d;
+    best = c.first_face + f;
+  }
+  return best;
+}
+
+/// Point i under a face of candidate c.
+inline Entry entry_under(const Work& w, const Candidate& c, const InSlave& y, std::int32_t face, int i) noexcept {
+  if (face == kNoFace) return {};
+  const double s = w.points.s[i], t = w.points.t[i];
+  const Facing f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
+  const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
+  return {face, taken - f.depth.at(s, t)};
+}
+
+/// Which face of candidate c holds point i: one that opposes the patch and under which the point is not deep; else the one through which it
+/// has just come; else, wherever it came from, the nearest that opposes, or that looks against it at all.
 inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
   const double s = w.points.s[i], t = w.points.t[i];
   const Pose slave = load_pose(w.bodies.pose, c.element);
-  const std::int32_t face = entry_face(s, t, w.patch, w.m, y, slave, planes, w.faces, c);
-  if (face == kNoFace) return {};
-  const Facing f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
-  const double taken = std::min(0.0, w.o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n));
-  const double depth = taken - f.depth.at(s, t);
-  const double stretch = f.depth.at(s, t) / planes.g[face - c.first_face].at(s, t);  // of depths along the patch's own normal
-  return depth > stretch * kDeepest ? Entry{} : Entry{face, depth};
+  const std::int32_t opposing = entry_face(s, t, w.patch, w.m, y, slave, planes, w.faces, c);
+  const Entry e = entry_under(w, c, y, opposing, i);
+  if (!is_deep(e)) return e;
+  if (w.o.crossed_faces) {
+    const std::int32_t crossed = crossed_face(w, c, y, planes, i);
+    if (crossed != kNoFace) return entry_under(w, c, y, crossed, i);
+  }
+  return opposing != kNoFace ? e : entry_under(w, c, y, nearest_face(s, t, y, planes, w.faces, c), i);
 }
 
-/// Who has a free point that several candidates claim: one with a face before one without, then the element that the patch was joined to,
-/// then the one that it was in more deeply.
+/// Who has a free point that several candidates claim: one in which it is not deep before one in which it is, and this before one without
+/// a face; then the element that the patch was joined to, then the one that it was in more deeply.
 inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::int32_t other, const Entry& than) noexcept {
-  if ((e.face == kNoFace) != (than.face == kNoFace)) return than.face == kNoFace;
+  const auto rank = [](const Entry& x) { return x.face == kNoFace ? 0 : is_deep(x) ? 1 : 2; };
+  if (rank(e) != rank(than)) return rank(e) > rank(than);
   if (e.face == kNoFace) return false;
   const auto is_origin = [&](std::int32_t c) { return w.candidates[static_cast<std::size_t>(c)].element == w.patch.origin; };
   if (is_origin(k) != is_origin(other)) return is_origin(k);
@@ -247,8 +296,8 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
   }
 }
 
-/// Gives free points the partners found for them. One that came round an edge keeps the depth it had as an offset: its springs begin
-/// without force, so that they can give back no more than they took.
+/// Gives free points the partners found for them. One that was inside before this step keeps the depth it had as an offset: its springs
+/// begin without force, so that they can give back no more than they took.
 inline void take_partners(Work& w) noexcept {
   for (int i = 0; i < w.points.n; ++i) {
     const std::int32_t k = w.scratch.candidate[i];

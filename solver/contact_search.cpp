@@ -8,6 +8,7 @@
 #include "kernels/moves.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
+#include "solver/overlap_contact.h"
 #include "solver/patch_order.h"
 
 namespace voussoir::solver {
@@ -224,6 +225,7 @@ void search(World& w, const Anew& anew, double moved) {
     for (std::size_t k = 0; k < elements.size(); ++k) search_element(task, elements[k], near, found[k]);
   }
   replace_candidates(w, anew, found);
+  list_overlap_pairs(w, anew.element, moved);
   ++w.contacts.searches;
 }
 

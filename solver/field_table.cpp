@@ -66,6 +66,13 @@ Field member(const char* name, const char* unit, const char* shape, Column& a, T
           .stride = sizeof(typename Column::value_type)};
 }
 
+template <class T, class Column>
+Field member(const char* name, const char* unit, const char* shape, Column& a, T* first, std::int64_t low, std::int64_t high) {
+  Field f = member(name, unit, shape, a, first);
+  f.low = low, f.high = high;
+  return f;
+}
+
 void add_elements(Table& t, Elements& e) {
   const char* shape = "element";
   t.insert(t.end(), {field("ux", "m", shape, e.ux), field("uy", "m", shape, e.uy), field("uz", "m", shape, e.uz),
@@ -109,6 +116,19 @@ void add_patches(Table& t, World& w) {
             field("point_partner", "-", "point", p.partner, -1, elements - 1), field("point_face", "-", "point", p.face, -1, faces - 1),
             of_points("point_slip_x", springs.slip_x), of_points("point_slip_y", springs.slip_y), of_points("point_slip_z", springs.slip_z),
             of_points("point_closure", springs.closure)});
+}
+
+void add_overlaps(Table& t, World& w) {
+  Overlaps& o = w.overlaps;
+  OverlapSpring none;
+  OverlapSpring& first = o.springs.empty() ? none : o.springs.front();
+  constexpr std::size_t kValues = (sizeof(OverlapSpring) - offsetof(OverlapSpring, shear)) / sizeof(double);
+  const std::int64_t elements = w.elements.base + 1;
+  const char* shape = "overlap spring";
+  t.insert(t.end(), {member("overlap_a", "-", shape, o.springs, &first.a, 0, elements - 2),
+                     member("overlap_b", "-", shape, o.springs, &first.b, 1, elements - 1)});
+  t.push_back(member("overlap_spring", "m, J, N, N m", shape, o.springs, &first.shear.x, kValues));
+  t.insert(t.end(), {value("overlap_friction", "J", o.friction), value("overlap_impact", "J", o.impact)});
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
@@ -190,6 +210,7 @@ std::vector<Field> fields(World& w) {
   add_elements(table, w.elements);
   add_sides(table, w.sides);
   add_patches(table, w);
+  add_overlaps(table, w);
   add_search(table, w);
   return table;
 }

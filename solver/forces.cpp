@@ -45,19 +45,24 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     advance_own_joints(joints, mine.joints, mine.clock);
     mine.clock.begin();
     advance_contacts(w, mine.contacts);
+    find_overlaps(w, mine.overlaps);
     mine.clock.lap(ForcePart::contacts);
     help_with_joints(joints, mine.joints, mine.clock);
     gather(w, mine.clock);
   }
   std::vector<JointFindings*> found;
+  std::vector<OverlapFound> overlaps;
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
     ThreadRoom& r = stage.by_thread[thread];
     for (const std::int32_t e : r.joints.looked_at) watch_from_now_on(w, e);
     r.joints.looked_at.clear();
     found.push_back(&r.joints);
+    overlaps.insert(overlaps.end(), r.overlaps.begin(), r.overlaps.end());
+    r.overlaps.clear();
     for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
   }
   collect(found, stage.events);
+  apply_overlaps(w, overlaps);
 }
 
 }  // namespace voussoir::solver

@@ -6,6 +6,7 @@
 
 #include "solver/contact_forces.h"
 #include "solver/joint_forces.h"
+#include "solver/overlap_contact.h"
 #include "solver/stages.h"
 
 /// Stage 3 of the step: the forces of joints and contacts on the elements' rows.
@@ -15,6 +16,7 @@ namespace voussoir::solver {
 struct ThreadRoom {
   JointFindings joints;
   ContactRoom contacts;
+  std::vector<OverlapFound> overlaps;
   LapClock clock;
 };
 

@@ -26,6 +26,12 @@ double total(const Patches& patches, double FreePatch::*value) {
   return sum;
 }
 
+double stored_energy(const Overlaps& o) {
+  double sum = 0.0;
+  for (const OverlapSpring& s : o.springs) sum += s.stored;
+  return sum;
+}
+
 double total(const Elements& e, kernels::Book book) {
   double sum = 0.0;
   for (auto i = static_cast<std::size_t>(book); i < e.books.size(); i += kernels::kBooks) sum += e.books[i];
@@ -38,6 +44,7 @@ void Ledger::restart(World& w) {
   std::ranges::fill(w.elements.books, 0.0);
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
+  w.overlaps.friction = w.overlaps.impact = 0.0;
   *this = Ledger(w);
 }
 
@@ -65,7 +72,7 @@ void Ledger::before_kick(World& w) {
     std::copy_n(e.dashpot.data() + i * kernels::kDashpotStride, 6, dash_.data() + 6 * i);
   }
   stored_ = joint_energy(w);
-  patches_ = total(w.patches, &FreePatch::stored);
+  patches_ = total(w.patches, &FreePatch::stored) + stored_energy(w.overlaps);
 }
 
 double Ledger::kinetic(const World& w) const {
@@ -89,8 +96,9 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
     dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e, kernels::Book::loss_damping) - damping_ahead;
-  row.dashpot = total(e, kernels::Book::loss_dashpots) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact);
-  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction);
+  row.dashpot = total(e, kernels::Book::loss_dashpots) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
+                w.overlaps.impact;
+  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction;
   row.fracture = total(w.sides.fracture);
 }
 

@@ -36,7 +36,9 @@ MemoryUse memory_use(const World& w) {
   use.patches = bytes(p.patch, p.from_side, p.mastered, p.partner, p.face, p.springs) +
                 bytes(c.at_ux, c.at_uy, c.at_uz, c.at_qw, c.at_qx, c.at_qy, c.at_qz, c.path, c.until, c.bunch_path, c.bunch_until, c.active,
                       c.first_slot, c.element, c.candidate) +
-                bytes(c.wrench, c.on, c.first_gather, c.gather, c.place, c.gather_on);
+                bytes(c.wrench, c.on, c.first_gather, c.gather, c.place, c.gather_on) +
+                bytes(w.overlaps.vertices, w.overlaps.edges, w.overlaps.shape, w.overlaps.shape_of, w.overlaps.stiffness_n,
+                      w.overlaps.stiffness_s, w.overlaps.allowed, w.overlaps.pairs, w.overlaps.springs);
   return use;
 }
 

@@ -76,6 +76,9 @@ void size_search(World& w, const SavedState& from) {
   c.element.assign(slots, 0);
   for (auto* column : {&c.path, &c.until, &c.bunch_path, &c.bunch_until}) std::ranges::fill(*column, 0.0);
   c.gather_stale = true;
+  w.overlaps.springs.assign(find(from, "overlap_a").count, {});
+  w.overlaps.pairs.clear();
+  w.overlaps.stale = true;
 }
 
 template <class T>
@@ -132,6 +135,12 @@ void check_contacts(const World& w) {
     const bool free = p.partner[i] == kernels::kNobody;
     if (p.face[i] != kernels::kNoFace && (free || !is_face_of(w, p.face[i], p.partner[i])))
       throw StateError("field point_face has a face in entry " + std::to_string(i) + " that is none of the partner's");
+  }
+  const auto order = [](const OverlapSpring& s) { return std::pair(s.a, s.b); };
+  const std::vector<OverlapSpring>& springs = w.overlaps.springs;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    if (springs[i].a >= springs[i].b || (i > 0 && order(springs[i - 1]) >= order(springs[i])))
+      throw StateError("field overlap_a has entry " + std::to_string(i) + " out of order with overlap_b");
   }
   if (!c.stale && c.at_ux.empty()) throw StateError("field searched_ux is empty though a search is not due");
 }

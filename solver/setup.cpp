@@ -98,13 +98,14 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->bound = cases::census(m).step_bound;
   w->dt = choose_step(c, o, w->bound);
   w->contact = {w->dt, c.contact.damping, std::tan(c.contact.friction * std::numbers::pi / 180.0),
-                c.contact.normal == cases::ContactNormal::master, 0};
+                c.contact.normal == cases::ContactNormal::master};
   set_up_elements(*w, c);
   w->contact.base = w->elements.base;
   set_up_faces(*w);
   set_up_damping_bound(*w);
   set_up_sides(*w, c);
   set_up_patches(*w);
+  set_up_overlaps(*w);
   set_up_side_views(*w);
   set_up_side_gather(*w);
   set_up_loads(*w, c);

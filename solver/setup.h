@@ -23,6 +23,7 @@ void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
+void set_up_overlaps(World& w);
 /// Points each side at its points and its segments' history, when all arrays have their size.
 void set_up_side_views(World& w);
 /// The buffer for pairs and its lists, for --scatter gather.

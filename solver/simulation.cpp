@@ -15,6 +15,7 @@
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
 #include "solver/errors.h"
+#include "solver/overlap_contact.h"
 #include "solver/setup.h"
 
 namespace voussoir::solver {
@@ -297,6 +298,7 @@ void Simulation::step(Due due) {
   {
     const StageTimer timer(times_, Stage::search);
     if (search_due(w, moved_)) search_contacts(w);
+    if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.gather_stale) build_gather(w);
   }
   {

@@ -11,6 +11,7 @@
 #include "kernels/contact_patch.h"
 #include "kernels/integrate.h"
 #include "kernels/law.h"
+#include "kernels/overlap.h"
 #include "kernels/side.h"
 #include "kernels/whole_sides.h"
 #include "solver/array.h"
@@ -153,6 +154,37 @@ struct Contacts {
   std::int64_t searches = 0;
 };
 
+/// Two elements that may come to overlap by more than contact points can see.
+struct OverlapPair {
+  std::int32_t a = 0, b = 0;        // a < b; b may be the base
+  double until = kernels::kLookNow;  // m, sum of both bodies' paths up to which they overlap by no more than is allowed
+};
+
+/// The spring between two elements that overlap by more than is allowed (all of it state).
+struct OverlapSpring {
+  std::int32_t a = 0, b = 0;
+  Vec3 shear;                      // m, elongation along the contact, in the body axes of a
+  double stored = 0.0;             // J
+  Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
+};
+
+/// Contact of whole bodies by their exact overlap, where contact points see too little: at edges, corners and crossed edges, and deep inside
+/// (THEORY.md (21a)).
+struct Overlaps {
+  // Constants.
+  std::vector<Vec3> vertices, edges;                // of all shapes: from the centroid, m; unit directions
+  std::vector<kernels::ConvexShape> shape;          // different ones once; the faces of the first element that has it
+  std::vector<std::int32_t> shape_of;               // by element
+  std::vector<double> stiffness_n, stiffness_s;     // N/m, by element; the base is rigid: 0
+  std::vector<double> allowed;                      // m, by element
+  // Derived.
+  bool stale = true;               // pairs are to be listed for all elements
+  std::vector<OverlapPair> pairs;  // ascending (a, b)
+  // State.
+  std::vector<OverlapSpring> springs;      // ascending (a, b)
+  double friction = 0.0, impact = 0.0;     // J, lost so far
+};
+
 /// Loads and supports that act on single elements.
 struct PointLoad {
   std::int32_t element = 0;
@@ -182,6 +214,7 @@ struct World {
   Sides sides;
   Patches patches;
   Contacts contacts;
+  Overlaps overlaps;
   [[nodiscard]] kernels::Bodies bodies() const noexcept;
   [[nodiscard]] kernels::Rows rows() noexcept;
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "kernels/contact_law.h"
 #include "kernels/patch_work.h"
 
 namespace voussoir::kernels {
 
 namespace {
 
-/// Traction of one touching point; updates its slip. See contact_traction in segment_law.h for the same law in the frame of a side.
+/// Traction of one touching point; updates its slip. 
 void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
            GlobalSums& dash, PatchResult& r) noexcept {
   const double xn = f.depth.at(s, t) - q.closure(i);
@@ -16,24 +17,15 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
     return;
   }
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
-  const double vn = dot(v, f.n);
-  const Vec3 vt = v - vn * f.n;
-  const Vec3 carried = apply(master, q.slip(i));
-  const Vec3 before = carried - dot(carried, f.n) * f.n;
-  Vec3 x = before + step * vt;
-  const double da = f.factor * area;
-  const double dn = std::min(f.k.cn * vn, -f.k.kn * xn);
-  const double limit = std::max(0.0, -(f.k.kn * xn + dn) * f.tan_phi);
-  const double spring = f.k.ks * norm(x);
-  if (spring > limit) x *= limit / spring;
-  const Vec3 p = f.k.ks * x, all = f.k.cs * vt;
-  const Vec3 d = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit) * all;
-  total.add(da * (p + d + (f.k.kn * xn + dn) * f.n), s, t);
-  dash.add(da * (d + dn * f.n), s, t);
+  const ContactStep c = advance_contact(xn, f.n, v, apply(master, q.slip(i)), f.k, f.tan_phi, step);
+  const double da = f.factor * area, vn = dot(v, f.n);
+  const Vec3 x = c.spring, vt = v - vn * f.n;
+  total.add(da * (c.elastic + c.dashpot), s, t);
+  dash.add(da * c.dashpot, s, t);
   q.set_slip(i, apply_transposed(master, x));
   const double xn_before = std::min(0.0, xn - step * vn);
   r.stored += 0.5 * da * (f.k.kn * xn * xn + f.k.ks * dot(x, x));
-  r.friction += 0.5 * da * f.k.ks * (dot(before, before) - dot(x, x) + step * dot(before + x, vt));
+  r.friction += 0.5 * da * f.k.ks * (dot(c.before, c.before) - dot(x, x) + step * dot(c.before + x, vt));
   r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
 }
 
