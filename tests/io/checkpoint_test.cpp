@@ -11,7 +11,7 @@
 #include "io/checkpoints.h"
 #include "io/compare_command.h"
 #include "io/session.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 

@@ -3,7 +3,7 @@
 #include "io/joint_openings.h"
 
 #include "io/hdf5_file.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {

@@ -8,8 +8,8 @@
 #include "io/case_file.h"
 #include "io/damage_grade.h"
 #include "io/measures_file.h"
-#include "results_fixture.h"
 #include "solver/collapse.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {

@@ -13,7 +13,7 @@
 #include "cases/case.h"
 #include "io/errors.h"
 #include "io/motion_files.h"
-#include "temp_folder.h"
+#include "tests/io/temp_folder.h"
 
 using namespace voussoir;
 using io::FileError;

@@ -6,7 +6,7 @@
 
 #include "io/errors.h"
 #include "io/read_motion.h"
-#include "temp_folder.h"
+#include "tests/io/temp_folder.h"
 
 using voussoir::cases::Accelerogram;
 using voussoir::io::FileError;

@@ -10,7 +10,7 @@
 #include "cases/model.h"
 #include "io/errors.h"
 #include "io/support_motion.h"
-#include "temp_folder.h"
+#include "tests/io/temp_folder.h"
 
 using namespace voussoir;
 using io::FileError;

@@ -10,7 +10,7 @@
 
 #include "io/errors.h"
 #include "io/read_motion.h"
-#include "temp_folder.h"
+#include "tests/io/temp_folder.h"
 
 /// What tests of the formats of ground motion share: small files made here, and ways to spoil them.
 namespace motion_fixture {

@@ -5,7 +5,7 @@
 #include "cases/case.h"
 #include "io/motion_command.h"
 #include "io/motion_files.h"
-#include "motion_fixture.h"
+#include "tests/io/motion_fixture.h"
 
 using namespace motion_fixture;
 using namespace voussoir;

@@ -3,7 +3,7 @@
 #include "io/errors.h"
 #include "io/paraview_files.h"
 #include "io/text_file.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {

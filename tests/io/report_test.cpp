@@ -13,7 +13,7 @@
 #include "io/report_command.h"
 #include "io/report_page.h"
 #include "io/text_file.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "io/errors.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 /// Kills at any moment, and going on afterwards.
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "io/errors.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "io/errors.h"
-#include "results_fixture.h"
+#include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
 namespace {
