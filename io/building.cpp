@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 #include "io/errors.h"
 
 namespace voussoir::io {

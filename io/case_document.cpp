@@ -7,8 +7,8 @@
 #include <fstream>
 #include <utility>
 
-#include "io/case_values.h"
 #include "io/catalogue.h"
+#include "io/document/case_values.h"
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/motion_keys.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/case_file.h"
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 
 /// From a name to one document: finds the text of a case, and lays it over what it includes.
 namespace voussoir::io {

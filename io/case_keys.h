@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "geometry/vec3.h"
-#include "io/case_values.h"
+#include "io/document/case_values.h"
 
 /// One option table per struct of the case: name, unit, allowed values, a sentence, and where the value lives. The same table reads,
 /// checks, writes the resolved case and prints the key reference.

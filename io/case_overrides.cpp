@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "io/case_file.h"
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 
 namespace voussoir::io {
 namespace {

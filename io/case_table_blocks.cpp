@@ -3,7 +3,7 @@
 #include <set>
 
 #include "io/case_tables.h"
-#include "io/history_name.h"
+#include "io/document/history_name.h"
 
 namespace voussoir::io {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "io/built_in_cases.h"
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 #include "io/errors.h"
 
 namespace voussoir::io {

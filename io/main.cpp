@@ -11,8 +11,8 @@
 
 #include "io/bench_command.h"
 #include "io/case_file.h"
-#include "io/case_values.h"
 #include "io/compare_command.h"
+#include "io/document/case_values.h"
 #include "io/errors.h"
 #include "io/modes_command.h"
 #include "io/motion_command.h"

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "io/case_tree.h"
-#include "io/case_values.h"
+#include "io/document/case_tree.h"
+#include "io/document/case_values.h"
 #include "io/errors.h"
 #include "io/motion_files.h"
 #include "io/text_file.h"

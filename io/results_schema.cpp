@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "io/history_name.h"
+#include "io/document/history_name.h"
 
 namespace voussoir::io {
 namespace {

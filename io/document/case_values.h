@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 
 /// What the option tables are made of: limits, faults, and the way from a node to a typed value and back to text.
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/case_values.h"
+#include "io/document/case_values.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/case_tree.h"
+#include "io/document/case_tree.h"
 
 #include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "io/case_values.h"
+#include "io/document/case_values.h"
 
 namespace voussoir::io {
 namespace {
