@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 

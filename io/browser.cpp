@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 extern char** environ;
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "io/document/case_tree.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace {

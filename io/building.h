@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 /// What measures of a collapse ask of the model of a run: which elements are a wall, where it stands, what room is between the walls.
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 
 #include "io/catalogue.h"
 #include "io/document/case_values.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/motion_files.h"
 #include "io/motion_keys.h"
 

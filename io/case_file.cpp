@@ -4,7 +4,7 @@
 
 #include "io/case_document.h"
 #include "io/case_tables.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "io/built_in_cases.h"
 #include "io/document/case_tree.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace {

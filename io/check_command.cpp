@@ -9,11 +9,11 @@
 #include "cases/names.h"
 #include "io/catalogue.h"
 #include "io/drawing.h"
+#include "io/files/text_file.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
 #include "io/run_command.h"
 #include "io/support_motion.h"
-#include "io/text_file.h"
 #include "solver/setup.h"
 
 namespace voussoir::io {

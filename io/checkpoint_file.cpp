@@ -11,7 +11,7 @@
 #include <functional>
 #include <utility>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 namespace {

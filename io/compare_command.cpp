@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/case_file.h"
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 

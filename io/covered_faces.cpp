@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "io/errors.h"
-#include "io/hdf5_file.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 namespace {

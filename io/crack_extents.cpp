@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/joint_openings.h"
 
 namespace voussoir::io {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace {

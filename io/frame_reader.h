@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "io/errors.h"
-#include "io/hdf5_file.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 namespace {

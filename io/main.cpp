@@ -13,7 +13,7 @@
 #include "io/case_file.h"
 #include "io/compare_command.h"
 #include "io/document/case_values.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/modes_command.h"
 #include "io/motion_command.h"
 #include "io/motion_files.h"

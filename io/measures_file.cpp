@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -13,9 +13,9 @@
 #include <system_error>
 
 #include "cases/names.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 #include "io/motion_files.h"
-#include "io/text_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <span>
 #include <system_error>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/motion_text.h"
 #include "io/read_motion.h"
 

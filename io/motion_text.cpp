@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "cases/names.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/read_motion.h"
 
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text_file.h"
+#include "io/files/text_file.h"
 
 /// What the readers of ground motion share: a file walked line by line, words of headers, numbers in Fortran's columns.
 namespace voussoir::io {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "io/errors.h"
-#include "io/hdf5_file.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
 #include "io/joint_openings.h"
 
 namespace voussoir::io {

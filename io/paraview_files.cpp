@@ -12,10 +12,10 @@
 
 #include "geometry/vec3.h"
 #include "io/cells.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/run_folder.h"
 #include "io/frame_reader.h"
 #include "io/results_parts.h"
-#include "io/run_folder.h"
 
 namespace voussoir::io {
 namespace {

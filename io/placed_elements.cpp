@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/vec3.h"
+#include "io/files/hdf5_file.h"
 #include "io/frame_reader.h"
-#include "io/hdf5_file.h"
 
 namespace voussoir::io {
 

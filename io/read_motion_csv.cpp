@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "cases/names.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 #include "io/motion_text.h"
 #include "io/read_motion.h"
-#include "io/text_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "io/document/case_tree.h"
 #include "io/document/case_values.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 #include "io/motion_files.h"
-#include "io/text_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

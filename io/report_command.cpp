@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 #include "io/paraview_files.h"
 #include "io/report_data.h"
 #include "io/run_command.h"
-#include "io/text_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -14,13 +14,13 @@
 
 #include "io/case_file.h"
 #include "io/covered_faces.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
+#include "io/files/packed_text.h"
 #include "io/frame_reader.h"
-#include "io/hdf5_file.h"
 #include "io/measures_file.h"
 #include "io/motion_files.h"
 #include "io/opened_faces.h"
-#include "io/packed_text.h"
 #include "io/report_frames.h"
 #include "io/report_page.h"
 

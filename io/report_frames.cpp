@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "io/files/packed_text.h"
 #include "io/frame_reader.h"
-#include "io/packed_text.h"
 
 namespace voussoir::io {
 namespace {

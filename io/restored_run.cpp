@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/session.h"
 #include "solver/errors.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/measures_file.h"
 
 namespace voussoir::io {

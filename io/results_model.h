@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 /// The group /model of run.h5: what does not change during a run.
 namespace voussoir::io {

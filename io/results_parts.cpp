@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "io/run_folder.h"
+#include "io/files/run_folder.h"
 
 namespace voussoir::io {
 namespace {

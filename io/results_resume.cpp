@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/results_parts.h"
 
 /// Going on with the results of an earlier run: which parts stay, and up to which row.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 /// The rows that a run writes: one table for each group of run.h5, walked by writer, index, merge and resume.
 namespace voussoir::io {

@@ -11,9 +11,9 @@
 
 #include "cases/names.h"
 #include "io/case_file.h"
+#include "io/files/run_folder.h"
 #include "io/restored_run.h"
 #include "io/run_command.h"
-#include "io/run_folder.h"
 #include "io/session.h"
 
 namespace voussoir::io {

@@ -4,8 +4,8 @@
 
 #include <omp.h>
 
+#include "io/files/run_folder.h"
 #include "io/motion_files.h"
-#include "io/run_folder.h"
 #include "io/session.h"
 #include "io/support_motion.h"
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/progress.h"
 #include "io/run_command.h"
 #include "solver/errors.h"

@@ -10,12 +10,12 @@
 #include "cases/case.h"
 #include "cases/names.h"
 #include "io/browser.h"
-#include "io/errors.h"
-#include "io/hdf5_file.h"
-#include "io/packed_text.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
+#include "io/files/packed_text.h"
+#include "io/files/run_folder.h"
+#include "io/files/scratch_folder.h"
 #include "io/report_data.h"
-#include "io/run_folder.h"
-#include "io/scratch_folder.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

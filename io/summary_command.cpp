@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 #include "io/measures_file.h"
 #include "io/run_command.h"
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/errors.h"
-#include "io/text_file.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 
 namespace voussoir::io {
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <set>
 
+#include "io/files/scratch_folder.h"
 #include "io/motion_files.h"
 #include "io/progress.h"
-#include "io/scratch_folder.h"
 #include "io/session.h"
 #include "io/support_motion.h"
 #include "solver/errors.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/read_motion.h"
 #include "io/support_motion.h"
 #include "tests/fuzz/memory_file.h"

@@ -11,7 +11,7 @@
 
 #include "io/bench_rows.h"
 #include "io/bench_table.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/small_wall.h"
 

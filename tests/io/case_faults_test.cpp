@@ -7,7 +7,7 @@
 #include <random>
 
 #include "io/case_file.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 using namespace voussoir;
 using io::read_case;

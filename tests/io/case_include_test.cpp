@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "io/case_file.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/temp_folder.h"
 
 using namespace voussoir;

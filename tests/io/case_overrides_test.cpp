@@ -9,7 +9,7 @@
 
 #include "io/case_file.h"
 #include "io/catalogue.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 using namespace voussoir;
 using io::read_case;

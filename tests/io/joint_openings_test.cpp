@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/joint_openings.h"
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cases/case.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/motion_files.h"
 #include "tests/io/temp_folder.h"
 

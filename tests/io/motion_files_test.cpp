@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cases/model.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/support_motion.h"
 #include "tests/io/temp_folder.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/read_motion.h"
 #include "tests/io/temp_folder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
 #include "io/paraview_files.h"
-#include "io/text_file.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/read_motion.h"
 #include "tests/io/temp_folder.h"
 

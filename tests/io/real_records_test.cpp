@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/motion.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "io/motion_files.h"
 
 using namespace voussoir;

@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "io/covered_faces.h"
-#include "io/errors.h"
+#include "io/files/errors.h"
+#include "io/files/packed_text.h"
+#include "io/files/text_file.h"
 #include "io/opened_faces.h"
-#include "io/packed_text.h"
 #include "io/report_command.h"
 #include "io/report_page.h"
-#include "io/text_file.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

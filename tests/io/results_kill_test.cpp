@@ -9,7 +9,7 @@
 #include <random>
 #include <thread>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 
 /// Kills at any moment, and going on afterwards.

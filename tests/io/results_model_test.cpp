@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run_folder.h"
+#include "io/files/run_folder.h"
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 /// What the sources of Hdf5File share, and nobody else: handles and checks. HDF5's handles are 64-bit integers, its states ints.
 namespace voussoir::io::hdf5 {

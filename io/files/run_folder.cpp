@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run_folder.h"
+#include "io/files/run_folder.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "io/errors.h"
-#include "io/hdf5_file.h"
-#include "io/hdf5_handle.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
+#include "io/files/hdf5_handle.h"
 
 /// Texts and attributes of Hdf5File.
 namespace voussoir::io {

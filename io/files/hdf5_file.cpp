@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
 
 #include <hdf5.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "io/errors.h"
-#include "io/hdf5_handle.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_handle.h"
 
 namespace voussoir::io {
 namespace {

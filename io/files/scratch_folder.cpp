@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scratch_folder.h"
+#include "io/files/scratch_folder.h"
 
 #include <stdlib.h>
 
 #include <filesystem>
 #include <system_error>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/packed_text.h"
+#include "io/files/packed_text.h"
 
 #include <zlib.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 /// A file that knows whether it is whole: a header of 512 bytes, and contents. The header is text: what it is, its version, and the number
 /// and a hash (FNV-1a) of the bytes that follow. A file that is cut off or has changed in a single bit is known before anybody tries to

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/hdf5_handle.h"
+#include "io/files/hdf5_handle.h"
 
 #include <hdf5.h>
 
-#include "io/errors.h"
+#include "io/files/errors.h"
 
 namespace voussoir::io::hdf5 {
 namespace {

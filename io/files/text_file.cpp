@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/text_file.h"
+#include "io/files/text_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "io/errors.h"
-#include "io/run_folder.h"
+#include "io/files/errors.h"
+#include "io/files/run_folder.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

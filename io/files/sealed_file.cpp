@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/sealed_file.h"
+#include "io/files/sealed_file.h"
 
 #include <array>
 #include <cinttypes>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/run_folder.h"
+#include "io/files/run_folder.h"
 #include "solver/hash.h"
 
 namespace voussoir::io {
