@@ -10,8 +10,8 @@
 #include "io/catalogue.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
-#include "io/motion_files.h"
-#include "io/motion_keys.h"
+#include "io/motion/motion_files.h"
+#include "io/motion/motion_keys.h"
 
 namespace voussoir::io {
 namespace {

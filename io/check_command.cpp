@@ -10,10 +10,10 @@
 #include "io/catalogue.h"
 #include "io/drawing.h"
 #include "io/files/text_file.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
+#include "io/motion/support_motion.h"
 #include "io/progress.h"
 #include "io/run_command.h"
-#include "io/support_motion.h"
 #include "solver/setup.h"
 
 namespace voussoir::io {

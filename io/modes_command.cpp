@@ -9,9 +9,9 @@
 
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/motion/support_motion.h"
 #include "io/progress.h"
 #include "io/run_command.h"
-#include "io/support_motion.h"
 #include "io/vtu_file.h"
 #include "solver/impulse.h"
 #include "solver/modes.h"

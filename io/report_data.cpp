@@ -19,7 +19,7 @@
 #include "io/files/packed_text.h"
 #include "io/frame_reader.h"
 #include "io/measures_file.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 #include "io/opened_faces.h"
 #include "io/report_frames.h"
 #include "io/report_page.h"

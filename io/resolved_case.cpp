@@ -5,7 +5,7 @@
 #include "io/case_file.h"
 #include "io/case_tables.h"
 #include "io/document/case_tree.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 
 namespace voussoir::io {
 

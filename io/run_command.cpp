@@ -5,9 +5,9 @@
 #include <omp.h>
 
 #include "io/files/run_folder.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
+#include "io/motion/support_motion.h"
 #include "io/session.h"
-#include "io/support_motion.h"
 
 namespace voussoir::io {
 

@@ -11,10 +11,10 @@
 #include <set>
 
 #include "io/files/scratch_folder.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
+#include "io/motion/support_motion.h"
 #include "io/progress.h"
 #include "io/session.h"
-#include "io/support_motion.h"
 #include "solver/errors.h"
 
 namespace voussoir::io {

@@ -12,7 +12,7 @@
 
 #include "cases/case.h"
 #include "io/files/errors.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 #include "tests/io/temp_folder.h"
 
 using namespace voussoir;

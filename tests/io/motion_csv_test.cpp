@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/files/errors.h"
-#include "io/read_motion.h"
+#include "io/motion/read_motion.h"
 #include "tests/io/temp_folder.h"
 
 using voussoir::cases::Accelerogram;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 #include "cases/model.h"
 #include "io/files/errors.h"
-#include "io/support_motion.h"
+#include "io/motion/support_motion.h"
 #include "tests/io/temp_folder.h"
 
 using namespace voussoir;

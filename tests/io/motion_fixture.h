@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/files/errors.h"
-#include "io/read_motion.h"
+#include "io/motion/read_motion.h"
 #include "tests/io/temp_folder.h"
 
 /// What tests of the formats of ground motion share: small files made here, and ways to spoil them.

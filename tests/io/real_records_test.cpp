@@ -9,7 +9,7 @@
 
 #include "cases/motion.h"
 #include "io/files/errors.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 
 using namespace voussoir;
 

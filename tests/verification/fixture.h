@@ -14,7 +14,7 @@
 
 #include "cases/model.h"
 #include "io/case_file.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 #include "kernels/integrate.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "cases/names.h"
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // NIED K-NET and KiK-net ASCII: seventeen lines, a key in the first 18 columns and its value behind, then integers in eight columns of 9.
 // A count is a digitiser's number with an arbitrary offset; acceleration is (count - mean of all counts) * scale factor, as the network's

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // ESM's (and AFAD's) DYNA ASCII: lines "KEY: value", the last of them USER5, then one value a line. Values of keys may be empty.
 namespace voussoir::io {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cases/names.h"
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // COSMOS strong-motion format (v1.20), one block a channel: lines of text, an integer header, a real header, comments, the data and a line
 // that ends them. How many of each there are, and Fortran's format of the numbers, is printed before each: writers differ in both.

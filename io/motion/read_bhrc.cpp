@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // BHRC (Iran) V1: blocks for L, V and T, each a head of text to the line "UNITS ARE SECONDS AND G/10", a blank line, seven lines of
 // integers and seven of reals, the values in ten columns of 13, and "/&". The lines of numbers in the head are cut at column 70 in the

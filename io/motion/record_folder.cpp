@@ -12,7 +12,7 @@
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/motion_files.h"
+#include "io/motion/motion_files.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

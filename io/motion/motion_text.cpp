@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/motion_text.h"
+#include "io/motion/motion_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 
 #include "cases/names.h"
 #include "io/files/errors.h"
-#include "io/read_motion.h"
+#include "io/motion/read_motion.h"
 
 namespace voussoir::io {
 

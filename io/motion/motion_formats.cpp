@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "io/files/errors.h"
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // Which reader a file goes to, and which of a file's components is meant.
 namespace voussoir::io {

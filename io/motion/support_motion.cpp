@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/support_motion.h"
+#include "io/motion/support_motion.h"
 
 #include <array>
 #include <filesystem>

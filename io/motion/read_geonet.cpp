@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // GeoNet (New Zealand) V2A, one block a component: 16 lines of text, 10 of numbers, then acceleration (mm/s2), velocity and displacement,
 // n values each in ten columns of 8, glued where they are large. Peak times in the heads of real files differ from index times step.

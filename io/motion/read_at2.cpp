@@ -9,8 +9,8 @@
 
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // The header has four lines in every form of the format: database, event, quantity and unit, number of values and step. The forms differ in
 // line 4, which is read here token by token:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 // CDMG/CSMIP V2 (corrected), one block a channel: a head of text and numbers, then acceleration, velocity and displacement, each behind a
 // line "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC. (UNITS: CM/SEC/SEC)", and "/&". The head is read by its words: nothing in it

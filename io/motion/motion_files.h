@@ -9,7 +9,7 @@
 
 #include "cases/case.h"
 #include "cases/motion.h"
-#include "io/read_motion.h"
+#include "io/motion/read_motion.h"
 
 /// From what a case says of its ground motion to the motion itself.
 namespace voussoir::io {

@@ -9,8 +9,8 @@
 #include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/motion_text.h"
-#include "io/read_motion.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
 
 namespace voussoir::io {
 namespace {
