@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/files/errors.h"
-#include "io/joint_openings.h"
+#include "io/replay/joint_openings.h"
 
 namespace voussoir::io {
 

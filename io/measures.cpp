@@ -11,9 +11,9 @@
 #include "io/crack_extents.h"
 #include "io/damage_grade.h"
 #include "io/files/hdf5_file.h"
-#include "io/frame_reader.h"
 #include "io/free_volume.h"
-#include "io/placed_elements.h"
+#include "io/replay/frame_reader.h"
+#include "io/replay/placed_elements.h"
 #include "io/wall_drift.h"
 #include "solver/collapse.h"
 

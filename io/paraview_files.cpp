@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "geometry/vec3.h"
-#include "io/cells.h"
 #include "io/files/errors.h"
 #include "io/files/run_folder.h"
-#include "io/frame_reader.h"
+#include "io/replay/cells.h"
+#include "io/replay/frame_reader.h"
 #include "io/results_parts.h"
 
 namespace voussoir::io {

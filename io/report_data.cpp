@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "io/case_file.h"
-#include "io/covered_faces.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"
-#include "io/frame_reader.h"
 #include "io/measures_file.h"
 #include "io/motion/motion_files.h"
-#include "io/opened_faces.h"
+#include "io/replay/covered_faces.h"
+#include "io/replay/frame_reader.h"
+#include "io/replay/opened_faces.h"
 #include "io/report_frames.h"
 #include "io/report_page.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/files/packed_text.h"
-#include "io/frame_reader.h"
+#include "io/replay/frame_reader.h"
 
 namespace voussoir::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "io/cells.h"
+#include "io/replay/cells.h"
 
 namespace voussoir::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/building.h"
-#include "io/placed_elements.h"
+#include "io/replay/placed_elements.h"
 
 namespace voussoir::io {
 

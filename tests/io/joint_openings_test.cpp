@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/joint_openings.h"
+#include "io/replay/joint_openings.h"
 
 #include "io/files/hdf5_file.h"
 #include "tests/io/results_fixture.h"

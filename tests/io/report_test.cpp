@@ -6,11 +6,11 @@
 #include <cstring>
 #include <limits>
 
-#include "io/covered_faces.h"
 #include "io/files/errors.h"
 #include "io/files/packed_text.h"
 #include "io/files/text_file.h"
-#include "io/opened_faces.h"
+#include "io/replay/covered_faces.h"
+#include "io/replay/opened_faces.h"
 #include "io/report_command.h"
 #include "io/report_page.h"
 #include "tests/io/results_fixture.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/covered_faces.h"
+#include "io/replay/covered_faces.h"
 
 #include <cstddef>
 

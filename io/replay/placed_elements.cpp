@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/placed_elements.h"
+#include "io/replay/placed_elements.h"
 
 #include <algorithm>
 #include <limits>

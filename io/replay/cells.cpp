@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cells.h"
+#include "io/replay/cells.h"
 
 #include <array>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/frame_reader.h"
+#include "io/replay/frame_reader.h"
 
 #include <algorithm>
 #include <cmath>

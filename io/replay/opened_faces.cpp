@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/opened_faces.h"
+#include "io/replay/opened_faces.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
-#include "io/joint_openings.h"
+#include "io/replay/joint_openings.h"
 
 namespace voussoir::io {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "geometry/vec3.h"
 #include "io/files/hdf5_file.h"
-#include "io/frame_reader.h"
+#include "io/replay/frame_reader.h"
 
 namespace voussoir::io {
 
