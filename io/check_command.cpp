@@ -7,7 +7,7 @@
 
 #include "cases/census.h"
 #include "cases/names.h"
-#include "io/catalogue.h"
+#include "io/case_file/catalogue.h"
 #include "io/drawing.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"

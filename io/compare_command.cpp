@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/files/hdf5_file.h"
 
 namespace voussoir::io {

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "io/bench_command.h"
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/compare_command.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 
 namespace voussoir::io {
 

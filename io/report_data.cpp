@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "cases/names.h"
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/files/run_folder.h"
 #include "io/restored_run.h"
 #include "io/run_command.h"

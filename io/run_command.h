@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/checkpoints.h"
 #include "io/report_command.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 
 // The case file: any text is a case or a fault with a message (an `include` is looked for beside the process). A case that is taken writes

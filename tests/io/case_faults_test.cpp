@@ -6,7 +6,7 @@
 #include <fstream>
 #include <random>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 
 using namespace voussoir;

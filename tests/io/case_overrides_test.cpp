@@ -7,8 +7,8 @@
 #include <fstream>
 #include <set>
 
-#include "io/case_file.h"
-#include "io/catalogue.h"
+#include "io/case_file/case_file.h"
+#include "io/case_file/catalogue.h"
 #include "io/files/errors.h"
 
 using namespace voussoir;

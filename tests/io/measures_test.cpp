@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/damage_grade.h"
 #include "io/measures_file.h"
 #include "solver/collapse.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/motion/motion_files.h"
 #include "kernels/integrate.h"
 #include "solver/contact_forces.h"

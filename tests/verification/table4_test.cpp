@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cases/census.h"
-#include "io/case_file.h"
-#include "io/catalogue.h"
+#include "io/case_file/case_file.h"
+#include "io/case_file/catalogue.h"
 #include "solver/modes.h"
 #include "solver/setup.h"
 #include "tests/verification/fixture.h"

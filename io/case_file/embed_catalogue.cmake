@@ -11,7 +11,7 @@ foreach(name IN LISTS names)
   string(APPEND entries "      {\"${name}\", R\"${delimiter}(${text})${delimiter}\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Generated from cases/catalogue; do not edit.
-#include \"io/built_in_cases.h\"
+#include \"io/case_file/built_in_cases.h\"
 
 namespace voussoir::io {
 

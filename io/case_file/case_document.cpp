@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/case_document.h"
+#include "io/case_file/case_document.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
-#include "io/catalogue.h"
+#include "io/case_file/catalogue.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"

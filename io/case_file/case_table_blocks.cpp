@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
-#include "io/case_tables.h"
+#include "io/case_file/case_tables.h"
 #include "io/document/history_name.h"
 
 namespace voussoir::io {

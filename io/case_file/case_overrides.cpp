@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/document/case_tree.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/case_tables.h"
+#include "io/case_file/case_tables.h"
 
 namespace voussoir::io {
 namespace {

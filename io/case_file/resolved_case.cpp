@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
-#include "io/case_file.h"
-#include "io/case_tables.h"
+#include "io/case_file/case_file.h"
+#include "io/case_file/case_tables.h"
 #include "io/document/case_tree.h"
 #include "io/motion/motion_files.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 #include "io/document/case_tree.h"
 
 /// From a name to one document: finds the text of a case, and lays it over what it includes.

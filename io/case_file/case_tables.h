@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cases/case.h"
-#include "io/case_keys.h"
+#include "io/case_file/case_keys.h"
 
 /// The option tables of the case file; `case_table` is the root and holds the others.
 namespace voussoir::io {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/case_file.h"
+#include "io/case_file/case_file.h"
 
-#include "io/case_document.h"
-#include "io/case_tables.h"
+#include "io/case_file/case_document.h"
+#include "io/case_file/case_tables.h"
 #include "io/files/errors.h"
 
 namespace voussoir::io {

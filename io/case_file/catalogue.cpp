@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/catalogue.h"
+#include "io/case_file/catalogue.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <map>
 
-#include "io/built_in_cases.h"
+#include "io/case_file/built_in_cases.h"
 #include "io/document/case_tree.h"
 #include "io/files/errors.h"
 
