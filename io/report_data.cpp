@@ -16,7 +16,7 @@
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"
-#include "io/measures_file.h"
+#include "io/measures/measures_file.h"
 #include "io/motion/motion_files.h"
 #include "io/replay/covered_faces.h"
 #include "io/replay/frame_reader.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "io/files/errors.h"
-#include "io/measures_file.h"
+#include "io/measures/measures_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/measures.h"
+#include "io/measures/measures.h"
 #include "io/provenance.h"
 #include "io/results_model.h"
 #include "io/results_parts.h"

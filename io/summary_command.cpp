@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/hdf5_file.h"
-#include "io/measures_file.h"
+#include "io/measures/measures_file.h"
 #include "io/run_command.h"
 
 namespace voussoir::io {

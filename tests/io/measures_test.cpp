@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/measures.h"
+#include "io/measures/measures.h"
 
 #include <cmath>
 #include <functional>
 
 #include "io/case_file/case_file.h"
-#include "io/damage_grade.h"
-#include "io/measures_file.h"
+#include "io/measures/damage_grade.h"
+#include "io/measures/measures_file.h"
 #include "solver/collapse.h"
 #include "tests/io/results_fixture.h"
 

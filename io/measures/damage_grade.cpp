@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/damage_grade.h"
+#include "io/measures/damage_grade.h"
 
 #include <algorithm>
 

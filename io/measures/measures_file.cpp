@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/measures_file.h"
+#include "io/measures/measures_file.h"
 
 #include <map>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "io/building.h"
+#include "io/measures/building.h"
 #include "io/replay/placed_elements.h"
 
 namespace voussoir::io {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/building.h"
+#include "io/measures/building.h"
 #include "io/replay/placed_elements.h"
 
 namespace voussoir::io {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/building.h"
+#include "io/measures/building.h"
 #include "io/replay/placed_elements.h"
 
 namespace voussoir::io {

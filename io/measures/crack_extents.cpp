@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/crack_extents.h"
+#include "io/measures/crack_extents.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/measures.h"
+#include "io/measures/measures.h"
 
 /// How measures are called, wherever they stand: in run.h5, in `voussoir summary`, on the report page.
 namespace voussoir::io {

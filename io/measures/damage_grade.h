@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "io/crack_extents.h"
+#include "io/measures/crack_extents.h"
 
 /// Damage grades of the European Macroseismic Scale (EMS-98) for masonry buildings, read from quantities. The scale is written for people
 /// who look at a building from outside; what its words mean here, and why, stands in io/MEASURES.md.

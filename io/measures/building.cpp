@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/building.h"
+#include "io/measures/building.h"
 
 #include <algorithm>
 #include <array>

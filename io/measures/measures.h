@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/debris.h"
+#include "io/measures/debris.h"
 
 /// Measures of a collapse, from what a run has recorded: its model, its cracks and its frames. The one place for the summary of a run, the
 /// report page and studies; definitions and limits: io/MEASURES.md. What "fallen" and "collapsed" mean stands in solver/collapse.h.

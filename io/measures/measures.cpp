@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/measures.h"
+#include "io/measures/measures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "io/building.h"
-#include "io/crack_extents.h"
-#include "io/damage_grade.h"
 #include "io/files/hdf5_file.h"
-#include "io/free_volume.h"
+#include "io/measures/building.h"
+#include "io/measures/crack_extents.h"
+#include "io/measures/damage_grade.h"
+#include "io/measures/free_volume.h"
+#include "io/measures/wall_drift.h"
 #include "io/replay/frame_reader.h"
 #include "io/replay/placed_elements.h"
-#include "io/wall_drift.h"
 #include "solver/collapse.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/wall_drift.h"
+#include "io/measures/wall_drift.h"
 
 #include <cmath>
 
