@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/case.h"
-#include "io/results.h"
+#include "io/results/results.h"
 #include "solver/run.h"
 #include "solver/step_work.h"
 

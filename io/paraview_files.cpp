@@ -15,7 +15,7 @@
 #include "io/files/run_folder.h"
 #include "io/replay/cells.h"
 #include "io/replay/frame_reader.h"
-#include "io/results_parts.h"
+#include "io/results/results_parts.h"
 
 namespace voussoir::io {
 namespace {

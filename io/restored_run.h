@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "io/checkpoint_file.h"
+#include "io/results/checkpoint_file.h"
 #include "solver/run.h"
 
 namespace voussoir::io {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "io/checkpoints.h"
 #include "io/report_command.h"
+#include "io/results/checkpoints.h"
 
 /// `voussoir resume`: goes on with a run that was stopped, killed, or is to last longer.
 namespace voussoir::io {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/checkpoints.h"
-#include "io/results.h"
+#include "io/results/checkpoints.h"
+#include "io/results/results.h"
 #include "solver/run.h"
 
 /// What a new run and a resumed one have in common: the time between "everything is ready" and the exit code.

@@ -8,8 +8,8 @@
 #include <random>
 #include <thread>
 
-#include "io/checkpoints.h"
 #include "io/compare_command.h"
+#include "io/results/checkpoints.h"
 #include "io/session.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/row_hash.h"

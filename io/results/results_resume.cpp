@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "io/files/errors.h"
-#include "io/results_parts.h"
+#include "io/results/results_parts.h"
 
 /// Going on with the results of an earlier run: which parts stay, and up to which row.
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/results_parts.h"
+#include "io/results/results_parts.h"
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/checkpoint_file.h"
+#include "io/results/checkpoint_file.h"
 
 #include <algorithm>
 #include <array>

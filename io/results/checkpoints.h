@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/checkpoint_file.h"
+#include "io/results/checkpoint_file.h"
 #include "solver/run.h"
 
 /// The checkpoints of a run: DIR/checkpoint-NNNNNN.h5, the newest two that are whole kept.

@@ -12,9 +12,9 @@
 
 #include "cases/model.h"
 #include "io/measures/measures.h"
-#include "io/provenance.h"
-#include "io/results_model.h"
-#include "io/results_parts.h"
+#include "io/results/provenance.h"
+#include "io/results/results_model.h"
+#include "io/results/results_parts.h"
 #include "solver/recorder.h"
 
 /// Results of a run: `DIR/run.h5`, readable by any HDF5 reader at every moment of the run and after a kill.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results_schema.h"
+#include "io/results/results_schema.h"
 
 /// Rows on disk: the files parts/NNNN.h5, each complete in itself, written once and never opened for writing again.
 namespace voussoir::io {

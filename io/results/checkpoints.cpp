@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/checkpoints.h"
+#include "io/results/checkpoints.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/provenance.h"
+#include "io/results/provenance.h"
 
 #include <array>
 #include <ctime>
