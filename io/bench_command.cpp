@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "cases/census.h"
-#include "io/bench_rows.h"
-#include "io/bench_stages.h"
-#include "io/bench_table.h"
-#include "io/bench_timing.h"
+#include "io/bench/bench_rows.h"
+#include "io/bench/bench_stages.h"
+#include "io/bench/bench_table.h"
+#include "io/bench/bench_timing.h"
 #include "io/files/errors.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"

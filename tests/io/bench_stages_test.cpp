@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/bench_stages.h"
+#include "io/bench/bench_stages.h"
 
 #include <doctest/doctest.h>
 #include <omp.h>
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/bench_rows.h"
-#include "io/bench_table.h"
+#include "io/bench/bench_rows.h"
+#include "io/bench/bench_table.h"
 #include "io/files/errors.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/small_wall.h"

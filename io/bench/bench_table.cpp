@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/bench_table.h"
+#include "io/bench/bench_table.h"
 
 #include <algorithm>
 #include <cstdio>

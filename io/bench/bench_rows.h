@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cases/census.h"
-#include "io/bench_stages.h"
-#include "io/bench_table.h"
-#include "io/bench_timing.h"
+#include "io/bench/bench_stages.h"
+#include "io/bench/bench_table.h"
+#include "io/bench/bench_timing.h"
 
 /// The tables of `voussoir bench`.
 namespace voussoir::io {
