@@ -8,11 +8,11 @@
 #include "cases/census.h"
 #include "cases/names.h"
 #include "io/case_file/catalogue.h"
-#include "io/drawing.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
 #include "io/progress.h"
+#include "io/report/drawing.h"
 #include "io/run_command.h"
 #include "solver/setup.h"
 

@@ -7,8 +7,8 @@
 
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/paraview_files.h"
-#include "io/report_data.h"
+#include "io/report/paraview_files.h"
+#include "io/report/report_data.h"
 #include "io/run_command.h"
 
 namespace voussoir::io {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/stills.h"
+#include "io/report/stills.h"
 
 /// What people look at after a run: the report page, pictures of it, files for ParaView.
 namespace voussoir::io {

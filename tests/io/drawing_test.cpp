@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/drawing.h"
+#include "io/report/drawing.h"
 
 #include <doctest/doctest.h>
 
-#include "io/vtu_file.h"
+#include "io/report/vtu_file.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/paraview_files.h"
+#include "io/report/paraview_files.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -11,8 +11,8 @@
 #include "io/files/text_file.h"
 #include "io/replay/covered_faces.h"
 #include "io/replay/opened_faces.h"
+#include "io/report/report_page.h"
 #include "io/report_command.h"
-#include "io/report_page.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

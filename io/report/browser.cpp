@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/browser.h"
+#include "io/report/browser.h"
 
 #include <fcntl.h>
 #include <poll.h>

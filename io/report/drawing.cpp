@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/drawing.h"
+#include "io/report/drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "io/svg.h"
+#include "io/report/svg.h"
 
 namespace voussoir::io {
 namespace {

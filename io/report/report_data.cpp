@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/report_data.h"
+#include "io/report/report_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@
 #include "io/replay/covered_faces.h"
 #include "io/replay/frame_reader.h"
 #include "io/replay/opened_faces.h"
-#include "io/report_frames.h"
-#include "io/report_page.h"
+#include "io/report/report_frames.h"
+#include "io/report/report_page.h"
 
 namespace voussoir::io {
 namespace {

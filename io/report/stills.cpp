@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/stills.h"
+#include "io/report/stills.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -9,13 +9,13 @@
 
 #include "cases/case.h"
 #include "cases/names.h"
-#include "io/browser.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"
 #include "io/files/run_folder.h"
 #include "io/files/scratch_folder.h"
-#include "io/report_data.h"
+#include "io/report/browser.h"
+#include "io/report/report_data.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@ string(SUBSTRING "${text}" 0 ${at} head)
 math(EXPR behind "${at} + ${length}")
 string(SUBSTRING "${text}" ${behind} -1 tail)
 file(WRITE "${OUTPUT}" "// Generated from scripts/report; do not edit.
-#include \"io/report_page.h\"
+#include \"io/report/report_page.h\"
 
 namespace voussoir::io {
 

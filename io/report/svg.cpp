@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/svg.h"
+#include "io/report/svg.h"
 
 #include <array>
 #include <cstdio>
