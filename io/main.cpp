@@ -9,22 +9,22 @@
 #include <filesystem>
 #include <functional>
 
-#include "io/bench_command.h"
 #include "io/case_file/case_file.h"
-#include "io/compare_command.h"
+#include "io/commands/bench_command.h"
+#include "io/commands/compare_command.h"
+#include "io/commands/modes_command.h"
+#include "io/commands/motion_command.h"
+#include "io/commands/report_command.h"
+#include "io/commands/resume_command.h"
+#include "io/commands/run_command.h"
+#include "io/commands/summary_command.h"
+#include "io/commands/verify_command.h"
+#include "io/commands/waiting_threads.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
-#include "io/modes_command.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_keys.h"
-#include "io/motion_command.h"
-#include "io/report_command.h"
 #include "io/results/provenance.h"
-#include "io/resume_command.h"
-#include "io/run_command.h"
-#include "io/summary_command.h"
-#include "io/verify_command.h"
-#include "io/waiting_threads.h"
 #include "solver/errors.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "io/compare_command.h"
+#include "io/commands/compare_command.h"
 #include "io/results/checkpoints.h"
 #include "tests/io/temp_folder.h"
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <thread>
 
-#include "io/compare_command.h"
+#include "io/commands/compare_command.h"
+#include "io/commands/session.h"
 #include "io/results/checkpoints.h"
-#include "io/session.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/motion_command.h"
+#include "io/commands/motion_command.h"
 
 #include <doctest/doctest.h>
 

@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "cases/case.h"
+#include "io/commands/motion_command.h"
 #include "io/motion/motion_files.h"
-#include "io/motion_command.h"
 #include "tests/io/motion_fixture.h"
 
 using namespace motion_fixture;

@@ -6,13 +6,13 @@
 #include <cstring>
 #include <limits>
 
+#include "io/commands/report_command.h"
 #include "io/files/errors.h"
 #include "io/files/packed_text.h"
 #include "io/files/text_file.h"
 #include "io/replay/covered_faces.h"
 #include "io/replay/opened_faces.h"
 #include "io/report/report_page.h"
-#include "io/report_command.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/verify_command.h"
+#include "io/commands/verify_command.h"
 
 #include <omp.h>
 
@@ -10,11 +10,11 @@
 #include <memory>
 #include <set>
 
+#include "io/commands/progress.h"
+#include "io/commands/session.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "io/progress.h"
-#include "io/session.h"
 #include "solver/errors.h"
 
 namespace voussoir::io {

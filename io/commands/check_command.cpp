@@ -8,12 +8,12 @@
 #include "cases/census.h"
 #include "cases/names.h"
 #include "io/case_file/catalogue.h"
+#include "io/commands/progress.h"
+#include "io/commands/run_command.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "io/progress.h"
 #include "io/report/drawing.h"
-#include "io/run_command.h"
 #include "solver/setup.h"
 
 namespace voussoir::io {

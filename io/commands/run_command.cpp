@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run_command.h"
+#include "io/commands/run_command.h"
 
 #include <omp.h>
 
+#include "io/commands/session.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "io/session.h"
 
 namespace voussoir::io {
 

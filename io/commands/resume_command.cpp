@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/resume_command.h"
+#include "io/commands/resume_command.h"
 
 #include <omp.h>
 
@@ -11,10 +11,10 @@
 
 #include "cases/names.h"
 #include "io/case_file/case_file.h"
+#include "io/commands/restored_run.h"
+#include "io/commands/run_command.h"
+#include "io/commands/session.h"
 #include "io/files/run_folder.h"
-#include "io/restored_run.h"
-#include "io/run_command.h"
-#include "io/session.h"
 
 namespace voussoir::io {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/summary_command.h"
+#include "io/commands/summary_command.h"
 
 #include <array>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/commands/run_command.h"
 #include "io/files/hdf5_file.h"
 #include "io/measures/measures_file.h"
-#include "io/run_command.h"
 
 namespace voussoir::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/compare_command.h"
+#include "io/commands/compare_command.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/case_file/case_file.h"
-#include "io/report_command.h"
+#include "io/commands/report_command.h"
 #include "io/results/checkpoints.h"
 
 /// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/bench_command.h"
+#include "io/commands/bench_command.h"
 
 #include <omp.h>
 
@@ -17,15 +17,15 @@
 #include "io/bench/bench_stages.h"
 #include "io/bench/bench_table.h"
 #include "io/bench/bench_timing.h"
+#include "io/commands/progress.h"
+#include "io/commands/restored_run.h"
+#include "io/commands/run_command.h"
+#include "io/commands/session.h"
+#include "io/commands/waiting_threads.h"
 #include "io/files/errors.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "io/progress.h"
-#include "io/restored_run.h"
-#include "io/run_command.h"
-#include "io/session.h"
-#include "io/waiting_threads.h"
 #include "solver/machine.h"
 #include "solver/memory.h"
 #include "solver/simulation.h"

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/session.h"
+#include "io/commands/session.h"
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 
+#include "io/commands/progress.h"
+#include "io/commands/run_command.h"
 #include "io/files/errors.h"
-#include "io/progress.h"
-#include "io/run_command.h"
 #include "solver/errors.h"
 
 namespace voussoir::io {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/report_command.h"
+#include "io/commands/report_command.h"
 
 #include <cstdio>
 #include <filesystem>
 
+#include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/report/paraview_files.h"
 #include "io/report/report_data.h"
-#include "io/run_command.h"
 
 namespace voussoir::io {
 namespace {

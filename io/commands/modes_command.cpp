@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/modes_command.h"
+#include "io/commands/modes_command.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 
+#include "io/commands/progress.h"
+#include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/support_motion.h"
-#include "io/progress.h"
 #include "io/report/vtu_file.h"
-#include "io/run_command.h"
 #include "solver/impulse.h"
 #include "solver/modes.h"
 #include "solver/setup.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/restored_run.h"
+#include "io/commands/restored_run.h"
 
 #include <cstdio>
 
+#include "io/commands/session.h"
 #include "io/files/errors.h"
-#include "io/session.h"
 #include "solver/errors.h"
 
 namespace voussoir::io {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "io/run_command.h"
+#include "io/commands/run_command.h"
 
 /// `voussoir run CASE --verify`: the promise of equal bits, tried on the user's own case and machine in about a minute. Writes no results.
 namespace voussoir::io {
