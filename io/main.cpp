@@ -25,7 +25,7 @@
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_keys.h"
 #include "io/results/provenance.h"
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernels/moves.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// The lists that a search leaves: which patches have candidates, a slot for each pair, and who gathers from which slots.
 namespace voussoir::solver {

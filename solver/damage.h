@@ -6,7 +6,7 @@
 
 #include "solver/joint_forces.h"
 #include "solver/recorder.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// Bookkeeping of broken and slipped segments, in segment sides (a merged spring counts two).
 namespace voussoir::solver {

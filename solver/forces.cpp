@@ -4,7 +4,7 @@
 
 #include <omp.h>
 
-#include "solver/twists.h"
+#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 

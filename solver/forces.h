@@ -6,7 +6,7 @@
 
 #include "solver/contact_forces.h"
 #include "solver/joint_forces.h"
-#include "solver/stages.h"
+#include "solver/world/stages.h"
 
 /// Stage 3 of the step: the forces of joints and contacts on the elements' rows.
 namespace voussoir::solver {

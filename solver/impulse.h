@@ -9,7 +9,7 @@
 
 #include "cases/case.h"
 #include "cases/model.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// Natural frequencies as the paper finds them (section 3.5): an impulse, free undamped vibration, a Fourier transform.
 namespace voussoir::solver {

@@ -10,7 +10,7 @@
 
 #include "kernels/fetch.h"
 #include "solver/quick_blocks.h"
-#include "solver/twists.h"
+#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "solver/joint_tasks.h"
-#include "solver/stages.h"
-#include "solver/world.h"
+#include "solver/world/stages.h"
+#include "solver/world/world.h"
 
 /// Stage 3 of the step: forces of all joints.
 namespace voussoir::solver {

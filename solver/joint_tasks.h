@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "solver/array.h"
 #include "solver/task_shares.h"
-#include "solver/world.h"
+#include "solver/world/array.h"
+#include "solver/world/world.h"
 
 namespace voussoir::solver {
 

@@ -7,7 +7,7 @@
 
 #include "solver/joint_forces.h"
 #include "solver/recorder.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// The energy ledger. Kinetic energy is Σ ½ m v₋·v₊ (likewise in rotation): with the elastic energy at whole steps it is the invariant of
 /// the scheme. Works and losses follow the trapezoid rule of the same scheme, so that a closed ledger means consistent forces, arms and

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "kernels/lanes.h"
-#include "solver/array.h"
+#include "solver/world/array.h"
 
 namespace voussoir::solver {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// What the step keeps in memory, by what it belongs to.
 namespace voussoir::solver {

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <string>
 
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::solver {
 

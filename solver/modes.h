@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// Natural modes of the undamaged structure: K φ = ω² M φ, with the springs of all bonded segments about the reference configuration.
 /// Gravity and contact are left out; so are joints without a bond.

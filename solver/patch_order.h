@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 namespace voussoir::solver {
 

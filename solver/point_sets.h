@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "geometry/assembly.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 namespace voussoir::solver {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernels/quick_bits.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 namespace voussoir::solver {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "solver/collapse.h"
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::solver {
 

@@ -11,11 +11,11 @@
 
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
-#include "solver/errors.h"
 #include "solver/hash.h"
 #include "solver/run.h"
 #include "solver/setup.h"
-#include "solver/twists.h"
+#include "solver/world/errors.h"
+#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cases/case.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// From the model to the arrays of the step.
 namespace voussoir::solver {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "solver/setup.h"
-#include "solver/twists.h"
+#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/side.h"
-#include "solver/array.h"
+#include "solver/world/array.h"
 
 /// Congruent sides share their constants. A building has thousands of joints and a few dozen kinds of them: what the kernels read of a
 /// joint is then its two elements and a block of numbers that is already in the cache.

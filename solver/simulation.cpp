@@ -14,8 +14,8 @@
 #include "kernels/fetch.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
-#include "solver/errors.h"
 #include "solver/setup.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::solver {
 

@@ -14,8 +14,8 @@
 #include "solver/forces.h"
 #include "solver/ledger.h"
 #include "solver/recorder.h"
-#include "solver/stages.h"
-#include "solver/world.h"
+#include "solver/world/stages.h"
+#include "solver/world/world.h"
 
 /// One run: the world, its clock, and the step.
 namespace voussoir::solver {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// What a step has to do at least, to measure its time against what the machine can do (machine.h).
 namespace voussoir::solver {

@@ -6,7 +6,7 @@
 
 #include "io/commands/session.h"
 #include "io/files/errors.h"
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::io {
 

@@ -10,7 +10,7 @@
 #include "io/commands/progress.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::io {
 

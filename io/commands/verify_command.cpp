@@ -15,7 +15,7 @@
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "solver/errors.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::io {
 

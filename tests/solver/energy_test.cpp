@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "solver/errors.h"
 #include "solver/run.h"
 #include "solver/setup.h"
 #include "solver/simulation.h"
+#include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 

@@ -9,9 +9,9 @@
 #include <random>
 #include <set>
 
-#include "solver/errors.h"
 #include "solver/run.h"
 #include "solver/saved_state.h"
+#include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "solver/decomposition.h"
-#include "solver/errors.h"
 #include "solver/setup.h"
 #include "solver/simulation.h"
+#include "solver/world/errors.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

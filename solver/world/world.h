@@ -13,7 +13,7 @@
 #include "kernels/law.h"
 #include "kernels/side.h"
 #include "kernels/whole_sides.h"
-#include "solver/array.h"
+#include "solver/world/array.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
 /// by setup.h, or rebuilt from the state (candidates, the grid).
@@ -50,7 +50,7 @@ struct Elements {
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Rows, see kernels/rows.h; those of twists are kept of watched bunches alone (solver/twists.h).
+  // Rows, see kernels/rows.h; those of twists are kept of watched bunches alone (solver/world/twists.h).
   Array<double> pose, twist, wrench, dashpot;
   std::vector<std::uint8_t> watched;  // by bunch
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "kernels/rows.h"
-#include "solver/world.h"
+#include "solver/world/world.h"
 
 /// Rows of twists hold the velocities of the state once more, for those who look at both at a time. Joints that are whole do not, so the
 /// drift keeps only the rows of bunches that are watched. Who looks at an element that is not makes its row, and has it watched.
