@@ -8,7 +8,7 @@
 #include "kernels/moves.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
-#include "solver/patch_order.h"
+#include "solver/setup/patch_order.h"
 
 namespace voussoir::solver {
 

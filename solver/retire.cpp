@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::solver {
 

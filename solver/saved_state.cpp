@@ -13,7 +13,7 @@
 #include "solver/contact_lists.h"
 #include "solver/hash.h"
 #include "solver/run.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 #include "solver/world/twists.h"
 

@@ -14,7 +14,7 @@
 #include "kernels/fetch.h"
 #include "solver/contact_forces.h"
 #include "solver/contact_lists.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {

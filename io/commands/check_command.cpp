@@ -14,7 +14,7 @@
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
 #include "io/report/drawing.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::io {
 

@@ -15,7 +15,7 @@
 #include "io/report/vtu_file.h"
 #include "solver/impulse.h"
 #include "solver/modes.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::io {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "solver/run.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "solver/simulation.h"
 #include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/impulse.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

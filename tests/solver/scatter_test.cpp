@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

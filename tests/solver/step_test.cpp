@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/decomposition.h"
-#include "solver/setup.h"
+#include "solver/setup/decomposition.h"
+#include "solver/setup/setup.h"
 #include "solver/simulation.h"
 #include "solver/world/errors.h"
 #include "tests/solver/small_wall.h"

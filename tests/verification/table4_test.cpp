@@ -9,7 +9,7 @@
 #include "io/case_file/case_file.h"
 #include "io/case_file/catalogue.h"
 #include "solver/modes.h"
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "tests/verification/fixture.h"
 
 using namespace voussoir;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/decomposition.h"
+#include "solver/setup/decomposition.h"
 
 #include <algorithm>
 #include <bit>

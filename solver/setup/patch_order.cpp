@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/patch_order.h"
+#include "solver/setup/patch_order.h"
 
 #include <algorithm>
 #include <numeric>

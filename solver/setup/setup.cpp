@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string>
 
 #include "cases/census.h"
-#include "solver/patch_order.h"
-#include "solver/point_sets.h"
+#include "solver/setup/patch_order.h"
+#include "solver/setup/point_sets.h"
 
 namespace voussoir::solver {
 

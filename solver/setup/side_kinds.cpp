@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/side_kinds.h"
+#include "solver/setup/side_kinds.h"
 
 #include <bit>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 
 // Contact dashpots with h = 1 would need a step well under Eq. 19, because their velocities lag by half a step. They are taken
 // semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of

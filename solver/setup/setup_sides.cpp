@@ -6,10 +6,10 @@
 #include <span>
 #include <string>
 
-#include "solver/decomposition.h"
-#include "solver/point_sets.h"
-#include "solver/setup.h"
-#include "solver/side_kinds.h"
+#include "solver/setup/decomposition.h"
+#include "solver/setup/point_sets.h"
+#include "solver/setup/setup.h"
+#include "solver/setup/side_kinds.h"
 
 namespace voussoir::solver {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "solver/setup.h"
+#include "solver/setup/setup.h"
 #include "solver/world/twists.h"
 
 namespace voussoir::solver {

@@ -27,7 +27,7 @@ struct Decomposition {
 /// Edge of the cells [m]: long enough for nearly all sides, and for tasks of a useful size. \param far  see World::far
 double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool far);
 
-/// Within a task, sides of one kind come together (solver/side_kinds.h).
+/// Within a task, sides of one kind come together (solver/setup/side_kinds.h).
 /// \param kinds  by side
 /// \param far  see World::far: in a task first as many of each kind as fill blocks, then what is left of all. So there are fewer kinds of
 /// blocks, and their constants take less of the caches
