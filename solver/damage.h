@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/joint_forces.h"
+#include "solver/joints/joint_forces.h"
 #include "solver/recorder.h"
 #include "solver/world/world.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/contact_forces.h"
-#include "solver/joint_forces.h"
+#include "solver/joints/joint_forces.h"
 #include "solver/world/stages.h"
 
 /// Stage 3 of the step: the forces of joints and contacts on the elements' rows.

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "solver/quick_blocks.h"
+#include "solver/joints/quick_blocks.h"
 
 namespace voussoir::solver {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/joint_tasks.h"
+#include "solver/joints/joint_tasks.h"
 
 #include <doctest/doctest.h>
 #include <omp.h>

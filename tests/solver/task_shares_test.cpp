@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/task_shares.h"
+#include "solver/joints/task_shares.h"
 
 #include <doctest/doctest.h>
 #include <omp.h>

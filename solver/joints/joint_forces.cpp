@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/joint_forces.h"
+#include "solver/joints/joint_forces.h"
 
 #include <omp.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "kernels/fetch.h"
-#include "solver/quick_blocks.h"
+#include "solver/joints/quick_blocks.h"
 #include "solver/world/twists.h"
 
 namespace voussoir::solver {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/share_borders.h"
+#include "solver/joints/share_borders.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/share_borders.h"
+#include "solver/joints/share_borders.h"
 
 namespace voussoir::solver {
 

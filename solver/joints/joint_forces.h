@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/joint_tasks.h"
+#include "solver/joints/joint_tasks.h"
 #include "solver/world/stages.h"
 #include "solver/world/world.h"
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "solver/task_shares.h"
+#include "solver/joints/task_shares.h"
 #include "solver/world/array.h"
 #include "solver/world/world.h"
 
