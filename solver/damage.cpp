@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/damage.h"
 
-#include "solver/contact_forces.h"
+#include "solver/contact/contact_forces.h"
 
 namespace voussoir::solver {
 

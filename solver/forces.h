@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/contact_forces.h"
+#include "solver/contact/contact_forces.h"
 #include "solver/joints/joint_forces.h"
 #include "solver/world/stages.h"
 

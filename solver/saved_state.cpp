@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
 #include "solver/hash.h"
 #include "solver/run.h"
 #include "solver/setup/setup.h"

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "kernels/fetch.h"
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
 #include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
 #include "solver/field_table.h"
 #include "solver/simulation.h"
 #include "tests/solver/small_wall.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "solver/contact_forces.h"
+#include "solver/contact/contact_forces.h"
 #include "solver/run.h"
 #include "solver/saved_state.h"
 #include "tests/solver/small_wall.h"

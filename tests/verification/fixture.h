@@ -16,8 +16,8 @@
 #include "io/case_file/case_file.h"
 #include "io/motion/motion_files.h"
 #include "kernels/integrate.h"
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
 #include "solver/simulation.h"
 #include "tests/verification/manual.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/contact_forces.h"
+#include "solver/contact/contact_forces.h"
 
 #include <omp.h>
 

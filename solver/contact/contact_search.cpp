@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "kernels/moves.h"
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
 #include "solver/setup/patch_order.h"
 
 namespace voussoir::solver {
