@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "solver/hash.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 
 namespace voussoir::solver {
 

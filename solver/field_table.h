@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 
 /// The one list of everything that makes up the state of a run. Whoever writes, reads, copies, compares or hashes a state walks it; a field
 /// that is not in the table does not exist.

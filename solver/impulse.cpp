@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "cases/motion.h"
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 
 namespace voussoir::solver {
 

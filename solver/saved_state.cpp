@@ -12,7 +12,7 @@
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/hash.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 #include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 #include "solver/world/twists.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 
 /// How long a step takes, on a machine that others use, too.
 namespace voussoir::io {

@@ -28,7 +28,7 @@
 #include "io/motion/support_motion.h"
 #include "solver/machine.h"
 #include "solver/memory.h"
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 #include "solver/step_work.h"
 
 namespace voussoir::io {

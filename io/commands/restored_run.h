@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/results/checkpoint_file.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 
 namespace voussoir::io {
 

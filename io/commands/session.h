@@ -7,7 +7,7 @@
 
 #include "io/results/checkpoints.h"
 #include "io/results/results.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 
 /// What a new run and a resumed one have in common: the time between "everything is ready" and the exit code.
 namespace voussoir::io {

@@ -15,7 +15,7 @@
 #include "io/measures/wall_drift.h"
 #include "io/replay/frame_reader.h"
 #include "io/replay/placed_elements.h"
-#include "solver/collapse.h"
+#include "solver/run/collapse.h"
 
 namespace voussoir::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/results/checkpoint_file.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 
 /// The checkpoints of a run: DIR/checkpoint-NNNNNN.h5, the newest two that are whole kept.
 namespace voussoir::io {

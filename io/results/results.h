@@ -15,7 +15,7 @@
 #include "io/results/provenance.h"
 #include "io/results/results_model.h"
 #include "io/results/results_parts.h"
-#include "solver/recorder.h"
+#include "solver/run/recorder.h"
 
 /// Results of a run: `DIR/run.h5`, readable by any HDF5 reader at every moment of the run and after a kill.
 ///

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -8,7 +8,7 @@
 #include "io/case_file/case_file.h"
 #include "io/measures/damage_grade.h"
 #include "io/measures/measures_file.h"
-#include "solver/collapse.h"
+#include "solver/run/collapse.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {

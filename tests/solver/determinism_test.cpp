@@ -10,7 +10,7 @@
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/field_table.h"
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

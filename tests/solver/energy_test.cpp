@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "solver/run.h"
+#include "solver/run/run.h"
+#include "solver/run/simulation.h"
 #include "solver/setup/setup.h"
-#include "solver/simulation.h"
 #include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"

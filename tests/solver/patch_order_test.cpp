@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "solver/contact/contact_forces.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 #include "solver/saved_state.h"
 #include "tests/solver/small_wall.h"
 

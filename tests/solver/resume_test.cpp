@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "solver/run.h"
+#include "solver/run/run.h"
 #include "solver/saved_state.h"
 #include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"

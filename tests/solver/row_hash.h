@@ -5,7 +5,7 @@
 #include <array>
 
 #include "solver/hash.h"
-#include "solver/recorder.h"
+#include "solver/run/recorder.h"
 
 namespace voussoir::testing {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "solver/run.h"
+#include "solver/run/run.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "solver/field_table.h"
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 #include "solver/step_work.h"
 #include "tests/solver/small_wall.h"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/run/simulation.h"
 #include "solver/setup/decomposition.h"
 #include "solver/setup/setup.h"
-#include "solver/simulation.h"
 #include "solver/world/errors.h"
 #include "tests/solver/small_wall.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "solver/field_table.h"
-#include "solver/run.h"
+#include "solver/run/run.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -18,7 +18,7 @@
 #include "kernels/integrate.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
-#include "solver/simulation.h"
+#include "solver/run/simulation.h"
 #include "tests/verification/manual.h"
 
 /// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/run.h"
+#include "solver/run/run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
-#include "solver/collapse.h"
+#include "solver/run/collapse.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {

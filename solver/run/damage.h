@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/joints/joint_forces.h"
-#include "solver/recorder.h"
+#include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
 /// Bookkeeping of broken and slipped segments, in segment sides (a merged spring counts two).

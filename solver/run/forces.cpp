@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/forces.h"
+#include "solver/run/forces.h"
 
 #include <omp.h>
 

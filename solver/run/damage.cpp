@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/damage.h"
+#include "solver/run/damage.h"
 
 #include "solver/contact/contact_forces.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/ledger.h"
+#include "solver/run/ledger.h"
 
 #include <algorithm>
 #include <cmath>

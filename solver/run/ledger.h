@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/joints/joint_forces.h"
-#include "solver/recorder.h"
+#include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
 /// The energy ledger. Kinetic energy is Σ ½ m v₋·v₊ (likewise in rotation): with the elastic energy at whole steps it is the invariant of

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "solver/recorder.h"
-#include "solver/simulation.h"
+#include "solver/run/recorder.h"
+#include "solver/run/simulation.h"
 
 /// The run plan: settle, shake, and tell a Recorder at the intervals the case asks for.
 namespace voussoir::solver {
