@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "io/files/run_folder.h"
-#include "solver/hash.h"
+#include "solver/state/hash.h"
 
 namespace voussoir::io {
 namespace {

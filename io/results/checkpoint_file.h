@@ -11,7 +11,7 @@
 #include "cases/motion.h"
 #include "io/files/sealed_file.h"
 #include "io/results/results_schema.h"
-#include "solver/saved_state.h"
+#include "solver/state/saved_state.h"
 
 /// One checkpoint, one file: all that going on with a run needs. The files that the case was read from may be gone.
 ///

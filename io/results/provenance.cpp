@@ -8,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-#include "solver/saved_state.h"
+#include "solver/state/saved_state.h"
 
 #ifndef VOUSSOIR_VERSION
 #define VOUSSOIR_VERSION "unknown"

@@ -8,7 +8,7 @@
 
 #include "solver/contact/contact_forces.h"
 #include "solver/run/run.h"
-#include "solver/saved_state.h"
+#include "solver/state/saved_state.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -9,8 +9,8 @@
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
-#include "solver/field_table.h"
 #include "solver/run/simulation.h"
+#include "solver/state/field_table.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "solver/run/run.h"
-#include "solver/saved_state.h"
+#include "solver/state/saved_state.h"
 #include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"

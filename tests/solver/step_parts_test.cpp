@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "solver/field_table.h"
 #include "solver/run/simulation.h"
+#include "solver/state/field_table.h"
 #include "solver/step_work.h"
 #include "tests/solver/small_wall.h"
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "solver/field_table.h"
 #include "solver/run/run.h"
+#include "solver/state/field_table.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/field_table.h"
+#include "solver/state/field_table.h"
 
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
 
-#include "solver/hash.h"
 #include "solver/run/run.h"
+#include "solver/state/hash.h"
 
 namespace voussoir::solver {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/field_table.h"
+#include "solver/state/field_table.h"
 
 /// A state apart from the simulation it came from, and the way back.
 namespace voussoir::solver {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/saved_state.h"
+#include "solver/state/saved_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
-#include "solver/hash.h"
 #include "solver/run/run.h"
 #include "solver/setup/setup.h"
+#include "solver/state/hash.h"
 #include "solver/world/errors.h"
 #include "solver/world/twists.h"
 
