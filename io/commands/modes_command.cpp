@@ -13,8 +13,8 @@
 #include "io/files/text_file.h"
 #include "io/motion/support_motion.h"
 #include "io/report/vtu_file.h"
-#include "solver/impulse.h"
-#include "solver/modes.h"
+#include "solver/analysis/impulse.h"
+#include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::io {

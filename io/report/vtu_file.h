@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cases/model.h"
-#include "solver/modes.h"
+#include "solver/analysis/modes.h"
 
 namespace voussoir::io {
 

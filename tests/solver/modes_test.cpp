@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/modes.h"
+#include "solver/analysis/modes.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "solver/impulse.h"
+#include "solver/analysis/impulse.h"
 #include "solver/setup/setup.h"
 #include "tests/cases/paper_house.h"
 

@@ -8,7 +8,7 @@
 #include "cases/census.h"
 #include "io/case_file/case_file.h"
 #include "io/case_file/catalogue.h"
-#include "solver/modes.h"
+#include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 #include "tests/verification/fixture.h"
 

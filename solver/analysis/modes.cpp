@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/modes.h"
+#include "solver/analysis/modes.h"
 
 #include <Spectra/SymEigsShiftSolver.h>
 
