@@ -9,8 +9,8 @@
 
 #include "cases/case.h"
 #include "io/results/results.h"
+#include "solver/bench/step_work.h"
 #include "solver/run/run.h"
-#include "solver/step_work.h"
 
 /// Where the time of a step goes: a pass of its own, since looking at clocks costs some hundredths of a step.
 namespace voussoir::io {

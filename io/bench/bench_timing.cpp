@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "solver/machine.h"
+#include "solver/bench/machine.h"
 
 namespace voussoir::io {
 

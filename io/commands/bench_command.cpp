@@ -26,10 +26,10 @@
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
-#include "solver/machine.h"
-#include "solver/memory.h"
+#include "solver/bench/machine.h"
+#include "solver/bench/memory.h"
+#include "solver/bench/step_work.h"
 #include "solver/run/simulation.h"
-#include "solver/step_work.h"
 
 namespace voussoir::io {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/machine.h"
+#include "solver/bench/machine.h"
 
 #include <doctest/doctest.h>
 #include <omp.h>

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "solver/bench/step_work.h"
 #include "solver/run/simulation.h"
 #include "solver/state/field_table.h"
-#include "solver/step_work.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/step_work.h"
+#include "solver/bench/step_work.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/memory.h"
+#include "solver/bench/memory.h"
 
 namespace voussoir::solver {
 
