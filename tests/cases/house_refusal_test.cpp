@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/house.h"
+#include "cases/house/house.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

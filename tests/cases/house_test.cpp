@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house.h"
+#include "cases/house/house.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-#include "cases/house_wall.h"
+#include "cases/house/house_wall.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

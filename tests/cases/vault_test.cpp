@@ -9,8 +9,8 @@
 #include <set>
 
 #include "cases/census.h"
-#include "cases/house.h"
-#include "cases/house_vault.h"
+#include "cases/house/house.h"
+#include "cases/house/house_vault.h"
 #include "tests/cases/paper_house.h"
 #include "tests/cases/refused.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/house_plan.h"
+#include "cases/house/house_plan.h"
 #include "geometry/polygon.h"
 
 /// The barrel vault along x and the gables that end under it. Internal to cases/.

@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "cases/house_parts.h"
-#include "cases/house_vault.h"
-#include "cases/house_wall.h"
+#include "cases/house/house_parts.h"
+#include "cases/house/house_vault.h"
+#include "cases/house/house_wall.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

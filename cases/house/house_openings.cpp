@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house_openings.h"
+#include "cases/house/house_openings.h"
 
 #include <algorithm>
 #include <cmath>

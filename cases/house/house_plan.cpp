@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house_plan.h"
+#include "cases/house/house_plan.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cases/house_openings.h"
+#include "cases/house/house_openings.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house_vault.h"
+#include "cases/house/house_vault.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "cases/house_parts.h"
+#include "cases/house/house_parts.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

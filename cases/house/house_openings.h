@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/house_plan.h"
+#include "cases/house/house_plan.h"
 
 namespace voussoir::cases {
 

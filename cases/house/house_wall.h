@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cases/house_plan.h"
+#include "cases/house/house_plan.h"
 
 /// Bond: which bricks a course of a wall has. Internal to cases/.
 namespace voussoir::cases {

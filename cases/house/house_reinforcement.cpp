@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "cases/house_parts.h"
+#include "cases/house/house_parts.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house_wall.h"
+#include "cases/house/house_wall.h"
 
 #include <algorithm>
 #include <string>
 #include <tuple>
 
-#include "cases/house_parts.h"
+#include "cases/house/house_parts.h"
 
 namespace voussoir::cases {
 namespace {

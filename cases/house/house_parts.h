@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/house_plan.h"
+#include "cases/house/house_plan.h"
 #include "cases/model.h"
 
 /// What the rooms that build parts of a house add to. Internal to cases/.
