@@ -5,7 +5,7 @@
 #include "cases/case.h"
 #include "io/commands/motion_command.h"
 #include "io/motion/motion_files.h"
-#include "tests/io/motion_fixture.h"
+#include "tests/io/motion/motion_fixture.h"
 
 using namespace motion_fixture;
 using namespace voussoir;

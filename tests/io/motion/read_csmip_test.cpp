@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/io/motion_fixture.h"
+#include "tests/io/motion/motion_fixture.h"
 
 using namespace motion_fixture;
 using voussoir::io::read_csmip;
