@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases/joint_rules.h"
 
-#include "cases/house.h"
+#include "cases/house/house.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

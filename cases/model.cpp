@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cases/blocks.h"
-#include "cases/house.h"
+#include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/names.h"
 #include "cases/numbering.h"

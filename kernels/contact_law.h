@@ -7,14 +7,14 @@
 #include "geometry/vec3.h"
 #include "kernels/segment_law.h"
 
-/// The law of a contact (Eqs. 8-10, THEORY.md (17)-(19)) in global axes, for one point of two free bodies. `detail::contact_traction` is the
-/// same law in the frame of a joint.
+/// The law of a contact (Eqs. 8-10, THEORY.md (17)-(19)) in global axes, for one point of two free bodies. `detail::contact_traction` is
+/// the same law in the frame of a joint.
 namespace voussoir::kernels {
 
 struct ContactStep {
-  Vec3 spring;             // m, elongation of the shear spring at the end of the step
-  Vec3 before;             // m, and at its beginning, turned into the plane of today's contact
-  Vec3 elastic, dashpot;   // Pa or N, on the body that `normal` leads out of
+  Vec3 spring;            // m, elongation of the shear spring at the end of the step
+  Vec3 before;            // m, and at its beginning, turned into the plane of today's contact
+  Vec3 elastic, dashpot;  // Pa or N, on the body that `normal` leads out of
 };
 
 /// One step of a contact that is closed.

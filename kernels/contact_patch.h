@@ -17,7 +17,7 @@
 /// corner sharper than a brick's, that which opposes most). A point that is deeper than kSlight under this one came in past an edge: it is
 /// held by the face through which it just came. One that was inside before the step in which it is found begins with that depth as an
 /// offset, hence without force. Of several partners one in which it is not deep is first, then the element that the patch was joined to,
-/// then the one in which the point was deepest. What points do not see, solver/overlap_contact.h does.
+/// then the one in which the point was deepest. What points do not see, solver/contact/overlap_contact.h does.
 namespace voussoir::kernels {
 
 inline constexpr double kSlight = 1e-3;    // m, deeper than this under a face no point is that just came through it or slid along it

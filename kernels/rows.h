@@ -7,7 +7,8 @@
 #include "geometry/vec3.h"
 
 /// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs a
-/// few vector loads, not twelve of its own. The drift of a step makes those of poses and twists from the state arrays (solver/world.h).
+/// few vector loads, not twelve of its own. The drift of a step makes those of poses and twists from the state arrays
+/// (solver/world/world.h).
 namespace voussoir::kernels {
 
 /// Sides of a block, and the multiple that element arrays are padded to.

@@ -33,7 +33,7 @@ class Plan:
         self.start, self.now = file["model/element/position0"][:], file["frames/position"][frame].astype(float)
         sunk = self.start[:, 2] - self.now[:, 2]
         height = self.start[:, 2] - run.base()
-        fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/collapse.h has it
+        fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/run/collapse.h has it
         is_roof = np.array([tag.startswith(ROOF_TAGS) or tag.endswith("ring beam") for tag in file["model/element/tag"].asstr()[:]])
         self.colour = np.where(fallen, np.where(is_roof, ROOF, MASONRY), STANDS)
         self.turn = rotation(file["frames/quaternion"][frame].astype(float))

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <thread>
 
-#include "io/checkpoints.h"
-#include "io/compare_command.h"
+#include "io/commands/compare_command.h"
+#include "io/results/checkpoints.h"
 #include "tests/io/temp_folder.h"
 
 // What happens to runs in the world: kills, full disks, damaged files, people in a hurry. A quick selection; the long campaign is the

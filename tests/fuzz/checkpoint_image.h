@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "io/checkpoint_file.h"
-#include "io/hdf5_file.h"
+#include "io/files/hdf5_file.h"
+#include "io/results/checkpoint_file.h"
 
 /// HDF5 files of small checkpoints, each with one fault of structure at most, and where in them the values lie.
 namespace voussoir::fuzz {

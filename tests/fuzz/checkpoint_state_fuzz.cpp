@@ -5,9 +5,9 @@
 #include <cstring>
 #include <set>
 
-#include "solver/errors.h"
-#include "solver/run.h"
-#include "solver/saved_state.h"
+#include "solver/run/run.h"
+#include "solver/state/saved_state.h"
+#include "solver/world/errors.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "solver/hash.h"
-#include "solver/recorder.h"
+#include "solver/run/recorder.h"
+#include "solver/state/hash.h"
 
 namespace voussoir::testing {
 

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/case_file.h"
-#include "io/motion_files.h"
+#include "io/case_file/case_file.h"
+#include "io/motion/motion_files.h"
 #include "kernels/integrate.h"
-#include "solver/contact_forces.h"
-#include "solver/contact_lists.h"
-#include "solver/simulation.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
+#include "solver/run/simulation.h"
 #include "tests/verification/manual.h"
 
 /// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.

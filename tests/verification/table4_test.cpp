@@ -6,10 +6,10 @@
 #include <string>
 
 #include "cases/census.h"
-#include "io/case_file.h"
-#include "io/catalogue.h"
-#include "solver/modes.h"
-#include "solver/setup.h"
+#include "io/case_file/case_file.h"
+#include "io/case_file/catalogue.h"
+#include "solver/analysis/modes.h"
+#include "solver/setup/setup.h"
 #include "tests/verification/fixture.h"
 
 using namespace voussoir;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// The data in the page; io/report_data.h and io/report_frames.h say how they are packed.
+// The data in the page; io/report/report_data.h and io/report/report_frames.h say how they are packed.
 
 async function inflate(id) {
   const element = document.getElementById(id);

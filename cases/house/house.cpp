@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/house/house_parts.h"
+#include "cases/house/house_vault.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+/// Exact: coordinates are swapped and negated, never multiplied by a rounded cosine.
+Vec3 turned(Vec3 v, int quarter_turns) {
+  for (int i = 0; i < quarter_turns; ++i) v = {-v.y, v.x, v.z};
+  return v;
+}
+
+std::vector<Block> placed_copies(const House& house, const HousePlan& plan, const HouseParts& parts) {
+  std::vector<Block> all;
+  all.reserve(parts.blocks.size() * static_cast<std::size_t>(house.copies[0]) * static_cast<std::size_t>(house.copies[1]));
+  for (int j = 0; j < house.copies[1]; ++j) {
+    for (int i = 0; i < house.copies[0]; ++i) {
+      const Vec3 by{house.origin[0] + i * house.spacing[0], house.origin[1] + j * house.spacing[1], 0.0};
+      for (const Block& block : parts.blocks) {
+        all.push_back(block);
+        all.back().house = i + j * house.copies[0];
+        for (Vec3& v : all.back().shape.vertices) v = turned(v, plan.quarter_turns) + by;
+      }
+    }
+  }
+  return all;
+}
+
+const std::string& bare_roof_material(const House& house) {
+  return house.roof.kind == RoofKind::flat ? house.wood.material : house.material;
+}
+
+std::string surcharged_name(const House& house) {
+  return bare_roof_material(house) + " with roof surcharge " + text(house.roof.surcharge) + " kg/m2";
+}
+
+/// The material of beams or voussoirs.
+std::int32_t roof_material(const House& house, std::span<const NamedMaterial> materials, const HouseParts& parts) {
+  if (house.roof.surcharge > 0.0) return find_material(materials, surcharged_name(house), "house.roof.surcharge");
+  return house.roof.kind == RoofKind::flat ? parts.timber : parts.masonry;
+}
+
+}  // namespace
+
+std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const NamedMaterial> materials) {
+  const Roof& roof = house.roof;
+  if (roof.surcharge == 0.0) return std::nullopt;
+  if (!(roof.surcharge > 0.0 && roof.surcharge < 1e5))
+    throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2 is out of range; allowed: 0 to 100000");
+  if (roof.kind != RoofKind::flat && roof.kind != RoofKind::vault)
+    throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2, but there is no roof to carry it; allowed: 0");
+  const char* key = roof.kind == RoofKind::flat ? "house.wood.material" : "house.material";
+  const std::int32_t bare = find_material(materials, bare_roof_material(house), key);
+  NamedMaterial loaded{surcharged_name(house), materials[static_cast<std::size_t>(bare)].value, bare};
+  loaded.value.density += surcharge_density(house);
+  return loaded;
+}
+
+HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept {
+  const auto from_far_side = [&](Tick outer) { return Interval{outer - depth.high, outer - depth.low}; };
+  switch (wall.side) {
+    case Side::front:
+      return {along, depth, height};
+    case Side::right:
+      return {from_far_side(plan.outer[0]), along, height};
+    case Side::rear:
+      return {along, from_far_side(plan.outer[1]), height};
+    case Side::left:
+      break;
+  }
+  return {depth, along, height};
+}
+
+double segment_size_of(Tick a, Tick b, Tick c) noexcept { return metres(std::min({a, b, c})) / 4.0; }
+
+Block box_block(const HouseBox& box, const Block& prototype) {
+  Block block = prototype;
+  block.shape = geometry::make_box({metres(box.x.low), metres(box.y.low), metres(box.z.low)},
+                                   {metres(box.x.high), metres(box.y.high), metres(box.z.high)});
+  return block;
+}
+
+bool has_timber(const House& house) noexcept {
+  return house.roof.kind == RoofKind::flat || house.reinforcement ||
+         std::any_of(house.openings.begin(), house.openings.end(), [](const Opening& o) { return o.lintel.has_value(); });
+}
+
+std::vector<Block> build_house(const House& house, std::span<const NamedMaterial> materials) {
+  const HousePlan plan = plan_house(house);
+  HouseParts parts;
+  parts.masonry = find_material(materials, house.material, "house.material");
+  if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
+  parts.roof = roof_material(house, materials, parts);
+  build_walls(house, plan, parts);
+  if (house.reinforcement) build_reinforcement(house, plan, parts);
+  switch (house.roof.kind) {
+    case RoofKind::flat:
+      build_flat_roof(house, plan, parts);
+      break;
+    case RoofKind::vault:
+      build_gables(house, plan, parts);
+      build_vault(house, plan, parts);
+      break;
+    case RoofKind::gables:
+      build_gables(house, plan, parts);
+      break;
+    case RoofKind::none:
+      break;
+  }
+  return placed_copies(house, plan, parts);
+}
+
+}  // namespace voussoir::cases

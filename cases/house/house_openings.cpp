@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_openings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+std::string key_of(std::size_t opening, const char* field = "") { return indexed_key("house.opening", opening, field); }
+
+std::string metres_text(Tick t) { return text(metres(t)); }
+
+std::string from_to(Interval i) { return "from " + metres_text(i.low) + " to " + metres_text(i.high) + " m"; }
+
+std::string wall_name(const WallPlan& wall) { return std::string(name(wall.side)) + " wall"; }
+
+WallPlan& wall_of(const Opening& opening, std::size_t index, HousePlan& plan) {
+  for (WallPlan& wall : plan.walls) {
+    if (opening.wall != name(wall.side)) continue;
+    if (!wall.built) throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
+    return wall;
+  }
+  throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is no wall; allowed: front, rear, left, right");
+}
+
+/// Where a hole may lie: between the inner corners, because the wall it meets owns every second course of the corner.
+Interval between_corners(const WallPlan& wall) { return {wall.corner, wall.length - wall.corner}; }
+
+Hole opening_hole(const Opening& opening, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
+  const Interval room = between_corners(wall);
+  const Tick width = positive_length(opening.width, key_of(index, "width"));
+  if (width > room.length()) {
+    throw InputError(key_of(index, "width"), text(opening.width) + " m is wider than the " + wall_name(wall) + " between its corners (" +
+                                                 metres_text(room.length()) + " m)");
+  }
+  const Tick from = std::isfinite(opening.from) && std::abs(opening.from) < 1e4 ? ticks(opening.from) : Tick{-1};
+  const Interval along{from, from + width};
+  if (along.low < room.low || along.high > room.high) {
+    throw InputError(key_of(index, "from"), text(opening.from) + " m puts the opening outside the " + wall_name(wall) +
+                                                ", whose inner corners are at " + metres_text(room.low) + " and " + metres_text(room.high) +
+                                                " m; allowed: " + metres_text(room.low) + " to " + metres_text(room.high - width) + " m");
+  }
+  const Tick sill = opening.sill == 0.0 ? 0 : multiple_of(opening.sill, plan.brick_height, key_of(index, "sill"), "courses");
+  const Tick height = multiple_of(opening.height, plan.brick_height, key_of(index, "height"), "courses");
+  if (sill >= plan.height) {
+    throw InputError(key_of(index, "sill"),
+                     text(opening.sill) + " m is not below the top of the wall (" + metres_text(plan.height) + " m)");
+  }
+  if (sill + height > plan.height) {
+    throw InputError(key_of(index, "height"), text(opening.height) + " m above a sill at " + text(opening.sill) +
+                                                  " m is over the height of the wall (" + metres_text(plan.height) + " m); at most " +
+                                                  metres_text(plan.height - sill) + " m");
+  }
+  return {along, {sill, sill + height}, index, false};
+}
+
+/// Centred on the opening.
+Interval lintel_span(const Opening& opening) noexcept {
+  const Tick from = ticks(opening.from);
+  const Tick length = ticks(opening.lintel->length);
+  const Tick low = from - (length - ticks(opening.width)) / 2;
+  return {low, low + length};
+}
+
+Hole lintel_hole(const Opening& opening, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
+  const std::size_t index = under.opening;
+  const Lintel& lintel = *opening.lintel;
+  const Interval room = between_corners(wall);
+  const Tick length = positive_length(lintel.length, key_of(index, "lintel.length"));
+  const Tick height = multiple_of(lintel.height, plan.brick_height, key_of(index, "lintel.height"), "courses");
+  element_length(lintel.element, length, key_of(index, "lintel.element"));
+  if (length > room.length()) {
+    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(wall) +
+                                                         " between its corners (" + metres_text(room.length()) + " m)");
+  }
+  if (length <= under.along.length()) {
+    throw InputError(key_of(index, "lintel.length"),
+                     text(lintel.length) + " m finds no support beside the opening; more than its width, " + text(opening.width) + " m");
+  }
+  if (under.height.high + height > plan.height) {
+    throw InputError(key_of(index, "lintel.height"), text(lintel.height) + " m above the opening (top at " +
+                                                         metres_text(under.height.high) + " m) is over the height of the wall (" +
+                                                         metres_text(plan.height) + " m)");
+  }
+  const Interval along = lintel_span(opening);
+  if (along.low < room.low || along.high > room.high) {
+    const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
+    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m makes the lintel reach " + from_to(along) +
+                                                         ", into a corner of the " + wall_name(wall) + " (inner corners at " +
+                                                         metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
+                                                         metres_text(under.along.length() + 2 * spare) + " m here");
+  }
+  return {along, {under.height.high, under.height.high + height}, index, true};
+}
+
+void add_hole(const Hole& hole, WallPlan& wall) {
+  for (const Hole& other : wall.holes) {
+    if (!hole.along.overlaps(other.along) || !hole.height.overlaps(other.height)) continue;
+    throw InputError(key_of(hole.opening, hole.lintel ? "lintel" : ""),
+                     "overlaps " + key_of(other.opening, other.lintel ? "lintel" : "") + " in the " + wall_name(wall) + ": " +
+                         from_to(hole.along) + " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
+                         from_to(other.height) + ")");
+  }
+  wall.holes.push_back(hole);
+}
+
+void add_holes(const House& house, HousePlan& plan) {
+  for (std::size_t i = 0; i < house.openings.size(); ++i) {
+    const Opening& opening = house.openings[i];
+    WallPlan& wall = wall_of(opening, i, plan);
+    const Hole hole = opening_hole(opening, i, plan, wall);
+    add_hole(hole, wall);
+    if (opening.lintel) add_hole(lintel_hole(opening, hole, plan, wall), wall);
+  }
+  for (WallPlan& wall : plan.walls) {
+    std::sort(wall.holes.begin(), wall.holes.end(), [](const Hole& a, const Hole& b) { return a.along.low < b.along.low; });
+  }
+}
+
+/// A piece of wall shorter than half a brick, and the hole beside it.
+struct ShortPiece {
+  Interval piece;
+  const WallPlan* wall = nullptr;
+  const Hole* hole = nullptr;
+};
+
+std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
+  for (const WallPlan& wall : plan.walls) {
+    for (int course = 0; course < plan.courses; ++course) {
+      for (const Interval piece : free_spans(plan, wall, course)) {
+        if (piece.length() >= plan.shortest_piece()) continue;
+        const Interval height{course * plan.brick_height, (course + 1) * plan.brick_height};
+        const Hole* found = nullptr;
+        for (const Hole& hole : wall.holes) {
+          const bool beside = hole.along.high == piece.low || hole.along.low == piece.high;
+          // Between two openings the later one in the case is named: the first was there already.
+          if (beside && hole.height.overlaps(height) && (found == nullptr || hole.opening > found->opening)) found = &hole;
+        }
+        return ShortPiece{piece, &wall, found};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// True if the openings can be built; tried with changed openings to give advice that holds.
+bool fits(const House& house, HousePlan plan) {
+  for (WallPlan& wall : plan.walls) wall.holes.clear();
+  try {
+    add_holes(house, plan);
+  } catch (const InputError&) {
+    return false;
+  }
+  return !find_short_piece(plan);
+}
+
+/// The nearest value of one length of the house with which everything fits, as the end of a message. `changes` are tried from the smallest.
+std::string advice(const House& house, const HousePlan& plan, const std::function<double&(House&)>& length, std::array<Tick, 2> changes) {
+  std::sort(changes.begin(), changes.end(), [](Tick a, Tick b) { return std::abs(a) < std::abs(b); });
+  for (const Tick change : changes) {
+    House other = house;
+    double& value = length(other);
+    value = metres(ticks(value) + change);
+    if (fits(other, plan)) return "; nearest that fits: " + text(value) + " m";
+  }
+  return "; move or resize it";
+}
+
+void refuse_short_pieces(const House& house, const HousePlan& plan) {
+  const std::optional<ShortPiece> found = find_short_piece(plan);
+  if (!found) return;
+  const Tick gap = found->piece.length();
+  const Tick lack = plan.shortest_piece() - gap;
+  const std::string problem = " leaves a piece of the " + wall_name(*found->wall) + " " + metres_text(gap) + " m long (" +
+                              from_to(found->piece) + "); a piece is at least " + metres_text(plan.shortest_piece()) + " m, half a brick";
+  if (found->hole == nullptr) throw InputError("house.inner_size", "this size" + problem);
+  const std::size_t index = found->hole->opening;
+  const Opening& opening = house.openings[index];
+  // A change takes the piece away, or makes it half a brick long.
+  if (found->hole->lintel) {
+    const auto length = [index](House& h) -> double& { return h.openings[index].lintel->length; };
+    throw InputError(key_of(index, "lintel.length"),  // both ends move: twice the change
+                     text(opening.lintel->length) + " m" + problem + advice(house, plan, length, {2 * gap, -2 * lack}));
+  }
+  const bool piece_before = found->hole->along.low == found->piece.high;
+  const auto from = [index](House& h) -> double& { return h.openings[index].from; };
+  const std::array<Tick, 2> changes = piece_before ? std::array<Tick, 2>{-gap, lack} : std::array<Tick, 2>{gap, -lack};
+  throw InputError(key_of(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
+}
+
+}  // namespace
+
+void plan_openings(const House& house, HousePlan& plan) {
+  add_holes(house, plan);
+  refuse_short_pieces(house, plan);
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/house/house_plan.h"
+
+namespace voussoir::cases {
+
+/// Puts the holes of openings and lintels into the walls of a plan whose walls stand, ascending along each wall.
+/// \throw InputError with the key at fault: an opening outside its wall, off the courses, over another, or one that leaves
+/// a piece of wall shorter than half a brick; then the message gives the nearest place where it fits.
+void plan_openings(const House& house, HousePlan& plan);
+
+}  // namespace voussoir::cases

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cases/house/house_plan.h"
+#include "cases/model.h"
+
+/// What the rooms that build parts of a house add to. Internal to cases/.
+namespace voussoir::cases {
+
+/// One house in its own axes (outer corner at the origin, base at z = 0), as far as it is built.
+struct HouseParts {
+  std::vector<Block> blocks;
+  std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
+  std::int32_t members = 0;                        // timber members so far
+};
+
+/// A box of the house, axes of the house.
+struct HouseBox {
+  Interval x, y, z;
+};
+
+/// The house's axes for a box in a wall's own coordinates.
+HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept;
+
+/// A quarter of the shortest edge of a whole unit, m.
+double segment_size_of(Tick a, Tick b, Tick c) noexcept;
+
+/// A block with shape and house fields set; `prototype` gives all else.
+Block box_block(const HouseBox& box, const Block& prototype);
+
+/// Adds the walls with their lintels, course by course.
+void build_walls(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Adds beams side by side along x over the whole house, each across it, resting on the inner brick length of the bearing walls.
+/// \throw InputError with the key at fault.
+void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Adds the rings of a barrel vault along x over the whole house.
+/// \throw InputError with the key at fault.
+void build_vault(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Takes the non-bearing walls on to the underside of the vault, their bricks cut by it: prisms along x of three corners or more.
+/// \throw InputError with the key at fault.
+void build_gables(const House& house, const HousePlan& plan, HouseParts& parts);
+
+/// Adds columns and ring beams at the inner faces of the walls.
+/// \throw InputError with the key at fault.
+void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& parts);
+
+}  // namespace voussoir::cases

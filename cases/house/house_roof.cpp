@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
+
+#include "cases/house/house_parts.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+
+void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
+  if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
+    throw InputError("house.roof.kind", "a flat roof rests on the front and the rear wall; house.walls leaves one of them out");
+  const Tick width = element_length(house.roof.beam[0], plan.outer[0], "house.roof.beam");
+  const Tick height = positive_length(house.roof.beam[1], "house.roof.beam");
+  const Tick bearing = plan.wall(Side::front).thickness;
+  const Tick seat = std::min(bearing, plan.brick_length);
+  const Interval across{bearing - seat, plan.outer[1] - (bearing - seat)};
+  const Tick element = element_length(house.roof.element, across.length(), "house.roof.element");
+  Block prototype;
+  prototype.kind = PartKind::beam;
+  prototype.material = parts.roof;
+  // Size of a whole unit, also where the last beam or element is cut.
+  prototype.segment_size = segment_size_of(std::min(width, plan.outer[0]), height, std::min(element, across.length()));
+  int number = 0;
+  for (const Interval x : cut_member({0, plan.outer[0]}, width)) {
+    prototype.tag = "roof beam " + std::to_string(number++);
+    prototype.member = parts.members++;
+    for (const Interval y : cut_member(across, element)) {
+      prototype.whole = x.length() == width && y.length() == element;
+      parts.blocks.push_back(box_block({x, y, {plan.height, plan.height + height}}, prototype));
+    }
+  }
+}
+
+}  // namespace voussoir::cases

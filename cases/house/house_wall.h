@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "cases/house/house_plan.h"
+
+/// Bond: which bricks a course of a wall has. Internal to cases/.
+namespace voussoir::cases {
+
+/// A brick of a course in the wall's own coordinates.
+struct LaidBrick {
+  Interval along, depth;
+  bool whole = true;  // false: cut, or a leftover joined to its neighbour
+};
+
+/// A layer of a course through the wall's thickness. Joints lie at offset + unit * i along the wall, from the outer corner of the house.
+struct Wythe {
+  Interval depth;
+  Tick unit = 0, offset = 0;
+  /// Where a leftover at an edge makes two pieces of one brick: the half brick at the edge. So it must be where the course above is half a
+  /// brick off: its own joint lies half a brick and the leftover from the edge.
+  bool half_at_edge = false;
+};
+
+/// The layers of a course from the outer face inwards.
+///
+/// English bond, n = thickness / brick width. Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
+/// stretcher at the inner face, all a quarter brick off the even grid. With n odd the even course ends in a stretcher at the inner face and
+/// the odd course has none there. Running bond, and any wall one brick width thick: n stretchers, every second course half a brick off.
+std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);
+
+/// Divides a span at the joints offset + unit * i. A leftover at an end shorter than half a brick joins its neighbour; if the two are
+/// longer than a brick, the inner part of them is half a brick and the rest is at the end, or the other way round (Wythe::half_at_edge).
+/// \pre span.length() >= brick_length / 2
+std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length);
+
+/// All bricks of a course, by their place along the wall, then through it.
+std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, int course);
+
+}  // namespace voussoir::cases

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "cases/census.h"
+#include "io/bench/bench_stages.h"
+#include "io/bench/bench_table.h"
+#include "io/bench/bench_timing.h"
+
+/// The tables of `voussoir bench`.
+namespace voussoir::io {
+
+/// What a step takes with some number of threads.
+Cells timing_header();
+Cells timing_row(bool gather, const Timing& t, const cases::Census& n);
+
+/// What a machine can do with some number of threads at best.
+struct Limits {
+  double flops = 0.0, bandwidth = 0.0;  // flop/s, byte/s
+};
+
+/// Where it goes, and what that is of the limits: a row for each part, and one for all.
+Cells stage_header();
+std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best);
+
+}  // namespace voussoir::io

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <set>
+
+#include "io/case_file/case_tables.h"
+#include "io/document/history_name.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace cases;
+
+Table<Rotation> rotation_table() {
+  using S = Rotation;
+  return {"turns the block before the start",
+          {value<S>("axis", &S::axis, "", any(), "direction of the axis; need not be a unit vector"),
+           value<S>("angle", &S::angle, "degrees", any(), "angle, by the right hand"),
+           value<S>("about", &S::about, "m", any(), "a point of the axis")},
+          [](const S& s, const RuleCheck& check) {
+            if (s.axis == Vec3{}) check.fault("axis", "has no direction");
+          }};
+}
+
+Table<SupportMotion> support_motion_table() {
+  using S = SupportMotion;
+  return {"motion of a fixed block: velocity or file",
+          {value<S>("velocity", &S::velocity, "m/s", any(), "constant velocity"),
+           value<S>("file", &S::file, "", filled(),
+                    "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
+          [](const S& s, const RuleCheck& check) {
+            if (s.velocity && s.file) check.fault("file", "does not go with velocity; give one of them");
+            if (!s.velocity && !s.file) check.fault("", "says nothing; give velocity (m/s) or file");
+          }};
+}
+
+void check_shape(const BlockSpec& s, const RuleCheck& check) {
+  std::vector<std::string> shapes;
+  if (s.box) shapes.emplace_back("box");
+  if (s.vertices) shapes.emplace_back("vertices");
+  if (!s.polygon.empty() || s.extrude) shapes.emplace_back(s.polygon.empty() ? "extrude" : "polygon");
+  if (shapes.empty()) return check.fault("", "has no shape; give box, or vertices, or polygon and extrude");
+  if (shapes.size() > 1) return check.fault(shapes[1], "does not go with " + shapes[0] + "; a block has one shape");
+  if (!s.polygon.empty() && !s.extrude) check.fault("polygon", "needs extrude = [x0, x1]");
+  if (s.polygon.empty() && s.extrude) check.fault("extrude", "needs polygon = [[y, z], ...]");
+  if (!s.polygon.empty() && s.polygon.size() < 3)
+    check.fault("polygon", "has " + std::to_string(s.polygon.size()) + " points, wanted 3 or more");
+  if (s.extrude && (*s.extrude)[0] >= (*s.extrude)[1]) check.fault("extrude", "must be [x0, x1] with x0 < x1");
+  if (s.box) {
+    const Vec3 size = (*s.box)[1] - (*s.box)[0];
+    if (size.x == 0.0 || size.y == 0.0 || size.z == 0.0) check.fault("box", "has no volume; give two opposite corners");
+  }
+}
+
+void check_block(const BlockSpec& s, const RuleCheck& check) {
+  check_shape(s, check);
+  if (s.motion && !s.fixed) check.fault("motion", "needs a fixed block (fixed = true)");
+  if (s.fixed && s.free) check.fault("free", "does not go with fixed = true");
+  if (s.fixed && s.velocity != Vec3{}) check.fault("velocity", "does not go with fixed = true; use [block.motion]");
+  if (s.fixed && s.angular_velocity != Vec3{}) check.fault("angular_velocity", "does not go with fixed = true");
+}
+
+/// One factor for all, or one for each of L, T, V.
+Key<Motion> scale_key() {
+  Key<Motion> key = value<Motion>("scale", &Motion::scale, "", any(),
+                                  "factor of the motion, or one each for L, T, V (for x, y, z if files are given so)");
+  key.info.shape = "a number or an array [L, T, V]";
+  key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
+    if (node.as<Node::Array>() != nullptr) {
+      read_value(node, motion.scale, info, reading, path);
+    } else if (double all = 1.0; read_value(node, all, info, reading, path)) {
+      motion.scale.fill(all);
+    }
+  };
+  return key;
+}
+
+/// A file of one axis; the array is Motion::xyz or Motion::ltv.
+template <class Files>
+Key<Motion> file_key(const char* name, Files files, std::size_t axis, const char* sentence) {
+  return value<Motion>(
+      name, [ files, axis ](auto& motion) -> auto& { return std::invoke(files, motion)[axis]; }, "", filled(), sentence);
+}
+
+void check_motion(const Motion& s, const RuleCheck& check) {
+  const auto first_of = [&](std::array<const char*, 3> keys) -> std::string {
+    for (const char* key : keys) {
+      if (check.given(key)) return key;
+    }
+    return "";
+  };
+  const std::string xyz = first_of({"x", "y", "z"}), ltv = first_of({"L", "T", "V"});
+  if (s.record && !xyz.empty()) return check.fault(xyz, "does not go with motion.record; give a record, or files");
+  if (s.record && !ltv.empty()) return check.fault(ltv, "does not go with motion.record; give a record, or files");
+  if (!xyz.empty() && !ltv.empty()) return check.fault(ltv, "does not go with motion." + xyz + "; give files for x, y, z, or for L, T, V");
+  if (!xyz.empty() && s.direction != Motion{}.direction)
+    return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
+  if (!s.record && xyz.empty() && ltv.empty()) check.fault("", "names no motion; give record, or files for x, y, z, or for L, T, V");
+}
+
+Table<HistoryPoint> history_table() {
+  using S = HistoryPoint;
+  return {"an element whose motion is written",
+          {required(value<S>("name", &S::name, "", filled(), "its name in the results: /history/<name>")),
+           required(value<S>("point", &S::point, "m", any(), "the element whose centroid is nearest at the start is followed"))},
+          [](const S& s, const RuleCheck& check) {
+            if (!can_name_history(s.name))
+              check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
+          }};
+}
+
+}  // namespace
+
+Table<BlockSpec> block_table() {
+  using S = BlockSpec;
+  return {"a block by itself: box, vertices, or polygon and extrude",
+          {required(value<S>("name", &S::name, "", filled(), "a name of its own, for loads and messages")),
+           required(value<S>("material", &S::material, "", filled(), "a name of materials")),
+           value<S>("box", &S::box, "m", any(), "two opposite corners"),
+           value<S>("vertices", &S::vertices, "m", any(), "eight corners of a hexahedron, VTK order"),
+           value<S>("polygon", &S::polygon, "m", any(), "section of a prism along x: its corners [y, z]"),
+           value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
+           value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
+           value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
+           value<S>("velocity", &S::velocity, "m/s", any(), "at the start"),
+           value<S>("angular_velocity", &S::angular_velocity, "rad/s", any(), "at the start, about global axes"),
+           table<S>("rotate", &S::rotate, rotation_table()), table<S>("motion", &S::motion, support_motion_table())},
+          check_block};
+}
+
+Table<Load> load_table() {
+  using S = Load;
+  return {"a force and a moment on a block, constant after the ramp",
+          {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
+           value<S>("moment", &S::moment, "N m", any(), "moment"),
+           value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
+           value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second")},
+          [](const S& s, const RuleCheck& check) {
+            if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
+          }};
+}
+
+Table<Motion> motion_table() {
+  using S = Motion;
+  const std::vector<std::pair<std::string, std::string>> directions{{"LTV", "LTV"}, {"LVT", "LVT"}, {"TLV", "TLV"},
+                                                                    {"TVL", "TVL"}, {"VLT", "VLT"}, {"VTL", "VTL"}};
+  const std::vector<std::pair<std::string, std::string>> units{{"g", "g"}, {"m/s2", "m/s2"}, {"cm/s2", "cm/s2"}};
+  return {
+      "acceleration of the base: a record, or files; any axis may be absent",
+      {value<S>("record", &S::record, "", filled(), "\"bam-like\", a folder that holds record.toml, or a file that holds L, T and V"),
+       choice<S>("direction", &S::direction, "", directions,
+                 "which of L, T, V goes to x, y, z: LTV sends L along the bearing walls of a house that is not turned, TLV across them"),
+       file_key("x", &S::xyz, 0, "file of the motion along x"), file_key("y", &S::xyz, 1, "file of the motion along y"),
+       file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
+       file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
+       choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"), scale_key()},
+      check_motion};
+}
+
+Table<Output> output_table() {
+  using S = Output;
+  return {"what is written, and how often",
+          {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories"),
+           value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
+           value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
+           table<S>("history", &S::history, history_table())},
+          [](const S& s, const RuleCheck& check) {
+            std::set<std::string> names;
+            for (std::size_t i = 0; i < s.history.size(); ++i) {
+              if (!names.insert(s.history[i].name).second)
+                return check.fault(path_to("history", i) + ".name", "is the name of another history, too");
+            }
+          }};
+}
+
+}  // namespace voussoir::io

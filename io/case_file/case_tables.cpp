@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/case_file/case_tables.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace cases;
+
+Table<Gravity> gravity_table() {
+  using S = Gravity;
+  return {"body force and the settling before time zero",
+          {value<S>("acceleration", &S::acceleration, "m/s2", any(), "acceleration of free fall"),
+           value<S>("settle", &S::settle, "", any(), "ramp gravity and wait for rest before time zero"),
+           value<S>("ramp", &S::ramp, "s", at_least(0.0), "length of the ramp; none: five periods of damping.frequency, else 1 s"),
+           value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0),
+                    "longest wait for rest after the ramp; then the run goes on with a warning")},
+          nullptr};
+}
+
+/// A step in s, or "auto" for none.
+Key<Time> step_key() {
+  Key<Time> key =
+      value<Time>("step", &Time::step, "s", above(0.0), "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval");
+  key.info.shape = "\"auto\" or a number";
+  key.read = [info = key.info](const Node& node, Time& time, Reading& reading, const std::string& path) {
+    if (same_word(node, "\"auto\"")) {
+      time.step.reset();
+    } else {
+      read_value(node, time.step, info, reading, path);
+    }
+  };
+  key.text = [](const Time& time) { return time.step ? value_text(*time.step) : "\"auto\""; };
+  return key;
+}
+
+Table<Time> time_table() {
+  using S = Time;
+  return {"time step and duration",
+          {step_key(), value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
+           value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
+                    "the run ends so long after the first frame in which the building has collapsed; none: at its duration")},
+          nullptr};
+}
+
+Table<Damping> damping_table() {
+  using S = Damping;
+  return {
+      "mass damping: ratio at frequency, or alpha",
+      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
+       value<S>("frequency", &S::frequency, "Hz", above(0.0), "where the ratio holds: the first natural frequency"),
+       value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
+       choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond")},
+      [](const S& s, const RuleCheck& check) {
+        if (s.alpha && s.ratio > 0.0) check.fault("alpha", "does not go with damping.ratio; give ratio and frequency, or alpha");
+        if (s.ratio > 0.0 && !s.frequency) check.fault("ratio", "needs damping.frequency (Hz, > 0), where the ratio holds");
+        if (s.frequency && !s.alpha && !check.given("ratio"))
+          check.fault("frequency", "needs damping.ratio, of critical damping at this frequency");
+      }};
+}
+
+Table<Material> material_table() {
+  using S = Material;
+  return {"a material of elements",
+          {required(value<S>("density", &S::density, "kg/m3", above(0.0), "mass per volume")),
+           required(value<S>("young", &S::young, "Pa", above(0.0), "Young's modulus")),
+           required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio"))},
+          nullptr};
+}
+
+Table<JointLaw> joint_law_table() {
+  using S = JointLaw;
+  return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
+          {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
+           required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
+           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0), "angle of friction phi")),
+           required(value<S>("compression", &S::compression, "Pa", above(0.0),
+                             "compressive strength f_m of the bond; contacts bear any pressure")),
+           value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
+           value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
+           value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
+           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar")},
+          [](const S& s, const RuleCheck& check) {
+            if (s.thickness <= 0.0) return;
+            if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
+            if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
+            if (check.given("young") && s.young <= 0.0) check.fault("young", "must be > 0 for mortar with a thickness");
+          }};
+}
+
+Table<Scatter> scatter_table() {
+  using S = Scatter;
+  return {"random strength of joints: one factor a joint on tension, cohesion and compression of its law",
+          {value<S>("seed", &S::seed, "", any(), "the same seed gives the same strengths"),
+           value<S>(
+               "variation", &S::variation, "", at_least(0.0),
+               "coefficient of variation, at most 0.33 (normal), 0.57 (uniform), 1 (lognormal); 0: all joints of a law are equally strong"),
+           choice<S, Distribution S::*, Distribution>(
+               "distribution", &S::distribution, "",
+               {{"lognormal", Distribution::lognormal}, {"normal", Distribution::normal}, {"uniform", Distribution::uniform}},
+               "of the factor, with mean 1; cut at three standard deviations"),
+           value<S>("laws", &S::laws, "", any(), "names of joint_laws; none: all of them")},
+          nullptr};
+}
+
+Table<Failure> failure_table() {
+  using S = Failure;
+  return {"options of the failure law",
+          {choice<S, bool S::*, bool>("shear", &S::shear, "", {{"on", true}, {"off", false}}, "shear limit of bonded segments"),
+           choice<S, PostShear S::*, PostShear>("post_shear", &S::post_shear, "",
+                                                {{"plastic", PostShear::plastic}, {"brittle", PostShear::brittle}},
+                                                "what a segment does after its shear limit"),
+           choice<S, ShearInTension S::*, ShearInTension>(
+               "shear_in_tension", &S::shear_in_tension, "",
+               {{"cohesion", ShearInTension::cohesion}, {"none", ShearInTension::none}, {"coulomb", ShearInTension::coulomb}},
+               "shear limit under tension: c, none, or Eq. 6 literally")},
+          nullptr};
+}
+
+Table<JointRule> joint_rule_table() {
+  using S = JointRule;
+  return {"the law between two materials",
+          {required(value<S>("materials", &S::materials, "", filled(), "the two materials; \"base\" counts as one")),
+           required(value<S>("law", &S::law, "", filled(), "a name of joint_laws, or \"dry\""))},
+          nullptr};
+}
+
+Table<Joints> joints_table() {
+  using S = Joints;
+  return {"laws of touching faces: a house's own keys, then the first of `between` that fits, then `default`",
+          {value<S>("default", &S::default_law, "", filled(), "a name of joint_laws, or \"dry\": no bond, friction contact only"),
+           table<S>("between", &S::between, joint_rule_table())},
+          nullptr};
+}
+
+Table<Contact> contact_table() {
+  using S = Contact;
+  return {
+      "contact of faces without a bond",
+      {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
+                "angle of friction; a pair made by breaking keeps its joint law's"),
+       value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
+       choice<S, ContactNormal S::*, ContactNormal>(
+           "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal")},
+      nullptr};
+}
+
+Table<Case> segments_table() {
+  const auto size = [](auto& c) -> auto& { return c.segment_size; };
+  return {"segments of the faces",
+          {value<Case>("size", size, "m", above(0.0), "for all faces; none: per unit, a quarter of its shortest edge")},
+          nullptr};
+}
+
+Table<Base> base_table() {
+  using S = Base;
+  return {"fixed half-space under everything",
+          {value<S>("z", &S::z, "m", any(), "height of its top"),
+           value<S>("tilt", &S::tilt, "degrees", inside(-90.0, 90.0), "about x and y; turns gravity")},
+          nullptr};
+}
+
+void check_reserved_names(const Case& c, const RuleCheck& check) {
+  if (c.materials.contains("base")) check.fault("materials.base", "is a reserved name: \"base\" stands for the fixed base");
+  if (c.joint_laws.contains("dry")) check.fault("joint_laws.dry", "is a reserved name: \"dry\" stands for no bond");
+}
+
+}  // namespace
+
+Table<Case> case_table() {
+  using S = Case;
+  return {
+      "the whole case",
+      {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
+       value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
+       table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
+       table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
+       table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
+       table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
+       table<S>("motion", &S::motion, motion_table()),
+       table<S>(
+           "segments", [](auto& c) -> auto& { return c; }, segments_table()),
+       table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),
+       table<S>("block", &S::blocks, block_table()), table<S>("load", &S::loads, load_table()), table<S>("base", &S::base, base_table())},
+      check_reserved_names};
+}
+
+}  // namespace voussoir::io

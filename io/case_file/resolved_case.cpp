@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include "io/case_file/case_file.h"
+#include "io/case_file/case_tables.h"
+#include "io/document/case_tree.h"
+#include "io/motion/motion_files.h"
+
+namespace voussoir::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `change` with each path to a file or folder that the case names.
+template <class Change>
+void for_each_path(cases::Case& value, Change change) {
+  if (value.motion) {
+    for (auto* files : {&value.motion->xyz, &value.motion->ltv}) {
+      for (std::optional<std::string>& file : *files) {
+        if (file) change(*file);
+      }
+    }
+    if (value.motion->record && !is_built_in_record(*value.motion->record)) change(*value.motion->record);
+  }
+  for (cases::BlockSpec& block : value.blocks) {
+    if (block.motion && block.motion->file) change(*block.motion->file);
+  }
+}
+
+}  // namespace
+
+cases::Case anchored(cases::Case value) {
+  for_each_path(value, [&](std::string& path) {
+    std::error_code error;  // canonical: as the system sees it, through links; a FILE#COMPONENT does not exist, and stays at the end
+    const std::string whole = fs::weakly_canonical(fs::absolute(fs::path(value.folder) / path), error).string();
+    if (!error && is_utf8(whole)) path = whole;
+  });
+  return value;
+}
+
+cases::Case without_folders(cases::Case value) {
+  for_each_path(value, [](std::string& path) { path = fs::path(path).filename().string(); });
+  return value;
+}
+
+std::string resolved_toml(const cases::Case& value) {
+  Lines lines;
+  lines.out = "# All keys of the case with their values, as used. \"none\": the key has no value.\n\n";
+  write_table(case_table(), value, lines, "");
+  return std::move(lines.out);
+}
+
+std::string key_reference() {
+  Lines lines;
+  lines.out =
+      "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n"
+      "include                          a ready case or a .toml file, or an array of them: read first; this case lies over them, key by "
+      "key\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
+std::string key_reference_markdown() {
+  Lines lines;
+  lines.markdown = true;
+  lines.out =
+      "# Keys of a case file\n\n"
+      "Made by `voussoir keys --markdown` from the option table that reads the files; do not edit. `[[...]]` may stand several times, "
+      "`<name>`\n"
+      "is the user's own. `none`: without a value. SI units, z up, degrees. Beside these keys, `include` at the top names a ready case or "
+      "a\n"
+      "`.toml` file, or an array of them: read first; the case lies over them, key by key.\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
+}  // namespace voussoir::io

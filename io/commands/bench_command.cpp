@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/bench_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cases/census.h"
+#include "io/bench/bench_rows.h"
+#include "io/bench/bench_stages.h"
+#include "io/bench/bench_table.h"
+#include "io/bench/bench_timing.h"
+#include "io/commands/progress.h"
+#include "io/commands/restored_run.h"
+#include "io/commands/run_command.h"
+#include "io/commands/session.h"
+#include "io/commands/waiting_threads.h"
+#include "io/files/errors.h"
+#include "io/files/scratch_folder.h"
+#include "io/motion/motion_files.h"
+#include "io/motion/support_motion.h"
+#include "solver/bench/machine.h"
+#include "solver/bench/memory.h"
+#include "solver/bench/step_work.h"
+#include "solver/run/simulation.h"
+
+namespace voussoir::io {
+
+namespace {
+
+/// Sides by what they are now.
+struct Sides {
+  std::int64_t whole = 0, open = 0, damaged = 0, steady = 0, points = 0, contacts = 0;
+};
+Sides sides_now(const solver::World& w) {
+  Sides n;
+  for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
+    if (w.sides.joint[id] < 0 || w.sides.retired[id]) continue;
+    const kernels::Quick state = w.sides.quick[id];
+    n.whole += state == kernels::Quick::whole;
+    n.open += state == kernels::Quick::open;
+    n.steady += state == kernels::Quick::steady;
+    if (state != kernels::Quick::segments && state != kernels::Quick::steady) continue;
+    ++n.damaged;
+    n.points += w.points.count[static_cast<std::size_t>(w.sides.set[id])];
+  }
+  n.contacts = static_cast<std::int64_t>(w.contacts.active.size());
+  return n;
+}
+
+/// Brings a simulation to where it is to be measured.
+void advance_to(solver::Simulation& sim, double after) {
+  if (after <= 0.0) return;
+  while (sim.phase() == solver::Phase::settling && !sim.at_rest() && !sim.settled_too_long()) sim.step({false, sim.steps() % 200 == 0});
+  sim.start_shaking();
+  while (sim.time() < after) sim.step({});
+}
+
+std::vector<int> thread_counts(int most) {
+  std::vector<int> counts;
+  for (int n = 1; n < most; n *= 2) counts.push_back(n);
+  counts.push_back(most);
+  return counts;
+}
+
+void print_subject(const cases::Census& census, const solver::World& w) {
+  const Sides n = sides_now(w);
+  std::printf("elements                 %s\n", format_count(census.elements).c_str());
+  std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(census.joints + census.base_joints).c_str(),
+              w.sides.task_first.size() - 1, w.sides.colour_first.size() - 1);
+  std::printf("segment sides            %s\n", format_count(census.joint_sides).c_str());
+  std::printf("joints now               %s whole, %s open, %s damaged (%s of them steady) with %s segments; %s patches near others\n",
+              format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.steady).c_str(),
+              format_count(n.points).c_str(), format_count(n.contacts).c_str());
+  const solver::MemoryUse use = solver::memory_use(w);
+  const auto per = [](std::size_t bytes, std::int64_t count) {
+    return static_cast<double>(bytes) / static_cast<double>(std::max<std::int64_t>(1, count));
+  };
+  std::printf("memory                   %.0f B an element, %.0f a side of a joint, %.1f a segment; free patches %.1f MB\n",
+              per(use.elements, census.elements), per(use.sides, n.whole + n.open + n.damaged),
+              per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
+}
+
+/// Where the time goes, in a pass of its own. \param folder  for results that nobody reads
+template <class Run>
+void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<Limits>& best,
+                  int batches, BenchTable& table) {
+  ResultsOptions when_told;
+  when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
+  std::filesystem::create_directory(folder);
+  ResultsWriter results(folder, run.model, "", history_names(run.value), provenance(0), when_told);
+  std::vector<int> counts, steps;
+  for (const Timing& t : timings) counts.push_back(t.threads), steps.push_back(t.steps);
+  const std::vector<StepSplit> splits = split_steps({run.value, *run.sim, run.plan, results}, counts, steps, batches);
+  for (std::size_t k = 0; k < splits.size(); ++k) {
+    for (const Cells& cells : stage_rows(gather, splits[k], best[k])) table.add(cells);
+  }
+}
+
+/// By number of threads; more of them than cores can do no more.
+std::vector<Limits> limits_of(std::span<const int> counts) {
+  std::vector<Limits> limits;
+  for (const int n : counts) {
+    const int cores = std::min(n, omp_get_num_procs());
+    limits.push_back({solver::peak_flops(cores), solver::peak_bandwidth(cores)});
+    std::printf("%-25s%.1f Gflop/s, %.1f GB/s on %d\n", limits.size() == 1 ? "machine at best" : "", 1e-9 * limits.back().flops,
+                1e-9 * limits.back().bandwidth, cores);
+    if (n >= omp_get_num_procs()) return limits.resize(counts.size(), limits.back()), limits;
+  }
+  return limits;
+}
+
+/// The tables of one subject: `build(gather)` makes it anew.
+template <class Build>
+void bench(Build build, const cases::Model& model, const BenchOptions& o) {
+  namespace fs = std::filesystem;
+  if (!o.csv.empty() && fs::weakly_canonical(o.csv) == fs::weakly_canonical(o.stages_csv)) {
+    throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
+  }
+  for (const std::string& path : {o.csv, o.stages_csv}) refuse_to_replace(path, o.overwrite);
+  const ScratchFolder scratch;
+  BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
+  const cases::Census census = cases::census(model);
+  const std::vector<int> counts = thread_counts(o.threads > 0 ? o.threads : omp_get_max_threads());
+  TimingOptions timing;
+  if (o.batches > 0) timing.least = timing.most = o.batches;
+  timing.steps = o.steps;
+  std::vector<Limits> best;
+  for (const bool gather : {false, true}) {
+    omp_set_num_threads(counts.back());
+    auto holder = build(gather);
+    solver::Simulation& sim = *holder->sim;
+    advance_to(sim, o.after);
+    holder->plan.shaking |= sim.phase() == solver::Phase::shaking;
+    if (!gather) {
+      print_subject(census, sim.world());
+      std::printf("waiting threads          %s\n", waiting_threads().c_str());
+      best = limits_of(counts);
+    }
+    std::printf("\n");
+    table.print_header();
+    const std::vector<Timing> timings = time_steps(sim, counts, timing);
+    for (const Timing& t : timings) table.add(timing_row(gather, t, census));
+    std::printf("\n");
+    stages.print_header();
+    bench_stages(*holder, gather, scratch.path() + (gather ? "/gather" : "/colour"), timings, best, timing.least, stages);
+  }
+}
+
+/// As RestoredRun is, of a case that has just been read.
+struct FreshRun {
+  const cases::Case& value;
+  const cases::Model& model;
+  solver::RunState plan;
+  std::unique_ptr<solver::Simulation> sim;
+};
+
+}  // namespace
+
+int bench_command(const LoadedCase& c, const BenchOptions& o) {
+  cases::Model model = cases::build_model(c.value);
+  load_support_motions(model, c.value.folder);
+  cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
+  if (c.value.motion && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
+  const auto build = [&](bool gather) {
+    solver::Options options;
+    options.gather = gather;
+    return std::make_unique<FreshRun>(FreshRun{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)});
+  };
+  bench(build, model, o);
+  return kDone;
+}
+
+int bench_checkpoint(const std::string& path, const BenchOptions& o) {
+  const auto build = [&](bool gather) {
+    Checkpoint checkpoint = read_checkpoint(path);
+    cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
+    solver::Options options;
+    options.gather = gather;
+    return restore_run(path, std::move(checkpoint), std::move(value), options);
+  };
+  const cases::Model model = cases::build_model(read_case({path, read_checkpoint(path).facts.case_toml, "."}).value);
+  bench(build, model, o);
+  return kDone;
+}
+
+}  // namespace voussoir::io

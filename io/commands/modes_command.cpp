@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/modes_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/commands/progress.h"
+#include "io/commands/run_command.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
+#include "io/motion/support_motion.h"
+#include "io/report/vtu_file.h"
+#include "solver/analysis/impulse.h"
+#include "solver/analysis/modes.h"
+#include "solver/setup/setup.h"
+
+namespace voussoir::io {
+
+namespace {
+
+constexpr std::array<const char*, 2> kAxes{"x", "y"};
+
+double share(const solver::Mode& m, int axis) { return axis == 0 ? m.mass_share.x : m.mass_share.y; }
+
+const solver::Mode& dominant(const std::vector<solver::Mode>& modes, int axis) {
+  return *std::max_element(modes.begin(), modes.end(), [&](const auto& a, const auto& b) { return share(a, axis) < share(b, axis); });
+}
+
+void print_modes(const std::vector<solver::Mode>& modes) {
+  std::printf("eigenvalues of the assembled stiffness\n%6s %16s %31s\n%6s %16s %10s %9s %9s\n", "", "", "effective mass [%]", "mode",
+              "frequency [Hz]", "x", "y", "z");
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const Vec3 s = modes[i].mass_share;
+    std::printf("%6zu %16.3f %10.1f %9.1f %9.1f\n", i + 1, modes[i].frequency, 100.0 * s.x, 100.0 * s.y, 100.0 * s.z);
+  }
+}
+
+/// Points to listen at where the case names none.
+std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes) {
+  std::vector<cases::HistoryPoint> points;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::vector<Vec3>& u = dominant(modes, axis).displacement;
+    const auto most = std::max_element(u.begin(), u.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); }) - u.begin();
+    const auto element = static_cast<std::size_t>(most);
+    points.push_back({"element " + std::to_string(element), model.assembly.elements[element].mass.centroid});
+  }
+  return points;
+}
+
+void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o) {
+  solver::Options options;
+  options.threads = o.threads;
+  std::array<solver::ImpulseResponse, 2> response;
+  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto tick = [&](double done) {
+      if (on_terminal) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", kAxes[static_cast<std::size_t>(axis)], 100.0 * done);
+    };
+    response[static_cast<std::size_t>(axis)] = solver::impulse_response(c, model, options, axis, tick);
+    if (on_terminal) std::fputc('\n', stderr);
+  }
+  std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,
+              solver::kImpulseInterval * solver::kImpulseSamples, 1.0 / (solver::kImpulseInterval * solver::kImpulseSamples), "point",
+              "x by x [Hz]", "y by y [Hz]");
+  for (std::size_t k = 0; k < c.output.history.size(); ++k) {
+    std::printf("%-16s", c.output.history[k].name.c_str());
+    for (const solver::ImpulseResponse& r : response)
+      std::printf(" %14.3f", solver::dominant_frequency(r.displacement[k], solver::kImpulseInterval));
+    std::printf("\n");
+  }
+  std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", dominant(modes, 0).frequency, dominant(modes, 1).frequency);
+  const std::int64_t broken = response[0].broken + response[1].broken;
+  if (broken > 0)
+    std::printf("warning: %lld segment sides broke or slipped under the impulse: its frequencies are not the sound house's\n",
+                static_cast<long long>(broken));
+}
+
+}  // namespace
+
+int modes_command(const LoadedCase& loaded, const ModesOptions& o) {
+  std::error_code none;
+  if (!o.shapes.empty() && !o.overwrite && std::filesystem::exists(o.shapes, none))
+    throw FileError(o.shapes, "exists; --overwrite replaces it");
+  cases::Case c = loaded.value;
+  cases::Model model = cases::build_model(c);
+  load_support_motions(model, c.folder);
+  const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), o.count);
+  if (modes.empty()) throw cases::InputError("", "has nothing that moves");
+  std::printf("%s\n\n", c.title.c_str());
+  print_modes(modes);
+  if (!o.shapes.empty()) write_text_file(o.shapes, mode_shapes_vtu(model, modes), o.overwrite);
+  std::fflush(stdout);
+  if (o.no_impulse) return kDone;
+  if (c.output.history.empty()) c.output.history = most_moved(model, modes);
+  print_impulse(c, model, modes, o);
+  return kDone;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/motion_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <system_error>
+
+#include "cases/names.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
+#include "io/motion/motion_files.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// One line of the table.
+struct Component {
+  std::string record, name;
+  cases::Accelerogram motion;
+  std::optional<double> stated_peak;  // m/s2, of the file's header
+};
+
+/// One argument: a record of three components, or the components of a file.
+struct Source {
+  Record record;
+  std::vector<Component> of_file;
+};
+
+Source read_source(const std::string& argument, const std::optional<std::string>& unit) {
+  std::error_code error;
+  if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
+  if (fs::is_directory(argument, error)) return {read_record_folder(argument, unit), {}};
+  const bool exists = fs::exists(argument, error);
+  if (!exists && argument.find('#') == std::string::npos) {
+    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, or bam-like");
+  }
+  Source source;
+  std::vector<Channel> channels = exists ? read_motion_file(argument, unit) : std::vector<Channel>{read_channel(argument, unit)};
+  for (Channel& c : channels) {
+    const std::string name = c.component.empty() ? "-" : c.component;
+    source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak});
+  }
+  return source;
+}
+
+void cut(cases::Accelerogram& a, double until) {
+  if (a.acceleration.empty()) return;
+  const double samples = std::floor(until / a.dt * (1.0 + 1e-12)) + 1.0;
+  if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
+}
+
+void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
+  if (arguments.empty()) throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like");
+  if (o.unit && !acceleration_unit(*o.unit)) throw cases::InputError("--unit", shown(*o.unit) + "; allowed: " + kUnitNames);
+  if (o.until && !(*o.until > 0.0)) throw cases::InputError("--until", cases::text(*o.until) + " s; allowed: above 0");
+  for (const double z : o.damping) {
+    if (!(z >= 0.0 && z < 1.0)) throw cases::InputError("--damping", cases::text(z) + "; allowed: from 0 to below 1 (of critical)");
+  }
+  if (o.spectra && o.damping.empty()) throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
+  std::error_code error;
+  if (o.spectra && !o.overwrite && fs::exists(*o.spectra, error)) throw FileError(*o.spectra, "exists; --overwrite replaces it");
+  if (o.write && arguments.size() != 1) {
+    throw cases::InputError("--write", std::to_string(arguments.size()) + " records named; allowed: one");
+  }
+}
+
+std::vector<Component> components_of(std::vector<Source>& sources) {
+  std::vector<Component> all;
+  for (Source& s : sources) {
+    all.insert(all.end(), s.of_file.begin(), s.of_file.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!s.record.ltv[i].acceleration.empty()) all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i], std::nullopt});
+    }
+  }
+  return all;
+}
+
+/// A name that several arguments share says nothing: these are called by what the user called them.
+void tell_apart(std::vector<Source>& sources, const std::vector<std::string>& arguments) {
+  const auto name_of = [](Source& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
+  std::map<std::string, int> uses;
+  for (Source& s : sources) ++uses[name_of(s)];
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (uses[name_of(sources[i])] == 1) continue;
+    sources[i].record.name = arguments[i];
+    for (Component& c : sources[i].of_file) c.record = arguments[i];
+  }
+}
+
+void write_record(const Source& source, const std::string& argument, const MotionOptions& o) {
+  if (!source.of_file.empty()) throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, or a folder");
+  for (const cases::Accelerogram& a : source.record.ltv) {
+    if (a.acceleration.size() == 1)
+      throw cases::InputError("--until", cases::text(*o.until) + " s leaves one sample; allowed: " + cases::text(a.dt) + " s or more");
+  }
+  write_record_folder(source.record, *o.write, o.overwrite);
+}
+
+void print_table(const std::vector<Component>& components, std::ostream& out) {
+  std::size_t width = 6;
+  for (const Component& c : components) width = std::max(width, c.record.size());
+  const auto name_column = [width](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+  char line[320];
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "component", "dt", "samples", "duration",
+                "PGA", "PGA", "at", "PGV", "PGD", "Arias", "D5-75", "D5-95", "stated");
+  out << name_column("record") << line;
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "", "s", "", "s", "m/s2", "g", "s", "m/s",
+                "m", "m/s", "s", "s", "m/s2");
+  out << name_column("") << line;
+  for (const Component& c : components) {
+    const cases::MotionFigures f = cases::figures(c.motion);
+    char stated[32] = "-";
+    if (c.stated_peak) std::snprintf(stated, sizeof stated, "%.4f", *c.stated_peak);
+    std::snprintf(line, sizeof line, "  %-9s %8.6g %8zu %8.3f %9.4f %8.5f %8.3f %8.4f %8.4f %8.4f %7.3f %7.3f %8s\n", c.name.c_str(),
+                  c.motion.dt, c.motion.acceleration.size(), f.duration, f.peak_acceleration, f.peak_acceleration / cases::kStandardGravity,
+                  f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95, stated);
+    out << name_column(c.record) << line;
+  }
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void write_spectra(const std::vector<Component>& components, const MotionOptions& o) {
+  constexpr int kFrequencies = 271;
+  constexpr double kLowest = 0.1, kHighest = 50.0;  // Hz
+  std::ofstream out(*o.spectra, std::ios::binary | std::ios::trunc);
+  out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
+  for (const Component& c : components) {
+    for (const double z : o.damping) {
+      for (int i = 0; i < kFrequencies; ++i) {
+        const double f = kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)), w = 2.0 * std::numbers::pi * f;
+        const double sd = cases::spectral_displacement(c.motion, f, z);
+        char line[160];
+        std::snprintf(line, sizeof line, ",%.6g,%.6g,%.6g,%.8g,%.8g,%.8g\n", z, f, 1.0 / f, sd, w * sd, w * w * sd);
+        out << csv_field(c.record) << ',' << csv_field(c.name) << line;
+      }
+    }
+  }
+  out.close();
+  if (!out) throw FileError(*o.spectra, "cannot be written");
+}
+
+}  // namespace
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
+  check(arguments, o);
+  std::vector<Source> sources;
+  for (const std::string& argument : arguments) {
+    Source s = read_source(argument, o.unit);
+    if (o.until) {
+      for (auto& a : s.record.ltv) cut(a, *o.until);
+      for (Component& c : s.of_file) cut(c.motion, *o.until);
+    }
+    sources.push_back(std::move(s));
+  }
+  if (o.write) write_record(sources[0], arguments[0], o);
+  tell_apart(sources, arguments);
+  const std::vector<Component> components = components_of(sources);
+  if (o.spectra) write_spectra(components, o);
+  print_table(components, out);
+  return 0;
+}
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o) { return motion_command(arguments, o, std::cout); }
+
+}  // namespace voussoir::io

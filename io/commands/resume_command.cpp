@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/resume_command.h"
+
+#include <omp.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "cases/names.h"
+#include "io/case_file/case_file.h"
+#include "io/commands/restored_run.h"
+#include "io/commands/run_command.h"
+#include "io/commands/session.h"
+#include "io/files/run_folder.h"
+
+namespace voussoir::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Found {
+  std::string path;
+  Checkpoint checkpoint;
+};
+
+Found newest_good(const std::string& folder) {
+  const std::vector<std::string> paths = checkpoint_files(folder);
+  std::string faults;
+  for (const std::string& path : paths) {
+    try {
+      Found found{path, read_checkpoint(path)};
+      if (!faults.empty()) std::fprintf(stderr, "voussoir: warning: %s; going on from %s\n", faults.c_str(), path.c_str());
+      return found;
+    } catch (const DamagedFile& e) {
+      faults += (faults.empty() ? "" : "; ") + std::string(e.what());
+    }
+  }
+  if (!faults.empty()) throw FileError(folder, "holds no checkpoint that is whole (" + faults + "); the case must be run anew");
+  if (fs::exists(folder + "/checkpoint-failed.h5"))
+    throw FileError(folder, "holds a numerical failure only; run the case anew with what the failure's message said");
+  throw FileError(folder, "holds no checkpoint: nothing to go on from");
+}
+
+/// The first line in which two texts differ, as "'a' there, 'b' here"; empty if none does.
+std::string difference(const std::string& there, const std::string& here) {
+  std::istringstream a(there), b(here);
+  for (std::string p, q;;) {
+    const bool more_a = static_cast<bool>(std::getline(a, p)), more_b = static_cast<bool>(std::getline(b, q));
+    if (!more_a && !more_b) return {};
+    if (p != q || more_a != more_b) return "'" + (more_a ? p : "the end") + "' there, '" + (more_b ? q : "the end") + "' in the checkpoint";
+  }
+}
+
+/// A folder's case.toml says whose results these are. Only the end may differ, and is taken over: a resume that --until sent further may
+/// have been killed before its first checkpoint.
+void take_end(const std::string& folder, const Found& found, cases::Case& saved) {
+  const std::string path = folder + "/case.toml";
+  if (!fs::exists(path)) return;
+  const cases::Case there = load_case(path).value;
+  cases::Case sent_further = saved;
+  sent_further.time.duration = there.time.duration;
+  sent_further.time.after_collapse = there.time.after_collapse;
+  const std::string what = difference(resolved_toml(there), resolved_toml(sent_further));
+  if (!what.empty()) throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
+  if (there.time.duration > found.checkpoint.facts.time) saved = std::move(sent_further);
+}
+
+/// How far results say that they came.
+struct Extent {
+  bool finished = false, merged = false;
+  double end = 0.0;  // s
+};
+Extent extent_of(const std::string& run) {
+  const Hdf5File file = Hdf5File::open(run);
+  if (!file.exists("/summary") || file.attribute_int("/summary", "finished") == 0) return {};
+  return {.finished = true, .merged = file.attribute_int("/", "parts") == 0, .end = file.attribute_double("/summary", "end_time")};
+}
+
+/// The new end of the run, whatever has collapsed by then. A collapse may have ended it before its duration.
+void set_end(cases::Case& c, const std::optional<double>& until, double time, const Extent& there) {
+  if (!until) return;
+  if (!(*until <= cases::kLongestRun))
+    throw cases::InputError("--until", "= " + cases::text(*until) + " s; allowed: at most " + cases::text(cases::kLongestRun) + " s");
+  const double own_end = there.finished && c.time.after_collapse ? there.end : std::max(time, c.time.duration);
+  if (*until <= time || *until < own_end) {
+    throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
+                                           cases::text(own_end) + " s");
+  }
+  c.time.duration = *until;
+  c.time.after_collapse.reset();
+}
+
+}  // namespace
+
+int resume_command(const ResumeOptions& o) {
+  const RunFolder folder = RunFolder::open(o.folder);
+  const std::string run = folder.file("run.h5");
+  Found found = newest_good(folder.path());
+  if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
+  cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
+  take_end(folder.path(), found, c);
+  const Extent there = extent_of(run);
+  if (!o.until && there.finished && there.merged) {
+    std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), there.end);
+    write_views(folder.path(), o.views);
+    return kDone;
+  }
+  set_end(c, o.until, found.checkpoint.facts.time, there);
+
+  solver::Options options;
+  options.threads = o.threads;
+  const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
+
+  const std::string resolved = resolved_toml(r->value);
+  folder.write_case(resolved);
+  ResultsOptions keep;
+  keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
+  ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(omp_get_max_threads()), keep);
+  Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
+  if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
+  const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
+  if (code == kDone) write_views(folder.path(), o.views);
+  return code;
+}
+
+}  // namespace voussoir::io

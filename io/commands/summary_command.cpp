@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/summary_command.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/commands/run_command.h"
+#include "io/files/hdf5_file.h"
+#include "io/measures/measures_file.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the run itself has said in /summary; nothing of a run that has not come so far.
+Json told(const Hdf5File& run) {
+  Json out = Json::object();
+  const auto has = [&](const char* name) { return run.has_attribute("/summary", name); };
+  for (const char* name : {"finished", "collapsed", "settled", "tension", "shear", "compression", "slipped"})
+    if (has(name)) out[name] = run.attribute_int("/summary", name);
+  for (const char* name : {"fallen_mass_fraction", "first_crack_time", "peak_base_shear", "peak_speed", "worst_residual", "end_time"})
+    if (has(name)) out[name] = run.attribute_double("/summary", name);
+  if (has("state_hash")) out["state_hash"] = run.attribute_text("/summary", "state_hash");
+  return out;
+}
+
+Json summary_of(const Hdf5File& run, const Measures& m) {
+  Json out = told(run);
+  if (!out.contains("collapsed")) {
+    out["collapsed"] = std::int64_t{m.collapsed};
+    out["fallen_mass_fraction"] = m.fallen_mass_fraction;
+    out["first_crack_time"] = m.first_crack_time;
+    if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
+  }
+  out.update(Json::parse(measures_json(m)));
+  return out;
+}
+
+/// A figure with its unit, or a word for "there is none".
+std::string text(const char* format, double value, const char* none = "-") {
+  if (std::isnan(value)) return none;
+  std::array<char, 64> out{};
+  std::snprintf(out.data(), out.size(), format, value);
+  return out.data();
+}
+std::string percent(double value) { return text("%.1f %%", 100 * value); }
+std::string seconds(double time) { return time < 0 ? "never" : text("%.3f s", time); }
+
+void line(const char* name, const std::string& value) { std::printf("%-21s%s\n", name, value.c_str()); }
+
+void print_grade(const Measures& m) {
+  if (m.damage_grade < 0) return line("damage grade", "-");
+  std::string value = "G" + std::to_string(m.damage_grade);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(m.damage_grade); ++g)
+    value += (g == 0 ? "  (G" : ", G") + std::to_string(g + 1) + " from " + seconds(m.grade_time[g]);
+  line("damage grade", value + (m.damage_grade > 0 ? ")" : ""));
+}
+
+void print_walls(const Measures& m) {
+  if (m.walls.empty()) return;
+  std::size_t width = 20;
+  for (const WallMeasures& w : m.walls) width = std::max(width, w.name.size());
+  const int indent = static_cast<int>(width);
+  std::printf("\n%-*s %8s %12s %11s %10s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "cracks 1 mm",
+              "of 5 mm");
+  for (const WallMeasures& w : m.walls)
+    std::printf("%-*s %8s %12s %11s %10s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
+                seconds(w.first_fallen_time).c_str(), percent(w.peak_drift).c_str(), percent(w.residual_drift).c_str(),
+                text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str());
+  if (!std::isnan(m.roof_fallen_mass_fraction))
+    std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
+}
+
+void print_table(const Json& s, const Measures& m) {
+  const double end = s.value("end_time", 0.0);
+  line("run", (s.value("finished", 0) != 0 ? "finished at " : "not finished, to ") + text("%.3f s", end));
+  print_grade(m);
+  line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
+  line("first crack", seconds(s["first_crack_time"]));
+  line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
+  line("fallen mass", percent(s["fallen_mass_fraction"]));
+  line("debris", text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
+                     text("%.2f m", m.debris.reach_95));
+  line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
+  line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  for (const char* name : {"tension", "shear", "compression"})
+    if (s.contains(name)) line(("sides in " + std::string(name)).c_str(), std::to_string(s[name].get<std::int64_t>()));
+  if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
+  if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  if (s.contains("state_hash")) line("state hash", s["state_hash"]);
+  print_walls(m);
+}
+
+}  // namespace
+
+int summary_command(const SummaryOptions& o) {
+  const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
+  const Measures m = measure(run);
+  const Json summary = summary_of(run, m);
+  if (o.json) {
+    std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+  } else {
+    print_table(summary, m);
+  }
+  return kDone;
+}
+
+}  // namespace voussoir::io

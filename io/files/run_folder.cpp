@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/files/run_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "io/files/errors.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+std::string system_words(int error) { return std::generic_category().message(error); }
+
+/// A file descriptor that is closed in its turn.
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags) : id_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (id_ < 0) throw FileError(path, "cannot open: " + system_words(errno));
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (id_ >= 0) ::close(id_);
+  }
+  [[nodiscard]] int id() const noexcept { return id_; }
+  int release() noexcept { return std::exchange(id_, -1); }
+
+ private:
+  int id_;
+};
+
+void sync(const std::string& path) {
+  const Descriptor file(path, O_RDONLY);
+  // Some file systems cannot sync a folder and say so with EINVAL; there is nothing more to do there.
+  if (::fsync(file.id()) != 0 && errno != EINVAL) throw FileError(path, "cannot write: " + system_words(errno));
+}
+
+void write_all(int file, const char* data, std::size_t bytes, const std::string& path) {
+  while (bytes > 0) {
+    const ssize_t n = ::write(file, data, bytes);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw FileError(path, "cannot write: " + system_words(errno));
+    data += n;
+    bytes -= static_cast<std::size_t>(n);
+  }
+}
+
+bool digits_only(const std::string& s) {
+  return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool is_part(const std::string& name) {
+  const std::string stem = name.substr(0, name.find('.'));
+  return digits_only(stem) && (name == stem + ".h5" || name == stem + ".h5.tmp");
+}
+
+/// VIEW-TIMEs.png, as stills.cpp names them.
+bool is_still(const std::string& name) {
+  const std::size_t dash = name.find('-');
+  if (dash == std::string::npos || !name.ends_with("s.png")) return false;
+  const std::string time = name.substr(dash + 1, name.size() - dash - 6);
+  return !time.empty() && time.find_first_not_of("0123456789.") == std::string::npos;
+}
+
+bool is_result(const std::string& name) {
+  for (const char* own : {"run.h5", "case.toml", "report.html", "run.xdmf", "paraview.h5"})
+    if (name == own || name == std::string(own) + ".tmp") return true;
+  return name.starts_with("checkpoint-") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
+}
+
+std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(const std::string&)) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (chosen(entry.path().filename().string())) names.push_back(entry.path().filename().string());
+  // run.h5 last in the alphabet, but first to go: a half-removed run must not look like results.
+  std::ranges::sort(names, std::greater<>());
+  return names;
+}
+
+void remove_results(const std::string& folder) {
+  for (const std::string& name : names_in(folder, is_result)) fs::remove(folder + "/" + name);
+  const auto remove_in = [](const std::string& inner, bool (*chosen)(const std::string&)) {
+    for (const std::string& name : names_in(inner, chosen)) fs::remove(inner + "/" + name);
+    std::error_code not_empty;
+    fs::remove(inner, not_empty);
+  };
+  remove_in(folder + "/parts", is_part);
+  remove_in(folder + "/stills", is_still);
+}
+
+std::string holder(int lock) {
+  std::string text(32, '\0');
+  const ssize_t n = ::pread(lock, text.data(), text.size(), 0);
+  text.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  text = text.substr(0, text.find('\n'));
+  return digits_only(text) ? "process " + text : "another process";
+}
+
+int take_lock(const std::string& folder) {
+  Descriptor lock(folder + "/.lock", O_RDWR | O_CREAT);
+  if (::flock(lock.id(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) throw FileError(folder, "is in use by " + holder(lock.id()) + "; give another folder or wait for it to end");
+    throw FileError(folder + "/.lock", "cannot lock: " + system_words(errno));
+  }
+  const std::string pid = std::to_string(::getpid()) + "\n";
+  if (::ftruncate(lock.id(), 0) != 0) throw FileError(folder + "/.lock", "cannot write: " + system_words(errno));
+  write_all(lock.id(), pid.data(), pid.size(), folder + "/.lock");
+  return lock.release();
+}
+
+}  // namespace
+
+void replace_file(const std::string& temporary, const std::string& path) {
+  try {
+    sync(temporary);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) throw FileError(path, "cannot replace: " + system_words(errno));
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  const std::string folder = fs::path(path).parent_path().string();
+  sync(folder.empty() ? "." : folder);
+}
+
+void write_whole_file(const std::string& path, std::span<const std::span<const std::byte>> pieces) {
+  const std::string temporary = path + ".tmp";
+  try {
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    for (const auto& piece : pieces) write_all(file.id(), reinterpret_cast<const char*>(piece.data()), piece.size(), path);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  replace_file(temporary, path);
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  const std::span<const std::byte> piece = std::as_bytes(std::span(text));
+  write_whole_file(path, {&piece, 1});
+}
+
+RunFolder::RunFolder(std::string path) : path_(std::move(path)) {
+  while (path_.size() > 1 && path_.ends_with('/')) path_.pop_back();
+  lock_ = take_lock(path_);
+}
+
+RunFolder::RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+RunFolder::~RunFolder() {
+  // The lock file stays: removing it would let a third process lock a file that a second one still waits for.
+  if (lock_ >= 0) ::close(lock_);
+}
+
+RunFolder RunFolder::create(const std::string& path, bool overwrite) {
+  if (path.empty()) throw FileError("\"\"", "the folder for results has no name");
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error)) throw FileError(path, "is a file; results need a folder");
+  fs::create_directories(path, error);
+  if (error) throw FileError(path, "cannot make the folder: " + error.message());
+  RunFolder folder(path);
+  try {
+    const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
+    if (used && !overwrite) throw FileError(path, "holds the results of another run; give another folder, or --overwrite to replace them");
+    if (used) remove_results(path);
+  } catch (const fs::filesystem_error& e) {
+    throw FileError(path, "cannot remove old results: " + e.code().message());
+  }
+  return folder;
+}
+
+RunFolder RunFolder::open(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) throw FileError(path, "is no folder of a run");
+  return RunFolder(path);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cases/model.h"
+#include "io/files/hdf5_file.h"
+
+/// What measures of a collapse ask of the model of a run: which elements are a wall, where it stands, what room is between the walls.
+namespace voussoir::io {
+
+/// A box along the axes, m; `low` and `high` of x, y, z.
+struct Box {
+  std::array<double, 3> low, high;
+
+  /// Nothing in it yet.
+  static Box empty() noexcept;
+  void include(const Box& other) noexcept;
+  [[nodiscard]] double centre(std::size_t axis) const noexcept { return 0.5 * (low[axis] + high[axis]); }
+  [[nodiscard]] double size(std::size_t axis) const noexcept { return high[axis] - low[axis]; }
+};
+
+/// One side of a house: its bricks, its lintels and the gable upon it.
+struct Wall {
+  std::string name;                           // "front wall"; "front wall of house 1" where there are several houses
+  std::int32_t house = 0;                     // copy of the house
+  Box box;                                    // of its bricks without the gable
+  std::size_t across = 0;                     // axis normal to its plane: 0 x, 1 y
+  double outward = 1.0;                       // 1: out of the house is along that axis, −1: against it
+  std::vector<std::size_t> foot;              // elements of its lowest course
+  std::vector<std::vector<std::size_t>> top;  // elements of its uppermost course without the gable, in pieces of about 1 m along the wall
+
+  [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
+  [[nodiscard]] double thickness() const noexcept { return box.size(across); }
+  [[nodiscard]] double height() const noexcept { return box.size(2); }
+};
+
+/// The space between the walls of one house, up to their height.
+struct Room {
+  std::array<double, 2> low, high;  // x and y, m
+  double floor = 0, ceiling = 0;    // z, m
+};
+
+struct Building {
+  double base = 0;           // height of the base, m
+  std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
+  std::vector<cases::PartKind> kind;
+  std::vector<std::int32_t> wall;  // into walls; −1: of no wall
+  std::vector<Box> box;            // in the reference configuration
+  std::vector<Wall> walls;         // none without a house
+  std::vector<Room> rooms;         // of the houses whose walls leave one
+  Box footprint;                   // of the houses; without a house: of all elements that are not fixed
+
+  [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
+    return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
+  }
+};
+
+/// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
+Building building_of(const Hdf5File& run);
+
+}  // namespace voussoir::io

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/measures/building.h"
+#include "io/replay/placed_elements.h"
+
+namespace voussoir::io {
+
+/// Area of a wall's open joints over that of its horizontal section (length times thickness): 1 is as much as one crack from end to end.
+struct CrackExtent {
+  double any = 0;    // joints that have come open since time zero, closed again or not
+  double fine = 0;   // joints whose faces are kFineCrack apart or more, now
+  double large = 0;  // the same with kLargeCrack
+};
+
+/// How far cracks go in each wall. A crack's width is the distance, in opening and sliding together, of the two points that met in the
+/// middle of a joint. A joint between two walls counts for both.
+class Cracks {
+ public:
+  static constexpr double kFineCrack = 1e-3, kLargeCrack = 5e-3;  // m
+
+  /// \param start  poses in the reference configuration \throw FileError
+  Cracks(const Hdf5File& run, const Building& building, const std::vector<Pose>& start);
+
+  /// One for each wall. \param time  of the poses [s]
+  [[nodiscard]] std::vector<CrackExtent> extents(double time, const std::vector<Pose>& poses) const;
+
+ private:
+  struct OpenJoint {
+    double time;                  // when it came open, s
+    double area;                  // m2
+    std::int32_t a, b;            // elements; b = −1: the base
+    std::int32_t wall_a, wall_b;  // −1: none, or the other's
+    Vec3 from_a, from_b;          // its centre from the elements' centroids, m; from_b of the base: from the origin
+  };
+  std::vector<OpenJoint> joints_;
+  std::vector<double> section_;  // m2, of each wall
+};
+
+}  // namespace voussoir::io

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/free_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voussoir::io {
+namespace {
+
+// Where in its cell a vertical line stands, along x and y: so that faces of bricks, on multiples of 0.05 m, do not run through lines.
+constexpr double kPlace = 0.25;
+
+/// Numbers [first, last) of the cells whose lines lie in [from, to], m.
+std::pair<std::size_t, std::size_t> cells_between(double from, double to, double origin, double size, std::size_t count) {
+  const auto number = [&](double x) {
+    return static_cast<std::size_t>(std::clamp(std::ceil((x - origin) / size - kPlace), 0.0, static_cast<double>(count)));
+  };
+  return {number(from), number(to)};
+}
+
+}  // namespace
+
+/// Calls `use` with the cell and the chord of the vertical line of every cell in an element of the roof, or in another one.
+template <class Use>
+void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, bool roof, const Use& use) const {
+  for (std::size_t e = 0; e < poses.size(); ++e) {
+    if (building_.is_roof(e) != roof) continue;
+    const Vec3 c = poses[e].centre;
+    const double r = shapes_.radius(e);
+    const auto [i0, i1] = cells_between(c.x - r, c.x + r, g.room.low[0], g.dx, g.nx);
+    const auto [j0, j1] = cells_between(c.y - r, c.y + r, g.room.low[1], g.dy, g.ny);
+    for (std::size_t j = j0; j < j1; ++j) {
+      for (std::size_t i = i0; i < i1; ++i) {
+        const double x = g.room.low[0] + (static_cast<double>(i) + kPlace) * g.dx,
+                     y = g.room.low[1] + (static_cast<double>(j) + kPlace) * g.dy;
+        if (const auto chord = shapes_.chord(e, poses[e], x, y)) use(j * g.nx + i, *chord);
+      }
+    }
+  }
+}
+
+FreeVolume::FreeVolume(const Building& building, const ElementShapes& shapes, const std::vector<Pose>& start)
+    : building_(building), shapes_(shapes) {
+  for (const Room& room : building.rooms) {
+    Grid g{room, 0, 0, 0, 0, {}};
+    const auto cells = [](double length) { return static_cast<std::size_t>(std::max(1L, std::lround(length / kCell))); };
+    g.nx = cells(room.high[0] - room.low[0]), g.ny = cells(room.high[1] - room.low[1]);
+    g.dx = (room.high[0] - room.low[0]) / static_cast<double>(g.nx), g.dy = (room.high[1] - room.low[1]) / static_cast<double>(g.ny);
+    find_ceiling(g, start);
+    grids_.push_back(std::move(g));
+  }
+  initial_ = at(start);
+}
+
+// The underside of the roof, which a vault has above the walls; without a roof over the cell, the top of the walls.
+void FreeVolume::find_ceiling(Grid& g, const std::vector<Pose>& start) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  g.ceiling.assign(g.nx * g.ny, kNone);
+  for_each_chord(g, start, true, [&](std::size_t cell, Chord c) { g.ceiling[cell] = std::min(g.ceiling[cell], c.low); });
+  std::ranges::replace(g.ceiling, kNone, g.room.ceiling);
+}
+
+double FreeVolume::at(const std::vector<Pose>& poses) const {
+  double volume = 0;
+  for (const Grid& g : grids_) {
+    std::vector<double> cover = g.ceiling, filled(g.ceiling.size(), 0.0);
+    for_each_chord(g, poses, true, [&](std::size_t cell, Chord c) { cover[cell] = std::min(cover[cell], c.low); });
+    for_each_chord(g, poses, false, [&](std::size_t cell, Chord c) {
+      filled[cell] += std::max(0.0, std::min(c.high, cover[cell]) - std::max(c.low, g.room.floor));
+    });
+    for (std::size_t cell = 0; cell < cover.size(); ++cell)
+      volume += std::max(0.0, cover[cell] - g.room.floor - filled[cell]) * g.dx * g.dy;
+  }
+  return volume;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/measures_file.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "io/files/hdf5_file.h"
+
+namespace voussoir::io {
+namespace {
+
+template <class T>
+void put(Hdf5File& file, const std::string& name, const std::vector<T>& values, const Shape& shape, const Hdf5Note& note) {
+  std::size_t row_bytes = sizeof(T);
+  for (std::size_t i = 1; i < shape.size(); ++i) row_bytes *= shape[i];
+  file.write_dataset(name, Hdf5TypeOf<T>::value, shape, values.data(), row_bytes > 0 ? checked_layout(row_bytes) : Hdf5Layout{}, note);
+}
+
+void write_walls(Hdf5File& file, const std::vector<WallMeasures>& walls) {
+  std::vector<std::string> names;
+  for (const WallMeasures& w : walls) names.push_back(w.name);
+  file.write_strings("/summary/wall/name", names, {"1", "walls in the order of the other datasets here"});
+  for (const WallColumn& column : kWallColumns) {
+    std::vector<double> values;
+    for (const WallMeasures& w : walls) values.push_back(w.*column.value);
+    put(file, std::string("/summary/wall/") + column.name, values, {walls.size()}, {column.unit, column.description});
+  }
+}
+
+void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
+  const Shape rows{s.time.size()};
+  put(file, "/measures/time", s.time, rows, {"s", "time of the rows, those of /frames"});
+  put(file, "/measures/damage_grade", s.damage_grade, rows,
+      {"1", "EMS-98, 0 to 5: the least from here to the end; -1: there are no walls"});
+  put(file, "/measures/fallen_mass_fraction", s.fallen_mass_fraction, rows, {"1", "of all mass"});
+  put(file, "/measures/free_volume", s.free_volume, rows, {"1", "left between floor and roof, of that at first; NaN: there is no room"});
+  put(file, "/measures/drift", s.drift, {s.time.size(), walls},
+      {"1", "out-of-plane drift of each wall of /summary/wall, outward positive; NaN: it does not stand"});
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const Measures& m) {
+  return {{"damage_grade", m.damage_grade, "EMS-98 (below 0: there are no walls)"},
+          {"collapse_time", m.collapse_time, "s (below 0: never)"},
+          {"first_fallen_time", m.first_fallen_time, "s (below 0: never)"},
+          {"first_fallen_wall", m.first_fallen_wall, "a name of wall/name (empty: none)"},
+          {"roof_first_fallen_time", m.roof_first_fallen_time, "s (below 0: never)"},
+          {"roof_fallen_mass_fraction", m.roof_fallen_mass_fraction, "1 (NaN: there is no roof)"},
+          {"debris_area", m.debris.area, "m2"},
+          {"debris_reach", m.debris.reach, "m"},
+          {"debris_reach_95", m.debris.reach_95, "m"},
+          {"initial_free_volume", m.initial_free_volume, "m3"},
+          {"free_volume", m.free_volume, "1 (NaN: there is no room)"},
+          {"least_free_volume", m.least_free_volume, "1 (NaN: there is no room)"},
+          {"peak_drift", m.peak_drift, "1 (NaN: there is no wall)"},
+          {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"}};
+}
+
+std::string figure_units() {
+  std::map<std::string, std::string> names;  // by unit
+  for (const Figure& f : figures_of({})) {
+    std::string& of_unit = names[f.unit];
+    of_unit += (of_unit.empty() ? "" : ", ") + std::string(f.name);
+  }
+  std::string text;
+  for (const auto& [unit, all] : names) text.append(text.empty() ? "" : "; ").append(all).append(": ").append(unit);
+  return text;
+}
+
+std::string measures_json(const Measures& m) {
+  nlohmann::ordered_json out;
+  for (const Figure& f : figures_of(m)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
+  out["grade_time"] = m.grade_time;
+  out["walls"] = nlohmann::ordered_json::array();
+  for (const WallMeasures& w : m.walls) {
+    nlohmann::ordered_json& wall = out["walls"].emplace_back(nlohmann::ordered_json{{"name", w.name}});
+    for (const WallColumn& column : kWallColumns) wall[column.name] = w.*column.value;
+  }
+  return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void write_measures(Hdf5File& file, const Measures& m) {
+  for (const Figure& f : figures_of(m)) std::visit([&](const auto& value) { file.set_attribute("/summary", f.name, value); }, f.value);
+  put(file, "/summary/grade_time", std::vector<double>(m.grade_time.begin(), m.grade_time.end()), {m.grade_time.size()},
+      {"s", "from when on damage was of grade 1, 2, 3, 4, 5 of EMS-98 at least; below 0: never"});
+  write_walls(file, m.walls);
+  write_series(file, m.series, m.walls.size());
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
+
+// CDMG/CSMIP V2 (corrected), one block a channel: a head of text and numbers, then acceleration, velocity and displacement, each behind a
+// line "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC. (UNITS: CM/SEC/SEC)", and "/&". The head is read by its words: nothing in it
+// that is needed stands at a fixed line only.
+namespace voussoir::io {
+namespace {
+
+constexpr Columns kColumns{8, 10};        // where the line prints none
+constexpr std::size_t kLongestHead = 80;  // lines
+
+struct Head {
+  std::vector<std::string> lines;
+  std::string component;
+  std::optional<double> peak;  // m/s2
+};
+
+bool is_data_line(std::string_view line) { return holds(line, "POINTS OF") && holds(line, "DATA EQUALLY SPACED AT"); }
+
+/// "CHAN  1:  90 DEG", to the first two blanks after it.
+void read_head_line(std::string_view line, Head& h) {
+  const std::size_t colon = line.find(':');
+  if (h.component.empty() && begins(line, "CHAN ") && colon != std::string_view::npos) {
+    const std::string_view rest = trimmed(line.substr(colon + 1));
+    h.component = rest.substr(0, rest.find("  "));
+  }
+  if (begins(line, "PEAK ACCELERATION")) {
+    const auto peak = number_after(line, "PEAK ACCELERATION");
+    const std::size_t unit = upper(line).find("CM/S");
+    if (peak && unit != std::string::npos) h.peak = std::abs(*peak) * 0.01;
+  }
+  h.lines.emplace_back(trimmed(line));
+}
+
+/// The head of a channel to its first line of data, which is returned.
+std::string read_head(MotionText& text, std::string_view first, Head& h) {
+  std::string line(first);
+  while (!is_data_line(line)) {
+    if (h.lines.size() == kLongestHead) {
+      text.fail("no line 'n POINTS OF ACCEL DATA EQUALLY SPACED AT s SEC. (UNITS: ...)' in the first " + std::to_string(kLongestHead) +
+                " lines of the channel");
+    }
+    read_head_line(line, h);
+    line = text.need("the line 'n POINTS OF ACCEL DATA EQUALLY SPACED AT s SEC. (UNITS: ...)'");
+  }
+  return line;
+}
+
+/// "... (UNITS: CM/SEC/SEC)" or "... .005 sec, in cm/sec2. (8f10.6)".
+std::string_view unit_name(const std::string& line) {
+  for (const char* key : {"UNITS:", " IN "}) {
+    const std::size_t found = upper(line).find(key);
+    if (found == std::string::npos) continue;
+    std::string_view rest = trimmed(std::string_view(line).substr(found + std::string_view(key).size()));
+    rest = rest.substr(0, rest.find_first_of(" ),"));
+    if (rest.ends_with('.')) rest.remove_suffix(1);
+    return rest;
+  }
+  return {};
+}
+
+std::vector<double> read_series(MotionText& text, const std::string& line, Channel& c) {
+  const Place at = text.here();
+  const std::uint64_t count = stated_count(at, "the number of points", number_after(line, ""));
+  const Columns columns = columns_in(line).value_or(kColumns);
+  if (!holds(line, "OF ACCEL")) {
+    skip_columns(text, count, columns, "the values of velocity or displacement");
+    return {};
+  }
+  c.motion.dt = stated_step(at, "EQUALLY SPACED AT", number_after(line, "EQUALLY SPACED AT"));
+  return read_columns(text, count, columns, stated_unit(at, unit_name(line)));
+}
+
+Channel read_channel(MotionText& text, std::string_view first) {
+  Head h;
+  Channel c;
+  std::string line = read_head(text, first, h);
+  while (!line.starts_with("/&")) {
+    if (!is_data_line(line)) text.fail(shown(line) + " after the values; wanted 'n POINTS OF ... DATA EQUALLY SPACED AT s SEC.', or '/&'");
+    const bool had = !c.motion.acceleration.empty();
+    auto series = read_series(text, line, c);
+    if (had && !series.empty()) text.fail("a second acceleration of one channel; wanted '/&' before the next channel");
+    if (!had) c.motion.acceleration = std::move(series);
+    line = text.need("'/&', the end of the channel");
+  }
+  if (h.component.empty()) text.fail("the head of the channel has no line 'CHAN n: direction'");
+  c.component = h.component;
+  if (upper(c.component) == "UP") c.axis = 'V';
+  c.stated_peak = h.peak;
+  const auto head_line = [&h](std::size_t number) { return number <= h.lines.size() ? h.lines[number - 1] : std::string(); };
+  c.motion.name = head_line(7) + ", " + head_line(3) + ", " + c.component;
+  return c;
+}
+
+}  // namespace
+
+std::vector<Channel> read_csmip(const std::string& path) {
+  MotionText text(path);
+  std::vector<Channel> channels;
+  while (const auto line = text.next_filled()) {
+    Channel c = read_channel(text, *line);
+    if (!c.motion.acceleration.empty()) channels.push_back(std::move(c));
+  }
+  if (channels.empty()) text.fail("the file holds no acceleration");
+  return channels;
+}
+
+}  // namespace voussoir::io

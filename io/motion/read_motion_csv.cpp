@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cases/names.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/read_motion.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr const char* kColumns = "wanted two columns: time [s], acceleration";
+
+using Fields = std::vector<std::string_view>;
+
+/// Divided by commas or semicolons if there is one, else by blanks. Never more than three: the third only shows that there are too many.
+Fields fields_of(std::string_view line) {
+  const std::size_t mark = line.find_first_of(",;");
+  const std::string_view divider = mark == std::string_view::npos ? std::string_view(" \t") : line.substr(mark, 1);
+  Fields fields;
+  line = trimmed(line);
+  while (fields.size() < 3) {
+    const std::size_t end = line.find_first_of(divider);
+    fields.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 1);
+    if (divider.size() > 1) line = trimmed(line);
+  }
+  return fields;
+}
+
+/// "m/s2" of "a [m/s2]" or "a (m/s2)"; empty without brackets.
+std::string_view bracketed(std::string_view field) {
+  const std::size_t open = field.find_first_of("[("), close = field.find_first_of("])");
+  if (open == std::string_view::npos || close == std::string_view::npos || close < open) return {};
+  return trimmed(field.substr(open + 1, close - open - 1));
+}
+
+/// The header line: the unit it states, if any.
+std::optional<double> unit_of_header(const std::string& path, long line, std::string_view text) {
+  const std::size_t mark = text.find_first_of(",;");
+  if (mark == std::string_view::npos || text.find_first_of(",;", mark + 1) != std::string_view::npos) {
+    throw FileError(path, line, "header " + shown(text) + ": " + kColumns + ", as in 't [s], a [m/s2]'");
+  }
+  const std::string_view time = bracketed(text.substr(0, mark)), acceleration = bracketed(text.substr(mark + 1));
+  if (!time.empty() && time != "s") throw FileError(path, line, "unit of time is " + shown(time) + "; allowed: s");
+  if (acceleration.empty()) return std::nullopt;
+  const auto unit = acceleration_unit(acceleration);
+  if (!unit) throw FileError(path, line, "unit of acceleration is " + shown(acceleration) + "; allowed: g, m/s2, cm/s2");
+  return unit;
+}
+
+struct Row {
+  double time, value;
+  long line;
+};
+
+std::array<double, 2> numbers_of(const std::string& path, long line, const Fields& fields) {
+  if (fields.size() != 2) {
+    throw FileError(path, line, (fields.size() < 2 ? "one column" : "more than two columns") + std::string("; ") + kColumns);
+  }
+  std::array<double, 2> numbers{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto number = finite_number(fields[i]);
+    if (!number) {
+      throw FileError(path, line, std::string(i == 0 ? "time " : "acceleration ") + shown(fields[i]) + " is no finite number");
+    }
+    numbers[i] = *number;
+  }
+  return numbers;
+}
+
+/// The step of the rows, checked to be the same everywhere.
+double step_of(const std::string& path, const std::vector<Row>& rows) {
+  constexpr double kTolerance = 1e-6;  // of a step
+  if (rows.size() < 2) throw FileError(path, "holds " + std::to_string(rows.size()) + " rows of numbers; allowed: 2 or more");
+  const double span = rows.back().time - rows.front().time, dt = span / static_cast<double>(rows.size() - 1);
+  if (!(dt > 0.0) || !std::isfinite(dt)) throw FileError(path, rows.back().line, "time does not grow");
+  if (dt < kShortestStep || dt > kLongestStep)
+    throw FileError(path, rows.front().line, "times have steps of " + cases::text(dt) + " s; allowed: from 1e-6 to 10 s");
+  if (std::abs(rows.front().time) > kTolerance * dt) {
+    throw FileError(path, rows.front().line, "the first time is " + cases::text(rows.front().time) + " s; allowed: 0");
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (std::abs(rows[i].time - static_cast<double>(i) * dt) > kTolerance * dt + 1e-14 * span) {
+      throw FileError(path, rows[i].line,
+                      "time " + cases::text(rows[i].time) + " s is not a multiple of the mean step, " + cases::text(dt) +
+                          " s; allowed: equal steps, to a millionth");
+    }
+  }
+  return dt;
+}
+
+}  // namespace
+
+cases::Accelerogram read_motion_csv(const std::string& path, const std::optional<std::string>& unit) {
+  const std::string text = read_text_file(path, kLargestMotionFile);
+  LineReader lines(text);
+  std::optional<double> factor;
+  std::vector<Row> rows;
+  bool header_allowed = true;
+  while (const auto line = lines.next()) {
+    const std::string_view content = trimmed(*line);
+    if (content.empty() || content.front() == '#') continue;
+    const Fields fields = fields_of(content);
+    if (header_allowed && !finite_number(fields[0])) {
+      factor = unit_of_header(path, lines.line(), content);
+    } else {
+      const auto [time, value] = numbers_of(path, lines.line(), fields);
+      rows.push_back({time, value, lines.line()});
+    }
+    header_allowed = false;
+  }
+  const double dt = step_of(path, rows);
+  if (!factor && unit) factor = acceleration_unit(*unit);
+  if (!factor) {
+    throw FileError(path, "the unit of acceleration is not stated; give the file a header line 't [s], a [m/s2]', or set unit to " +
+                              std::string(kUnitNames));
+  }
+  cases::Accelerogram a{std::filesystem::path(path).stem().string(), dt, {}};
+  a.acceleration.reserve(rows.size());
+  for (const Row& row : rows) {
+    a.acceleration.push_back(row.value * *factor);
+    if (!std::isfinite(a.acceleration.back())) throw FileError(path, row.line, "acceleration is too large for a number in m/s2");
+  }
+  return a;
+}
+
+}  // namespace voussoir::io

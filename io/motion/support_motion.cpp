@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/motion/support_motion.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
+
+namespace voussoir::io {
+
+namespace {
+
+constexpr std::size_t kLargestFile = 64u << 20;  // bytes
+
+/// The four numbers of a row, or nothing.
+std::optional<std::array<double, 4>> row_of(std::string_view line) {
+  std::array<double, 4> row{};
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::size_t comma = line.find(',');
+    const auto number = finite_number(trimmed(line.substr(0, comma)));
+    if (!number || (comma == std::string_view::npos) != (i == 3)) return std::nullopt;
+    row[i] = *number;
+    if (i < 3) line.remove_prefix(comma + 1);
+  }
+  return row;
+}
+
+/// A line in which no field is a number: one that is damaged is no header.
+bool is_header(std::string_view line) {
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    if (finite_number(trimmed(line.substr(0, comma)))) return false;
+    if (comma == std::string_view::npos) return true;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+void read_history(const std::string& path, cases::SupportHistory& history) {
+  const std::string text = read_text_file(path, kLargestFile);
+  LineReader lines(text);
+  bool header_allowed = true;
+  while (const auto next = lines.next()) {
+    const std::string_view line = trimmed(*next);
+    if (line.empty() || line.front() == '#') continue;
+    const auto row = row_of(line);
+    if (!row && header_allowed && is_header(line)) {
+      header_allowed = false;
+      continue;
+    }
+    header_allowed = false;
+    if (!row) throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; wanted: t [s], x, y, z [m]");
+    if (!history.time.empty() && (*row)[0] <= history.time.back()) {
+      throw FileError(path, lines.line(), "time " + std::to_string((*row)[0]) + " s does not rise");
+    }
+    history.time.push_back((*row)[0]);
+    history.displacement.push_back({(*row)[1], (*row)[2], (*row)[3]});
+  }
+  if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; wanted: t [s], x, y, z [m]");
+}
+
+}  // namespace
+
+void load_support_motions(cases::Model& model, const std::string& folder) {
+  for (cases::SupportHistory& h : model.support_motions) {
+    if (h.file.empty()) continue;
+    const std::filesystem::path path(h.file);
+    try {
+      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), h);
+    } catch (const FileError& e) {
+      throw NamedFileError(e, h.key + ".file");
+    }
+  }
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/files/hdf5_file.h"
+
+namespace voussoir::io {
+
+/// /frames of a run, one frame after the other: every value it gives is a number. For one thread.
+class FrameReader {
+ public:
+  /// \param run  outlives the reader \throw FileError if /frames does not fit /model/element
+  explicit FrameReader(const Hdf5File& run);
+
+  [[nodiscard]] std::uint64_t elements() const noexcept { return start_.size() / 3; }
+  [[nodiscard]] std::uint64_t frames() const noexcept { return times_.size(); }
+  [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }  // s
+  /// Centroids in the reference configuration, three an element, m.
+  [[nodiscard]] const std::vector<double>& start() const noexcept { return start_; }
+
+  /// Of the centroids from the reference configuration, three an element, m. \throw FileError
+  [[nodiscard]] std::vector<double> displacement(std::uint64_t frame) const;
+  /// `width` values an element of /frames/NAME. \throw FileError for a value that is no number
+  [[nodiscard]] std::vector<double> row(const char* name, std::uint64_t frame, std::uint64_t width) const;
+
+ private:
+  /// Frames of one dataset that are at hand.
+  struct Block {
+    std::uint64_t first = 0, frames = 0;
+    std::vector<double> values;
+  };
+  void read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const;
+
+  const Hdf5File& run_;
+  std::vector<double> start_, times_;
+  mutable std::map<std::string, Block> blocks_;  // by name of the dataset
+};
+
+}  // namespace voussoir::io

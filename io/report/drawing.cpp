@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report/drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <vector>
+
+#include "io/report/svg.h"
+
+namespace voussoir::io {
+namespace {
+
+using cases::PartKind;
+using geometry::Point2;
+using geometry::Polygon;
+
+constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 22.0, kLegend = 40.0;  // user units
+constexpr double kSheet = 760.0;                                                  // widest view
+constexpr double kLargestScale = 140.0;                                           // units per metre
+constexpr double kBehind = 0.55;  // m; a wall deeper than this behind the nearest face is drawn darker
+constexpr const char* kNamed = "#d62828";
+
+/// A direction of view: screen axes right and up, and into the picture.
+struct View {
+  const char* name;
+  Vec3 right, up, into;
+};
+constexpr std::array<View, 4> kElevations{{{"front", {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                           {"rear", {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+                                           {"left", {0, -1, 0}, {0, 0, 1}, {1, 0, 0}},
+                                           {"right", {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}}}};
+constexpr View kPlan{"plan", {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+
+struct Colour {
+  int r, g, b;
+  [[nodiscard]] std::string text(double light) const {
+    std::array<char, 8> out{};
+    const auto part = [&](int v) { return static_cast<unsigned>(std::clamp(v * light, 0.0, 255.0)); };
+    std::snprintf(out.data(), out.size(), "#%02x%02x%02x", part(r), part(g), part(b));
+    return out.data();
+  }
+};
+
+/// What the legend calls a block, and its colour.
+struct Style {
+  std::string name;
+  Colour colour;
+};
+
+Style style_of(const cases::Block& block) {
+  const auto colour = [&]() -> Colour {
+    switch (block.kind) {
+      case PartKind::brick:
+        return block.whole ? Colour{222, 188, 150} : Colour{201, 152, 106};
+      case PartKind::voussoir:
+        return {214, 170, 138};
+      case PartKind::lintel:
+        return {126, 90, 54};
+      case PartKind::beam:
+        return {168, 126, 80};
+      case PartKind::column:
+        return {92, 122, 84};
+      case PartKind::ring_beam:
+        return {62, 106, 106};
+      case PartKind::block:
+        break;
+    }
+    return block.fixed ? Colour{150, 150, 150} : Colour{200, 200, 190};
+  };
+  const std::string prefix = block.fixed ? "fixed " : block.whole ? "" : "cut ";
+  return {prefix + cases::name(block.kind), colour()};
+}
+
+/// The part of the sheet that a view fills.
+class Frame {
+ public:
+  Frame(const View& view, Point2 low, double scale, Point2 corner, double height)
+      : view_(view), low_(low), scale_(scale), corner_(corner), height_(height) {}
+
+  [[nodiscard]] Point2 at(Vec3 p) const {
+    return {corner_.s + scale_ * (dot(p, view_.right) - low_.s), corner_.t + height_ - scale_ * (dot(p, view_.up) - low_.t)};
+  }
+  [[nodiscard]] double depth(Vec3 p) const { return dot(p, view_.into); }
+  [[nodiscard]] const View& view() const { return view_; }
+
+ private:
+  const View& view_;
+  Point2 low_;
+  double scale_;
+  Point2 corner_;
+  double height_;
+};
+
+/// A face that may be seen.
+struct VisibleFace {
+  double depth = 0.0;
+  Polygon corners;
+  std::size_t element = 0;
+  bool upright = false;  // parallel to the picture
+};
+
+class Drawing {
+ public:
+  Drawing(const cases::Case& c, const cases::Model& model) : case_(c), model_(model) {
+    box_ = geometry::bounds(model.blocks.front().shape);
+    for (const cases::Block& b : model.blocks) {
+      const geometry::Box3 box = geometry::bounds(b.shape);
+      box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y), std::min(box_.low.z, box.low.z)};
+      box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y), std::max(box_.high.z, box.high.z)};
+    }
+    for (const cases::HistoryPoint& h : c.output.history) named_[static_cast<std::size_t>(cases::nearest_element(model, h.point))] = h.name;
+    const Vec3 size = box_.high - box_.low;
+    scale_ = std::min(kLargestScale, kSheet / std::max({size.x, size.y, 0.5 * size.z}));
+  }
+
+  std::string draw() {
+    const Vec3 size = box_.high - box_.low;
+    const double wide = scale_ * size.x, deep = scale_ * size.y, high = scale_ * size.z;
+    const double width = std::max(2.0 * std::max(wide, deep) + 3.0 * kMargin, 640.0);
+    const std::array<double, 3> rows{high, high, deep};
+    double height = kTitle + kLegend + kMargin;
+    for (const double row : rows) height += row + kCaption + kMargin;
+    Svg svg(width, height);
+    svg.text({kMargin, 30.0}, case_.title, 18.0);
+    double top = kTitle;
+    const double second = 0.5 * width + 0.5 * kMargin;
+    draw_elevation(svg, kElevations[0], {kMargin, top}, high);
+    draw_elevation(svg, kElevations[1], {second, top}, high);
+    top += high + kCaption + kMargin;
+    draw_elevation(svg, kElevations[2], {kMargin, top}, high);
+    draw_elevation(svg, kElevations[3], {second, top}, high);
+    top += high + kCaption + kMargin;
+    const double section = section_height(), course = case_.house ? case_.house->brick[2] : 0.0;
+    draw_plan(svg, section, {kMargin, top}, deep);
+    if (course > 0.0) draw_plan(svg, section + course, {second, top}, deep);
+    draw_legend(svg, height - kLegend);
+    return std::move(svg).finish();
+  }
+
+ private:
+  [[nodiscard]] Frame frame_of(const View& view, Point2 corner, double height) const {
+    const double right = std::min(dot(box_.low, view.right), dot(box_.high, view.right));
+    const double up = std::min(dot(box_.low, view.up), dot(box_.high, view.up));
+    return {view, {right, up}, scale_, corner, height};
+  }
+
+  /// Faces that touch nothing over all their area, on the near side of their element; the farthest first.
+  [[nodiscard]] std::vector<VisibleFace> visible(const Frame& frame) const {
+    std::vector<VisibleFace> faces;
+    for (const geometry::FreePatch& patch : model_.assembly.patches) {
+      if (dot(patch.frame.normal, frame.view().into) > -1e-6) continue;
+      const auto element = static_cast<std::size_t>(patch.element);
+      const geometry::Polyhedron& shape = model_.blocks[element].shape;
+      VisibleFace face{
+          frame.depth(geometry::face_plane(shape, patch.face).centroid), {}, element, dot(patch.frame.normal, frame.view().into) < -0.999};
+      for (const std::int32_t v : shape.faces[static_cast<std::size_t>(patch.face)])
+        face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
+      faces.push_back(std::move(face));
+    }
+    std::stable_sort(faces.begin(), faces.end(), [](const VisibleFace& a, const VisibleFace& b) { return a.depth > b.depth; });
+    return faces;
+  }
+
+  [[nodiscard]] std::string fill(std::size_t element, double light) const {
+    return named_.count(element) != 0 ? kNamed : style_of(model_.blocks[element]).colour.text(light);
+  }
+
+  void draw_elevation(Svg& svg, const View& view, Point2 corner, double height) const {
+    const Frame frame = frame_of(view, corner, height);
+    const std::vector<VisibleFace> faces = visible(frame);
+    const double nearest = faces.empty() ? 0.0 : faces.back().depth;
+    for (const VisibleFace& f : faces) svg.polygon(f.corners, fill(f.element, f.upright && f.depth > nearest + kBehind ? 0.62 : 1.0));
+    for (const auto& [element, name] : named_) {  // one inside the wall too
+      if (frame.depth(model_.assembly.elements[element].mass.centroid) <= nearest + kBehind) label(svg, frame, element);
+    }
+    const Vec3 size = box_.high - box_.low;
+    const double width = scale_ * std::abs(dot(size, view.right));
+    svg.line({corner.s - 8.0, corner.t + height}, {corner.s + width + 8.0, corner.t + height}, "#222", 1.5);
+    svg.text({corner.s, corner.t + height + kCaption},
+             std::string(view.name) + ", " + metres_text(std::abs(dot(size, view.right))) + " x " + metres_text(size.z) + " m", 13.0);
+  }
+
+  void draw_plan(Svg& svg, double z, Point2 corner, double height) const {
+    const Frame frame = frame_of(kPlan, corner, height);
+    for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
+      const Polygon section = section_at(model_.blocks[e].shape, z, frame);
+      if (section.size() > 2) svg.polygon(section, fill(e, 1.0));
+    }
+    for (const auto& [element, name] : named_) label(svg, frame, element);
+    svg.text({corner.s, corner.t + height + kCaption}, "plan at z = " + metres_text(z) + " m; front below", 13.0);
+  }
+
+  /// The convex polygon in which a plane of constant z cuts a block.
+  [[nodiscard]] static Polygon section_at(const geometry::Polyhedron& shape, double z, const Frame& frame) {
+    Polygon points;
+    for (const auto& loop : shape.faces) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3 a = shape.vertices[static_cast<std::size_t>(loop[i])];
+        const Vec3 b = shape.vertices[static_cast<std::size_t>(loop[(i + 1) % loop.size()])];
+        if ((a.z < z) != (b.z < z)) points.push_back(frame.at(a + (z - a.z) / (b.z - a.z) * (b - a)));
+      }
+    }
+    Point2 middle;
+    for (const Point2 p : points)
+      middle.s += p.s / static_cast<double>(points.size()), middle.t += p.t / static_cast<double>(points.size());
+    std::sort(points.begin(), points.end(),
+              [&](Point2 a, Point2 b) { return std::atan2(a.t - middle.t, a.s - middle.s) < std::atan2(b.t - middle.t, b.s - middle.s); });
+    return points;
+  }
+
+  void label(Svg& svg, const Frame& frame, std::size_t element) const {
+    const Point2 at = frame.at(model_.assembly.elements[element].mass.centroid);
+    svg.circle(at, 4.0, kNamed);
+    svg.text({at.s + 7.0, at.t - 6.0}, named_.at(element), 12.0, "start", kNamed);
+  }
+
+  void draw_legend(Svg& svg, double top) const {
+    std::map<std::string, std::pair<Colour, int>> styles;
+    for (const cases::Block& b : model_.blocks) {
+      const Style style = style_of(b);
+      ++styles.try_emplace(style.name, style.colour, 0).first->second.second;
+    }
+    double left = kMargin;
+    for (const auto& [name, entry] : styles) {
+      const std::array<Point2, 4> patch{{{left, top}, {left + 16.0, top}, {left + 16.0, top + 12.0}, {left, top + 12.0}}};
+      svg.polygon(patch, entry.first.text(1.0));
+      const std::string words = name + ": " + std::to_string(entry.second);
+      svg.text({left + 22.0, top + 11.0}, words, 12.0);
+      left += 46.0 + 7.0 * static_cast<double>(words.size());
+    }
+  }
+
+  static std::string metres_text(double value) {
+    std::array<char, 24> text{};
+    std::snprintf(text.data(), text.size(), "%.2f", value);
+    return text.data();
+  }
+
+  /// The middle of the course, among those at half the height of an opening, that meets most openings.
+  [[nodiscard]] double section_height() const {
+    double best = 0.5 * (box_.low.z + box_.high.z);
+    if (!case_.house) return best;
+    const double course = case_.house->brick[2], base = case_.base ? case_.base->z : 0.0;
+    const auto middle = [&](double z) { return (std::floor(z / course) + 0.5) * course; };
+    best = base + middle(0.5 * case_.house->height);
+    std::ptrdiff_t most = 0;
+    for (const cases::Opening& o : case_.house->openings) {
+      const double z = middle(o.sill + 0.5 * o.height - 0.5 * course);
+      const auto meets = std::count_if(case_.house->openings.begin(), case_.house->openings.end(),
+                                       [&](const cases::Opening& p) { return p.sill < z && z + course < p.sill + p.height; });
+      if (meets > most) most = meets, best = base + z;
+    }
+    return best;
+  }
+
+  const cases::Case& case_;
+  const cases::Model& model_;
+  geometry::Box3 box_;  // m
+  std::map<std::size_t, std::string> named_;
+  double scale_ = 1.0;  // units per metre
+};
+
+}  // namespace
+
+std::string draw(const cases::Case& c, const cases::Model& model) { return Drawing(c, model).draw(); }
+
+}  // namespace voussoir::io

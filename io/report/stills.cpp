@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report/stills.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+
+#include "cases/case.h"
+#include "cases/names.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
+#include "io/files/packed_text.h"
+#include "io/files/run_folder.h"
+#include "io/files/scratch_folder.h"
+#include "io/report/browser.h"
+#include "io/report/report_data.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1000;  // pixels
+
+struct Still {
+  std::string view, file;
+  double time;  // s
+};
+
+void check_times(const std::string& run, const std::vector<double>& times) {
+  const std::vector<double> frames = Hdf5File::open(run).read<double>("/frames/time");
+  if (frames.empty()) throw FileError(run, "holds no frames");
+  // A picture shows the nearest frame. The run may go on behind the last one, by less than the time between two.
+  const double interval = frames.size() > 1 ? frames[1] - frames[0] : 0.0;
+  for (const double t : times)
+    if (!(t >= frames.front() && t < frames.back() + std::max(interval, 1e-9)))
+      throw cases::InputError("--stills", cases::text(t) + " s is not in the run; allowed: " + cases::text(frames.front()) + " to " +
+                                              cases::text(frames.back()) +
+                                              " s, where its last frame stands, or by less than a frame later");
+}
+
+std::vector<Still> planned(const StillsOptions& o) {
+  std::vector<Still> all;
+  for (const std::string& view : o.views)
+    for (const double t : o.times) {
+      const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
+      std::error_code none;
+      if (!o.overwrite && fs::exists(file, none)) throw FileError(file, "exists; --overwrite replaces it");
+      all.push_back({view, file, t});
+    }
+  return all;
+}
+
+}  // namespace
+
+void write_stills(const std::string& run, const StillsOptions& o) {
+  check_times(run, o.times);
+  const std::vector<Still> stills = planned(o);
+  const ScratchFolder scratch;
+  Browser browser(scratch.path());
+  const std::string page = scratch.path() + "/page.html";
+  write_text_file(page, report_html(run));
+  browser.open(page, "still");
+  std::error_code fault;
+  fs::create_directories(o.folder, fault);
+  if (fault) throw FileError(o.folder, "cannot make the folder: " + fault.message());
+  for (const Still& s : stills) {
+    const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
+    const std::string png =
+        browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
+    const std::vector<std::byte> bytes = from_base64(png);
+    const std::span<const std::byte> piece = bytes;
+    write_whole_file(s.file, {&piece, 1});
+    std::printf("%s\n", s.file.c_str());
+  }
+}
+
+}  // namespace voussoir::io

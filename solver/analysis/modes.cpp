@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/analysis/modes.h"
+
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "solver/world/errors.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Motion = Eigen::Matrix<double, 6, 1>;         // of one element: displacement, rotation
+using Relative = Eigen::Matrix<double, 3, 12>;      // relative displacement from the motions of master and slave
+using Stiffness12 = Eigen::Matrix<double, 12, 12>;  // of a side
+
+Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
+  Eigen::Matrix3d m;
+  m << 0.0, -r(2), r(1), r(2), 0.0, -r(0), -r(1), r(0), 0.0;
+  return m;
+}
+
+/// u = x_slave − x_master at a point with the arms a and b.
+Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Relative u;
+  u << -Eigen::Matrix3d::Identity(), cross_matrix(a), Eigen::Matrix3d::Identity(), -cross_matrix(b);
+  return u;
+}
+
+/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
+Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {
+  const Eigen::Vector3d es = vector(side.es), et = vector(side.et), n = es.cross(et);
+  const Eigen::Matrix3d d = side.k.ks * Eigen::Matrix3d::Identity() + (side.k.kn - side.k.ks) * n * n.transpose();
+  Stiffness12 k = Stiffness12::Zero();
+  for (int i = 0; i < points.n; ++i) {
+    const Eigen::Vector3d at = points.s[i] * es + points.t[i] * et;
+    const Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
+    k.noalias() += side.factor * points.area[i] * b.transpose() * d * b;
+  }
+  return k;
+}
+
+/// The structure in coordinates q with x = S q and Sᵀ M S = I, S = M^(−1/2) by element: a standard symmetric problem.
+class Structure {
+ public:
+  explicit Structure(const World& w) : world_(w), row_(static_cast<std::size_t>(w.elements.rows), -1) {
+    for (std::int32_t e = 0; e < w.elements.count; ++e) {
+      if (w.elements.fixed[static_cast<std::size_t>(e)]) continue;
+      row_[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(6 * scale_.size());
+      scale_.push_back(scale_of(static_cast<std::size_t>(e)));
+    }
+  }
+
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(6 * scale_.size()); }
+
+  /// Lower triangle of Sᵀ K S.
+  [[nodiscard]] Sparse stiffness() const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::int64_t id = 0; id < world_.sides.count(); ++id) {
+      const auto i = static_cast<std::size_t>(id);
+      if (world_.sides.joint[i] < 0 || world_.sides.held[i] == 0) continue;
+      const kernels::Side side = world_.sides.side(id);
+      add(side_stiffness(side, world_.points.view(world_.sides.set[i])), {side.master, side.slave}, entries);
+    }
+    Sparse k(size(), size());
+    k.setFromTriplets(entries.begin(), entries.end());
+    return k;
+  }
+
+  [[nodiscard]] Mode mode(double omega_squared, const Eigen::VectorXd& q) const {
+    Mode m;
+    m.frequency = std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
+    m.displacement.resize(static_cast<std::size_t>(world_.elements.count));
+    m.rotation = m.displacement;
+    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+    double total = 0.0, largest = 0.0;
+    for (std::size_t e = 0; e < m.displacement.size(); ++e) {
+      if (row_[e] < 0) continue;
+      const Motion x = scale_[static_cast<std::size_t>(row_[e] / 6)] * q.segment<6>(row_[e]);
+      m.displacement[e] = vec3(x.head<3>()), m.rotation[e] = vec3(x.tail<3>());
+      momentum += world_.elements.mass[e] * x.head<3>();
+      total += world_.elements.mass[e];
+      largest = std::max({largest, x.head<3>().cwiseAbs().maxCoeff(), world_.elements.radius[e] * x.tail<3>().cwiseAbs().maxCoeff()});
+    }
+    m.mass_share = vec3(momentum.cwiseAbs2() / (total * q.squaredNorm()));
+    for (auto* field : {&m.displacement, &m.rotation}) {
+      for (Vec3& v : *field) v *= 1.0 / largest;
+    }
+    return m;
+  }
+
+ private:
+  /// M^(−1/2) of an element: diagonal for its mass, the Cholesky factor of the inverse inertia for its rotation.
+  [[nodiscard]] Eigen::Matrix<double, 6, 6> scale_of(std::size_t e) const {
+    const Elements& s = world_.elements;
+    Eigen::Matrix3d inverse;
+    inverse << s.ixx[e], s.ixy[e], s.ixz[e], s.ixy[e], s.iyy[e], s.iyz[e], s.ixz[e], s.iyz[e], s.izz[e];
+    Eigen::Matrix<double, 6, 6> scale = Eigen::Matrix<double, 6, 6>::Zero();
+    scale.topLeftCorner<3, 3>().diagonal().setConstant(std::sqrt(s.inv_mass[e]));
+    scale.bottomRightCorner<3, 3>() = inverse.llt().matrixL();
+    return scale;
+  }
+
+  void add(const Stiffness12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
+    for (int a = 0; a < 2; ++a) {
+      for (int b = 0; b < 2; ++b) {
+        const std::int32_t row = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])];
+        const std::int32_t column = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(b)])];
+        if (row < 0 || column < 0 || row < column) continue;
+        const Eigen::Matrix<double, 6, 6> part = scale_[static_cast<std::size_t>(row / 6)].transpose() * k.block<6, 6>(6 * a, 6 * b) *
+                                                 scale_[static_cast<std::size_t>(column / 6)];
+        for (int i = 0; i < 6; ++i) {
+          for (int j = 0; j < 6; ++j) {
+            if (row + i >= column + j) entries.emplace_back(row + i, column + j, part(i, j));
+          }
+        }
+      }
+    }
+  }
+
+  const World& world_;
+  std::vector<std::int32_t> row_;                   // by element; −1: fixed, or the base
+  std::vector<Eigen::Matrix<double, 6, 6>> scale_;  // by element that moves
+};
+
+/// (A − σ I)⁻¹ for Spectra.
+class ShiftInverse {
+ public:
+  using Scalar = double;
+  explicit ShiftInverse(Sparse a) : a_(std::move(a)) {}
+  [[nodiscard]] Eigen::Index rows() const { return a_.rows(); }
+  [[nodiscard]] Eigen::Index cols() const { return a_.cols(); }
+  void set_shift(double sigma) {
+    Sparse shifted = a_;
+    for (Eigen::Index i = 0; i < rows(); ++i) shifted.coeffRef(i, i) -= sigma;
+    factor_.compute(shifted);
+    if (factor_.info() != Eigen::Success) throw NumericalError("modes: the stiffness matrix cannot be factorised");
+  }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = factor_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  Sparse a_;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor_;
+};
+
+}  // namespace
+
+std::vector<Mode> natural_modes(const World& w, int count) {
+  const Structure structure(w);
+  const auto wanted = std::min<Eigen::Index>(count, structure.size() - 1);
+  if (wanted < 1) return {};
+  ShiftInverse inverse(structure.stiffness());
+  // Below zero, so that bodies which nothing holds do not make the matrix singular; small against the square of a building's frequency.
+  const double shift = -std::pow(2.0 * std::numbers::pi * 0.1, 2);
+  Spectra::SymEigsShiftSolver<ShiftInverse> solver(inverse, wanted, std::min(2 * wanted + 20, structure.size()), shift);
+  solver.init();
+  const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw NumericalError("modes: " + std::to_string(found) + " of " + std::to_string(wanted) + " eigenvalues converged");
+  const Eigen::VectorXd values = solver.eigenvalues();
+  const Eigen::MatrixXd vectors = solver.eigenvectors();
+  std::vector<Mode> modes;
+  for (Eigen::Index i = 0; i < values.size(); ++i) modes.push_back(structure.mode(values(i), vectors.col(i)));
+  return modes;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/contact/contact_forces.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "kernels/fetch.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;   // patches that a thread takes at a time
+constexpr std::size_t kPointsAhead = 3, kPatchAhead = 6;  // patches, when their memory is asked for
+constexpr std::int32_t kElementsAhead = 8;
+
+/// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
+/// reads lists alone: the patches themselves lie all over memory.
+bool is_quiet(const World& w, std::size_t a) {
+  const Contacts& c = w.contacts;
+  if (w.options.reference_kernels) return false;
+  const double path = c.path[static_cast<std::size_t>(c.master[a])];
+  const auto quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, path, c.path[static_cast<std::size_t>(k.element)]); };
+  return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
+}
+
+const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
+
+void fetch_body(const Elements& e, std::int32_t element) {
+  const auto i = static_cast<std::size_t>(element);
+  kernels::fetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
+  kernels::fetch(&e.twist[i * kernels::kTwistStride], kernels::kTwistStride * sizeof(double));
+  kernels::fetch(&e.body[i], sizeof e.body[i]);
+}
+
+void fetch_patch(const World& w, std::size_t a) {
+  kernels::fetch(&patch_at(w, a), sizeof(FreePatch));
+  fetch_body(w.elements, w.contacts.master[a]);
+}
+
+/// Once the patch is there, asks for its points that touch and for whom they touch.
+void fetch_points(const World& w, std::size_t a) {
+  const Contacts& c = w.contacts;
+  const Patches& p = w.patches;
+  const FreePatch& patch = patch_at(w, a);
+  kernels::fetch(&w.faces[static_cast<std::size_t>(patch.face)], sizeof(kernels::Face));
+  for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
+    const kernels::Candidate& k = c.candidate[slot];
+    if (k.first >= k.last) continue;
+    kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]);
+    fetch_body(w.elements, k.element);
+    if (k.face >= 0) kernels::fetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
+    const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
+    kernels::fetch(&p.partner[first], points * sizeof p.partner[0]);
+    kernels::fetch(&p.face[first], points * sizeof p.face[0]);
+    kernels::fetch(&p.springs[first / kernels::kWidth], points / kernels::kWidth * sizeof p.springs[0]);
+  }
+}
+
+/// Whether a slot pushes has changed: tells those that gather it. Seldom, so threads do not take lines of flags from each other.
+void note_push(Contacts& c, std::size_t slot) {
+  for (const std::int32_t place : {c.place[2 * slot], c.place[2 * slot + 1]}) {
+    if (place >= 0) c.gather_on[static_cast<std::size_t>(place)] = c.on[slot];
+  }
+}
+
+void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::Face* faces, ContactRoom& scratch) {
+  Contacts& c = w.contacts;
+  Patches& p = w.patches;
+  const auto i = static_cast<std::size_t>(c.active[a]);
+  FreePatch& patch = p.patch[i];
+  const auto first = static_cast<std::size_t>(c.first_slot[a]), count = static_cast<std::size_t>(c.first_slot[a + 1]) - first;
+  const auto advance = w.options.reference_kernels ? kernels::advance_patch_reference : kernels::advance_patch;
+  const std::span on(c.on.data() + first, count);
+  scratch.on.assign(on.begin(), on.end());
+  const kernels::PatchResult r =
+      advance(patch, w.points.view(patch.set), p.points(static_cast<std::int64_t>(i)), patch.touching, {c.candidate.data() + first, count},
+              bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, on.data());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (on[k] != scratch.on[k]) note_push(c, first + k);
+  }
+  patch.touching = r.touching;
+  patch.stored = r.stored;
+  patch.friction += r.friction;
+  patch.impact += r.impact;
+}
+
+/// Calls `use(slot, is_slave)` for the slots of an element that push, in their order. (Flags are 0 or 1; the first is the lowest byte.)
+template <class Use>
+void each_push(const Contacts& c, std::size_t element, Use use) {
+  constexpr std::int64_t kFlags = sizeof(std::uint64_t);
+  const std::int64_t last = c.first_gather[element + 1];
+  for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
+    std::uint64_t flags;
+    std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
+    if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
+    for (; flags != 0; flags &= flags - 1) {
+      const std::int64_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
+      use(static_cast<std::size_t>(code / 2), code % 2 != 0);
+    }
+  }
+}
+
+}  // namespace
+
+void ContactRoom::fit(std::int32_t points) {
+  const auto n = static_cast<std::size_t>(points);
+  depth.resize(n), candidate.resize(n), face.resize(n);
+}
+
+void ContactRoom::part(std::int64_t patches, int threads) {
+  runs.assign(1, 0);
+  while (runs.back() < patches) {
+    const std::int64_t left = patches - runs.back();
+    runs.push_back(runs.back() + std::min(left, std::clamp(left / (2 * threads), kLeastRun, kMostRun)));
+  }
+}
+
+void advance_contacts(World& w, ContactRoom& room) {
+  const kernels::Bodies bodies = w.bodies();
+  const kernels::Face* faces = w.faces.data();
+  const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
+  if (patches == 0) return;
+  room.fit(w.points.largest);
+  room.part(patches, omp_get_num_threads());
+#pragma omp for schedule(dynamic) nowait
+  for (std::size_t run = 1; run < room.runs.size(); ++run) {
+    std::size_t near[kMostRun];
+    std::size_t count = 0;
+    for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
+      const auto i = static_cast<std::size_t>(a);
+      if (is_quiet(w, i)) continue;
+      if (count < kPatchAhead) fetch_patch(w, i);
+      near[count++] = i;
+    }
+    for (std::size_t k = 0; k < std::min(count, kPointsAhead); ++k) fetch_points(w, near[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k + kPatchAhead < count) fetch_patch(w, near[k + kPatchAhead]);
+      if (k + kPointsAhead < count) fetch_points(w, near[k + kPointsAhead]);
+      advance_one(w, near[k], bodies, faces, room);
+    }
+  }
+}
+
+void gather_contacts(World& w, std::int32_t element) {
+  const Contacts& c = w.contacts;
+  if (element + kElementsAhead < w.elements.count) {
+    each_push(c, static_cast<std::size_t>(element + kElementsAhead),
+              [&](std::size_t slot, bool) { kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]); });
+  }
+  double *wrench = w.elements.wrench.data(), *dashpot = w.elements.dashpot.data();
+  each_push(c, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {
+    const kernels::PairWrench& x = c.wrench[slot];
+    if (!is_slave) {
+      kernels::add_wrench(wrench, element, x.force, x.torque_a);
+      kernels::add_dashpot(wrench, dashpot, element, x.dash_force, x.dash_torque_a);
+    } else {
+      kernels::add_wrench(wrench, element, -x.force, x.torque_b);
+      kernels::add_dashpot(wrench, dashpot, element, -x.dash_force, x.dash_torque_b);
+    }
+  });
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kernels/moves.h"
+#include "solver/world/world.h"
+
+/// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
+namespace voussoir::solver {
+
+/// For kernels::measure_moves, once a step: how far an element may move before it is searched again is the limit.
+kernels::Moves moves_of(World& w);
+/// What that returns, of an element that has been put elsewhere.
+double measure_move(World& w, std::int32_t element);
+
+/// True if some element has moved too far since it was searched; `moved`: the largest of kernels::measure_moves.
+/// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
+bool search_due(World& w, double moved);
+
+/// Broad phase on the uniform grid, then patch against element by separating planes: finds anew the candidates of elements that have moved
+/// by more than a quarter of the skin since they were searched last, as patches and as partners, and of patches that came since. Others
+/// keep theirs. In a collapse few elements fly, but these ask for a search every ten steps.
+void search_contacts(World& w);
+
+/// The same for all elements.
+void search_all(World& w);
+
+/// One thread's room for the points of a patch, and how the threads part the patches.
+struct ContactRoom {
+  std::vector<double> depth;
+  std::vector<std::int32_t> candidate, face;
+  std::vector<std::uint8_t> on;    // of the slots of a patch before this step
+  std::vector<std::int64_t> runs;  // a thread takes those of [runs[i], runs[i + 1]) at a time
+  [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
+  void fit(std::int32_t points);
+  /// Long runs first, since the first patches of each wait for their memory, and short ones last, so that no thread waits for another's.
+  void part(std::int64_t patches, int threads);
+};
+
+/// Forces of active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
+void advance_contacts(World& w, ContactRoom& room);
+
+/// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
+void gather_contacts(World& w, std::int32_t element);
+
+/// Turns a side that has come apart into a free patch of its master, and one of its slave if it stood for both faces. Points that touch
+/// keep their partner and slip, and a closure with which their force goes on.
+void retire_side(World& w, std::int32_t side);
+
+/// Appends the free patch that a retired side leaves to its master, or (mirrored) the one that it leaves to its slave if it stood for both
+/// faces, without partners.
+void append_retired_patch(World& w, std::int32_t side, bool mirrored);
+
+/// Blocks that still hold a side, by task. Call after sides have retired.
+void list_live_blocks(World& w);
+
+}  // namespace voussoir::solver

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/contact/overlap_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "kernels/contact_law.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+bool is_base(const World& w, std::int32_t e) { return e == w.elements.base; }
+
+const kernels::ConvexShape& shape_of(const World& w, std::int32_t e) {
+  return w.overlaps.shape[static_cast<std::size_t>(w.overlaps.shape_of[static_cast<std::size_t>(e)])];
+}
+
+/// 1/kg: by how much a force of 1 N along n at the arm accelerates the body's point there.
+double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
+  if (is_base(w, e)) return 0.0;
+  const auto i = static_cast<std::size_t>(e);
+  const Elements& el = w.elements;
+  const Mat3 r = Mat3{} + kernels::load_pose(el.pose.data(), e).d;
+  const Mat3 inverse{{el.ixx[i], el.ixy[i], el.ixz[i]}, {el.ixy[i], el.iyy[i], el.iyz[i]}, {el.ixz[i], el.iyz[i], el.izz[i]}};
+  const Vec3 turn = transposed(r) * cross(arm, n);
+  return el.inv_mass[i] + dot(turn, inverse * turn);
+}
+
+/// Two springs in line; the base is rigid.
+double in_line(double a, double b) { return b > 0.0 ? a * b / (a + b) : a; }
+
+/// Springs of the two bodies in line, and dashpots with the ratio of all contacts (Eq. 9, semi-implicit as THEORY.md (20)).
+kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {
+  const Overlaps& o = w.overlaps;
+  const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+  const bool base = is_base(w, b);
+  kernels::Stiffness k{in_line(o.stiffness_n[i], base ? 0.0 : o.stiffness_n[j]), in_line(o.stiffness_s[i], base ? 0.0 : o.stiffness_s[j])};
+  const double inverse = inverse_mass(w, a, at.arm_a, at.normal) + inverse_mass(w, b, at.arm_b, at.normal);
+  if (inverse == 0.0) return k;
+  const double beta = w.elements.body[i].beta + w.elements.body[base ? i : j].beta;
+  const auto dashpot = [&](double stiff) {
+    const double c = 2.0 * w.contact.damping * std::sqrt(stiff / inverse);
+    return c / (1.0 + w.dt * (beta + c * inverse));
+  };
+  k.cn = dashpot(k.kn), k.cs = dashpot(k.ks);
+  return k;
+}
+
+struct Motion {
+  kernels::Twist a, b;
+};
+Motion motion_of(const World& w, std::int32_t a, std::int32_t b) {
+  const double* rows = w.elements.twist.data();
+  return {kernels::load_twist(rows, a), kernels::load_twist(rows, b)};
+}
+
+/// J, of the elastic forces of a spring on both bodies in the step behind, as they move now.
+double work(const OverlapSpring& s, const Motion& m, double step) {
+  return step * (dot(s.force, m.a.v - m.b.v) + dot(s.torque_a, m.a.w) + dot(s.torque_b, m.b.w));
+}
+
+void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Vec3 dashpot) {
+  double *wrench = w.elements.wrench.data(), *dash = w.elements.dashpot.data();
+  const Vec3 torque_a = cross(at.arm_a, dashpot), torque_b = -cross(at.arm_b, dashpot);
+  kernels::add_wrench(wrench, s.a, s.force + dashpot, s.torque_a + torque_a);
+  kernels::add_dashpot(wrench, dash, s.a, dashpot, torque_a);
+  if (is_base(w, s.b)) return;
+  kernels::add_wrench(wrench, s.b, -(s.force + dashpot), s.torque_b + torque_b);
+  kernels::add_dashpot(wrench, dash, s.b, -dashpot, torque_b);
+}
+
+/// The bodies have parted: what the spring still held, less its last work, is lost.
+void end_spring(World& w, const OverlapSpring& s) { w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.dt); }
+
+/// One step of a spring. \param last  as it was a step before; a new one has no force yet
+OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels::Overlap& at) {
+  OverlapSpring s;
+  s.a = last.a, s.b = last.b;
+  const kernels::Stiffness k = stiffness(w, s.a, s.b, at);
+  const Motion m = motion_of(w, s.a, s.b);
+  const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
+  const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
+  const double xn = allowed_overlap(w, s.a, s.b) - at.depth;
+  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, w.contact.tan_phi, w.dt);
+  s.shear = transposed(turn) * c.spring;
+  s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
+  s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);
+  // What the springs held, less what they hold, less their work on the bodies (28): the slip's share of it, and the rest.
+  const Vec3 slide = rate - dot(rate, at.normal) * at.normal;
+  const double lost = last.stored - s.stored - 0.5 * (work(last, m, w.dt) + work(s, m, w.dt));
+  const double friction = 0.5 * k.ks * (dot(c.before, c.before) - dot(c.spring, c.spring) + w.dt * dot(c.before + c.spring, slide));
+  w.overlaps.friction += friction;
+  w.overlaps.impact += lost - friction;
+  add_forces(w, s, at, c.dashpot);
+  return s;
+}
+
+}  // namespace
+
+double allowed_overlap(const World& w, std::int32_t a, std::int32_t b) {
+  const std::vector<double>& allowed = w.overlaps.allowed;
+  const double first = allowed[static_cast<std::size_t>(a)];
+  return is_base(w, b) ? first : std::max(first, allowed[static_cast<std::size_t>(b)]);
+}
+
+kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, double enough) {
+  const Elements& e = w.elements;
+  const double* rows = e.pose.data();
+  const kernels::Pose pa = kernels::load_pose(rows, a), pb = kernels::load_pose(rows, b);
+  const Vec3 apart = (e.body[static_cast<std::size_t>(b)].ref - e.body[static_cast<std::size_t>(a)].ref) + (pb.u - pa.u);
+  if (is_base(w, b)) return kernels::overlap_with_base(shape_of(w, a), pa, -apart.z);
+  return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
+}
+
+void find_overlaps(World& w, std::vector<OverlapFound>& found) {
+  const auto count = static_cast<std::int64_t>(w.overlaps.pairs.size());
+  const double* path = w.contacts.path.data();
+#pragma omp for schedule(static) nowait
+  for (std::int64_t i = 0; i < count; ++i) {
+    OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
+    const double paths = path[p.a] + path[p.b];
+    if (paths < p.until && !w.options.reference_kernels) continue;
+    const double allowed = allowed_overlap(w, p.a, p.b);
+    const kernels::Overlap at = overlap_of(w, p.a, p.b, allowed);
+    if (at.depth > allowed) {
+      p.until = kernels::kLookNow;
+      found.push_back({static_cast<std::size_t>(i), at});
+    } else {
+      p.until = paths + (allowed - at.depth) - kernels::kRoundOff;
+    }
+  }
+}
+
+void apply_overlaps(World& w, std::vector<OverlapFound>& found) {
+  std::vector<OverlapSpring>& springs = w.overlaps.springs;
+  if (found.empty() && springs.empty()) return;
+  std::ranges::sort(found, {}, &OverlapFound::pair);
+  std::vector<OverlapSpring> now;
+  now.reserve(found.size());
+  auto last = springs.begin();
+  const auto order = [](const auto& s) { return std::pair(s.a, s.b); };
+  for (const OverlapFound& f : found) {
+    const OverlapPair& p = w.overlaps.pairs[f.pair];
+    for (; last != springs.end() && order(*last) < order(p); ++last) end_spring(w, *last);
+    const bool goes_on = last != springs.end() && order(*last) == order(p);
+    OverlapSpring before;
+    before.a = p.a, before.b = p.b;
+    if (goes_on) before = *last++;
+    now.push_back(advance_spring(w, before, f.at));
+  }
+  for (; last != springs.end(); ++last) end_spring(w, *last);
+  springs = std::move(now);
+  found.clear();
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/joints/joint_tasks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace voussoir::solver {
+
+namespace {
+
+/// Elements that the sides of a task write to, ascending.
+std::vector<std::int32_t> elements_of(const World& w, std::size_t task) {
+  std::vector<std::int32_t> elements;
+  for (std::int32_t b = w.sides.task_first[task]; b < w.sides.task_first[task + 1]; ++b) {
+    const kernels::SideBlock& block = w.sides.blocks[static_cast<std::size_t>(b)];
+    for (const auto& ends : {block.master, block.slave}) elements.insert(elements.end(), ends, ends + kernels::kLanes);
+  }
+  std::ranges::sort(elements);
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  std::erase(elements, w.elements.base);
+  return elements;
+}
+
+}  // namespace
+
+JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), first_before_(1, 0) {
+  const Sides& s = w.sides;
+  std::vector<std::int32_t> last(static_cast<std::size_t>(w.elements.rows), -1);  // by element: the task that wrote to it last
+  for (std::size_t task = 0; task < flag_.size(); ++task) {
+    std::vector<std::int32_t> elements = elements_of(w, task);
+    std::vector<std::int32_t> waits;
+    for (const std::int32_t e : elements)
+      waits.push_back(std::exchange(last[static_cast<std::size_t>(e)], static_cast<std::int32_t>(task)));
+    std::ranges::sort(waits);
+    const auto end = std::unique(waits.begin(), waits.end());
+    std::copy_if(waits.begin(), end, std::back_inserter(before_), [](std::int32_t t) { return t >= 0; });
+    first_before_.push_back(static_cast<std::int32_t>(before_.size()));
+    const auto colour = std::ranges::upper_bound(s.colour_first, static_cast<std::int32_t>(task)) - s.colour_first.begin() - 1;
+    colour_.push_back(static_cast<std::int32_t>(colour));
+    const double sum = std::accumulate(elements.begin(), elements.end(), 0.0);
+    place_.push_back(sum / static_cast<double>(elements.size()) / static_cast<double>(w.elements.rows));
+    if (w.far) elements_.push_back(std::move(elements));
+  }
+  if (!w.far) return;
+  rank_.assign(flag_.size(), -1);
+  std::vector<std::int32_t> along(flag_.size());
+  std::iota(along.begin(), along.end(), 0);
+  std::ranges::stable_sort(along, {}, [&](std::int32_t t) { return place_[static_cast<std::size_t>(t)]; });
+  std::int32_t next = 0;
+  for (const std::int32_t task : along) rank_after_those_before(task, next);
+}
+
+/// These lie beside it. A chain of them has one task of each colour at most.
+void JointTasks::rank_after_those_before(std::int32_t task, std::int32_t& next) {
+  const auto t = static_cast<std::size_t>(task);
+  if (rank_[t] >= 0) return;
+  for (std::int32_t k = first_before_[t]; k < first_before_[t + 1]; ++k) {
+    rank_after_those_before(before_[static_cast<std::size_t>(k)], next);
+  }
+  rank_[t] = next++;
+}
+
+void JointTasks::begin(int threads) {
+  ++step_;
+  if (threads != asked_) asked_ = given_ = threads;
+  expected_ = given_;
+  deal(expected_);
+}
+
+void JointTasks::deal(int threads) {
+  if (shares_.begin(threads)) queue_up();
+  shares_.deal(ends_);
+}
+
+/// In each colour those come first that wait for another thread's, or that another thread's wait for: so both are done long before.
+void JointTasks::queue_up() {
+  const std::span<const double> borders = shares_.borders();
+  const std::size_t tasks = place_.size();
+  std::vector<std::size_t> owner;
+  for (const double place : place_) {
+    owner.push_back(static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place) - borders.begin()));
+  }
+  std::vector<std::uint8_t> inside(tasks, 1);
+  for (std::size_t task = 0; task < tasks; ++task) {
+    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
+      const auto other = static_cast<std::size_t>(before_[static_cast<std::size_t>(k)]);
+      if (owner[task] != owner[other]) inside[task] = inside[other] = 0;
+    }
+  }
+  const std::vector<std::uint8_t> by_colour = rank_.empty() ? std::vector<std::uint8_t>(tasks, 1) : tasks_before_borders(inside);
+  queues_.resize(tasks);
+  std::iota(queues_.begin(), queues_.end(), 0);
+  std::ranges::sort(queues_, {}, [&](std::int32_t t) {
+    const auto task = static_cast<std::size_t>(t);
+    const bool first = by_colour[task] != 0;
+    return std::tuple(owner[task], !first, first ? colour_[task] : rank_[task], inside[task], place_[task], t);
+  });
+  ends_.assign(borders.size(), 0);
+  for (std::size_t task = 0; task < tasks; ++task) ++ends_[owner[task]];
+  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+  place_flags(owner, inside);
+}
+
+/// Those that are not inside a share, all that these wait for, and so on.
+std::vector<std::uint8_t> JointTasks::tasks_before_borders(const std::vector<std::uint8_t>& inside) const {
+  std::vector<std::uint8_t> first(inside.size());
+  for (std::size_t task = inside.size(); task-- > 0;) {  // from the highest colour down: what a task waits for is of a lower one
+    if (inside[task] == 0) first[task] = 1;
+    if (first[task] == 0) continue;
+    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
+      first[static_cast<std::size_t>(before_[static_cast<std::size_t>(k)])] = 1;
+    }
+  }
+  return first;
+}
+
+/// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would
+/// take those beside it from the thread that is about to write them.
+void JointTasks::place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside) {
+  constexpr std::size_t kLines = 128 / sizeof(Flag);
+  std::vector<std::size_t> by_thread(owner.size());
+  std::iota(by_thread.begin(), by_thread.end(), std::size_t{0});
+  std::ranges::sort(by_thread, {}, [&](std::size_t task) { return std::tuple(owner[task], inside[task], task); });
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < by_thread.size(); ++k) {
+    const std::size_t task = by_thread[k];
+    if (k > 0 && owner[task] != owner[by_thread[k - 1]]) next += kApart / sizeof(Flag);
+    flag_[task] = next;
+    next += inside[task] != 0 ? 1 : kLines;
+  }
+  done_ = decltype(done_)(next);
+  for (Flag& f : done_) f.store(step_ - 1, std::memory_order_relaxed);
+}
+
+}  // namespace voussoir::solver

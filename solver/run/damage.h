@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "solver/joints/joint_forces.h"
+#include "solver/run/recorder.h"
+#include "solver/world/world.h"
+
+/// Bookkeeping of broken and slipped segments, in segment sides (a merged spring counts two).
+namespace voussoir::solver {
+
+struct Damage {
+  std::int64_t bonded = 0, slipped = 0, tension = 0, shear = 0, compression = 0;
+};
+
+/// Counts of a world that has not been stepped.
+Damage initial_damage(const World& w);
+
+/// Books the events of a step: counts, bonds of the elements, damping of debris, one crack row a broken segment; then retires the sides
+/// that came apart (breaking what still held them). Rows are appended in a fixed order.
+void book_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks);
+
+}  // namespace voussoir::solver

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/forces.h"
+
+#include <omp.h>
+
+#include "solver/world/twists.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+/// What each element takes from the buffer for pairs and from the slots of its contacts.
+void gather(World& w, LapClock& clock) {
+  const Sides& s = w.sides;
+  const bool contacts = !w.contacts.active.empty();
+  if (!w.options.gather && !contacts) return;
+  const kernels::Rows rows = w.rows();
+#pragma omp barrier
+  clock.begin();
+#pragma omp for schedule(static) nowait
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (w.options.gather) {
+      const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
+      kernels::gather_sides({s.gather.data() + first, last - first}, e, rows);
+    }
+    if (contacts) gather_contacts(w, e);
+  }
+  clock.lap(ForcePart::scatter);
+}
+
+}  // namespace
+
+void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
+  stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  if (!w.options.gather) stage.tasks.begin(omp_get_max_threads());
+  const JointStep joints{w, time, step, stage.tasks};
+  int team = 0;  // the system may give fewer
+#pragma omp parallel reduction(+ : team)
+  {
+    team = 1;
+    ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
+    mine.clock = LapClock(stage.split);
+    advance_own_joints(joints, mine.joints, mine.clock);
+    mine.clock.begin();
+    advance_contacts(w, mine.contacts);
+    find_overlaps(w, mine.overlaps);
+    mine.clock.lap(ForcePart::contacts);
+    help_with_joints(joints, mine.joints, mine.clock);
+    gather(w, mine.clock);
+  }
+  std::vector<JointFindings*> found;
+  std::vector<OverlapFound> overlaps;
+  for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
+    ThreadRoom& r = stage.by_thread[thread];
+    for (const std::int32_t e : r.joints.looked_at) watch_from_now_on(w, e);
+    r.joints.looked_at.clear();
+    found.push_back(&r.joints);
+    overlaps.insert(overlaps.end(), r.overlaps.begin(), r.overlaps.end());
+    r.overlaps.clear();
+    for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
+  }
+  collect(found, stage.events);
+  apply_overlaps(w, overlaps);
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::solver {
+
+namespace {
+
+Vec3 at(const Array<double>& x, const Array<double>& y, const Array<double>& z, std::size_t i) { return {x[i], y[i], z[i]}; }
+Vec3 at(const std::vector<double>& v, std::size_t i) { return {v[3 * i], v[3 * i + 1], v[3 * i + 2]}; }
+void put(std::vector<double>& v, std::size_t i, Vec3 x) { v[3 * i] = x.x, v[3 * i + 1] = x.y, v[3 * i + 2] = x.z; }
+
+template <class Range>
+double total(const Range& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return sum;
+}
+
+double total(const Patches& patches, double FreePatch::*value) {
+  double sum = 0.0;
+  for (const FreePatch& p : patches.patch) sum += p.*value;
+  return sum;
+}
+
+double stored_energy(const Overlaps& o) {
+  double sum = 0.0;
+  for (const OverlapSpring& s : o.springs) sum += s.stored;
+  return sum;
+}
+
+double total(const Elements& e, kernels::Book book) {
+  double sum = 0.0;
+  for (auto i = static_cast<std::size_t>(book); i < e.books.size(); i += kernels::kBooks) sum += e.books[i];
+  return sum;
+}
+
+}  // namespace
+
+void Ledger::restart(World& w) {
+  std::ranges::fill(w.elements.books, 0.0);
+  for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
+  for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
+  w.overlaps.friction = w.overlaps.impact = 0.0;
+  *this = Ledger(w);
+}
+
+void Ledger::add_support_work(const World& w) {
+  if (w.supports.empty()) return;
+  for (std::size_t k = 0; k < w.supports.size(); ++k) {
+    const auto e = static_cast<std::size_t>(w.supports[k].element);
+    const double* f = w.elements.wrench.data() + e * kernels::kWrenchStride;
+    double* old = support_wrench_.data() + 6 * k;
+    const Vec3 v = at(w.elements.vx, w.elements.vy, w.elements.vz, e);
+    // The structure pushes the support with f, so the support works with −f.
+    if (!fresh_) supports_ -= 0.5 * w.dt * dot(Vec3{f[0] + old[0], f[1] + old[1], f[2] + old[2]}, v);
+    std::copy_n(f, 6, old);
+  }
+}
+
+void Ledger::before_kick(World& w) {
+  const Elements& e = w.elements;
+  const auto n = static_cast<std::size_t>(e.count);
+  v_.resize(3 * n), w_.resize(3 * n), l_.resize(3 * n), dash_.resize(6 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    put(v_, i, at(e.vx, e.vy, e.vz, i));
+    put(w_, i, at(e.wx, e.wy, e.wz, i));
+    put(l_, i, at(e.lx, e.ly, e.lz, i));
+    std::copy_n(e.dashpot.data() + i * kernels::kDashpotStride, 6, dash_.data() + 6 * i);
+  }
+  stored_ = joint_energy(w);
+  patches_ = total(w.patches, &FreePatch::stored) + stored_energy(w.overlaps);
+}
+
+double Ledger::kinetic(const World& w) const {
+  const Elements& e = w.elements;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
+    sum += 0.5 * e.mass[i] * dot(at(v_, i), v) + 0.25 * (dot(at(l_, i), spin) + dot(l, at(w_, i)));
+  }
+  return sum;
+}
+
+// The accumulators hold whole steps; a row stands at a whole step, in the middle of one, so half of the last is taken back.
+void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) const {
+  const Elements& e = w.elements;
+  double damping_ahead = 0.0, dashpot_ahead = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
+    damping_ahead += 0.25 * w.dt * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
+    if (damps_rotation) damping_ahead += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick booked half a step behind
+    dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
+  }
+  row.damping = total(e, kernels::Book::loss_damping) - damping_ahead;
+  row.dashpot = total(e, kernels::Book::loss_dashpots) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
+                w.overlaps.impact;
+  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction;
+  row.fracture = total(w.sides.fracture);
+}
+
+EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) {
+  EnergyRow row;
+  row.time = time;
+  row.kinetic = kinetic(w);
+  row.strain = stored_.bonds;
+  row.contact = stored_.contact + patches_;
+  row.gravity = -total(w.elements, kernels::Book::work_gravity);
+  sum_losses(w, damps_rotation, row);
+  const double losses = row.dashpot + row.friction + row.fracture + row.damping;
+  const double balance = row.kinetic + row.strain + row.contact + row.gravity + losses;
+  const double work = total(w.elements, kernels::Book::work_ground) + loads_ + supports_;
+  if (fresh_) initial_ = balance - work;
+  fresh_ = false;
+  row.input = initial_ + work;
+  scale_ = std::max({scale_, std::abs(row.input), row.strain + row.contact, row.kinetic, -row.gravity});
+  row.residual = scale_ > 0.0 ? std::abs(balance - row.input) / scale_ : 0.0;
+  worst_ = std::max(worst_, row.residual);
+  last_ = row;
+  return row;
+}
+
+}  // namespace voussoir::solver

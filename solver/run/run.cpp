@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "solver/run/collapse.h"
+#include "solver/world/errors.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::int64_t kTickInterval = 20;  // steps
+constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
+
+std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
+
+/// Keeps the buffers and the running figures of one run.
+class Reporter {
+ public:
+  Reporter(Simulation& sim, RunState& state, Recorder& out) : sim_(sim), state_(state), out_(out) {}
+
+  void frame() {
+    const World& w = sim_.world();
+    const Elements& e = w.elements;
+    const auto n = static_cast<std::size_t>(e.count);
+    position_.resize(3 * n), quaternion_.resize(4 * n), broken_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto put = [i](std::vector<float>& to, std::initializer_list<double> v) {
+        std::size_t k = v.size() * i;
+        for (const double x : v) to[k++] = static_cast<float>(x);
+      };
+      const Vec3 x = e.body[i].ref + Vec3{e.ux[i], e.uy[i], e.uz[i]};
+      put(position_, {x.x, x.y, x.z});
+      put(quaternion_, {e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
+      broken_[i] = e.bonds_at_start[i] > 0 ? 1.0F - static_cast<float>(e.bonds[i]) / static_cast<float>(e.bonds_at_start[i]) : 0.0F;
+    }
+    out_.frame({sim_.time(), position_, quaternion_, broken_});
+  }
+
+  void samples(double time) {
+    out_.history(time, sim_.history());
+    const ForcesRow& f = sim_.forces();
+    state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
+  }
+
+  void ledger(double time) {
+    out_.energy(sim_.energy());
+    const Damage& d = sim_.damage();
+    out_.damage({time, d.bonded, d.slipped, d.tension, d.shear, d.compression});
+    cracks();
+  }
+
+  void cracks() {
+    std::vector<CrackRow>& rows = sim_.cracks();
+    if (rows.empty()) return;
+    for (const CrackRow& r : rows) {
+      if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
+    }
+    out_.cracks(rows);
+    rows.clear();
+  }
+
+ private:
+  Simulation& sim_;
+  RunState& state_;
+  Recorder& out_;
+  std::vector<float> position_, quaternion_, broken_;
+};
+
+FallenMass fallen_mass(const World& w) {
+  const Elements& e = w.elements;
+  FallenMass fallen;
+  const double base = e.body[static_cast<std::size_t>(e.base)].ref.z;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
+    fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.body[i].ref.z - base);
+  return fallen;
+}
+
+std::int64_t broken(const Damage& d) { return d.tension + d.shear + d.compression; }
+
+void check_residual(const Simulation& sim) {
+  const EnergyRow& e = sim.energy();
+  if (e.residual <= kResidualLimit) return;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); fastest is %s; try --dt %.3g",
+                e.residual, sim.time(), kResidualLimit, sim.fastest_element().c_str(), 0.5 * sim.dt());
+  throw NumericalError(text);
+}
+
+/// One run: when to step, when to tell.
+class Plan {
+ public:
+  Plan(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick)
+      : sim_(sim),
+        state_(state),
+        out_(out),
+        tick_(tick),
+        report_(sim, state, out),
+        end_(end),
+        after_collapse_(c.time.after_collapse),
+        history_(in_steps(c.output.history_interval, sim.dt())),
+        frame_(in_steps(c.output.frame_interval, sim.dt())),
+        ledger_(in_steps(c.output.ledger_interval, sim.dt())),
+        last_(last_step(sim, end)) {
+    end_after_collapse();
+  }
+
+  /// \return false if the tick stopped it
+  bool settle() {
+    // Looked at in intervals of its own: how often rows are written must not decide when the shaking begins.
+    const std::int64_t look = in_steps(kLookForRest, sim_.dt());
+    const auto at_rest = [&] { return (sim_.steps() - 1) % look == 0 && sim_.at_rest(); };
+    while (!at_rest() && !sim_.settled_too_long()) {
+      if (!go_on()) return false;
+      const double time = sim_.time();
+      const bool ledger = sim_.steps() % ledger_ == 0;
+      sim_.step({false, ledger || sim_.steps() % look == 0});
+      ++state_.steps;
+      const StageTimer timer(sim_.stage_times(), Stage::output);
+      if (ledger) report_.ledger(time);
+    }
+    state_.settled = at_rest();
+    return true;
+  }
+
+  /// \return false if the tick stopped it
+  bool shake() {
+    while (sim_.steps() <= last_) {
+      if (!go_on()) return false;
+      const std::int64_t n = sim_.steps();
+      const double time = sim_.time();
+      const bool history = n % history_ == 0, ledger = n % ledger_ == 0 || n == last_;
+      if (n % frame_ == 0) {
+        const StageTimer timer(sim_.stage_times(), Stage::output);
+        report_.frame();
+        if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
+      }
+      sim_.step({.sample = history || ledger, .ledger = ledger});
+      const StageTimer timer(sim_.stage_times(), Stage::output);
+      ++state_.steps;
+      if (history) report_.samples(time);
+      if (!ledger) continue;
+      out_.forces(sim_.forces());
+      report_.ledger(time);
+      check_residual(sim_);
+    }
+    return true;
+  }
+
+  void tell_cracks() { report_.cracks(); }
+
+ private:
+  /// The step in which the collapse is seen is never the last: the tick is told of the last one before it.
+  void end_after_collapse() {
+    if (!after_collapse_ || state_.collapse < 0.0) return;
+    end_ = std::min(end_, state_.collapse + *after_collapse_);
+    last_ = std::min(last_, std::max(last_step(sim_, end_), last_step(sim_, state_.collapse) + 1));
+  }
+
+  bool go_on() {
+    const bool settling = !state_.shaking, last = !settling && sim_.steps() == last_;
+    if (state_.steps % kTickInterval != 0 && !last) return true;
+    report_.cracks();
+    return tick_({sim_.time(), end_, settling, state_.steps, broken(sim_.damage()), sim_.energy().residual, last});
+  }
+
+  Simulation& sim_;
+  RunState& state_;
+  Recorder& out_;
+  const Tick& tick_;
+  Reporter report_;
+  double end_;                                    // s
+  std::optional<double> after_collapse_;          // s
+  std::int64_t history_, frame_, ledger_, last_;  // steps
+};
+
+}  // namespace
+
+std::int64_t last_step(const Simulation& sim, double end) { return std::llround(end / sim.dt()); }
+
+Summary summarise(const Simulation& sim, const RunState& state) {
+  const FallenMass fallen = fallen_mass(sim.world());
+  Summary s;
+  s.fallen_mass_fraction = fallen.fraction();
+  s.collapsed = fallen.is_collapse();
+  s.first_crack_time = state.first_crack;
+  const Damage& d = sim.damage();
+  s.tension = d.tension, s.shear = d.shear, s.compression = d.compression, s.slipped = d.slipped;
+  s.peak_base_shear = state.peak_base_shear;
+  s.peak_speed = sim.peak_speed();
+  s.worst_residual = sim.worst_residual();
+  s.settled = state.settled && sim.phase() != Phase::settling;
+  s.end_time = sim.time();
+  return s;
+}
+
+RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick) {
+  Plan plan(sim, state, c, end, out, tick);
+  bool stopped = false;
+  try {
+    if (sim.phase() == Phase::settling) stopped = !plan.settle();
+    if (!stopped && !state.shaking) {
+      sim.start_shaking();
+      state.shaking = true;
+    }
+    if (!stopped) stopped = !plan.shake();
+  } catch (...) {
+    plan.tell_cracks();
+    out.summary(summarise(sim, state));
+    throw;
+  }
+  plan.tell_cracks();
+  const RunResult result{stopped, summarise(sim, state)};
+  out.summary(result.summary);
+  return result;
+}
+
+}  // namespace voussoir::solver

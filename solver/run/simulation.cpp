@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/simulation.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "kernels/fetch.h"
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
+#include "solver/contact/overlap_contact.h"
+#include "solver/setup/setup.h"
+#include "solver/world/errors.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
+constexpr std::int64_t kGuardInterval = 20;  // steps
+constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
+constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
+constexpr double kRest = 1e-8;               // kinetic over elastic energy
+
+constexpr std::int64_t kRun = 2 * kernels::kBunch;  // elements that a thread takes at a time
+
+/// Calls `work(first, last)` for all elements, bunch by bunch: the rows of one stay near. \return the most of what it returns
+template <class Work>
+double over_elements(const World& w, TaskShares& shares, Work work) {
+  const std::int64_t rows = w.elements.rows;
+  shares.begin(omp_get_max_threads());
+  shares.deal((rows + kRun - 1) / kRun);
+  double most = 0.0;
+#pragma omp parallel reduction(max : most)
+  {
+    const auto do_run = [&](std::int32_t run) {
+      const std::int64_t last = std::min((run + 1) * kRun, rows);
+      for (std::int64_t i = run * kRun; i < last; i += kernels::kBunch) most = std::max(most, work(i, i + kernels::kBunch));
+    };
+    shares.take_own(omp_get_thread_num(), do_run);
+    shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
+    kernels::finish_stores();  // of poses that went past the caches
+  }
+  return most;
+}
+
+/// Gravity as seen from a base tilted about x and y by angles in degrees.
+Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
+  if (!base) return g;
+  const double ax = base->tilt[0] * std::numbers::pi / 180.0, ay = base->tilt[1] * std::numbers::pi / 180.0;
+  const Vec3 about_x{g.x, std::cos(ax) * g.y + std::sin(ax) * g.z, -std::sin(ax) * g.y + std::cos(ax) * g.z};
+  return {std::cos(ay) * about_x.x - std::sin(ay) * about_x.z, about_x.y, std::sin(ay) * about_x.x + std::cos(ay) * about_x.z};
+}
+
+Vec3 rotation_vector(Quaternion q, Quaternion start) {
+  // q · start⁻¹
+  const double w = q.w * start.w + q.x * start.x + q.y * start.y + q.z * start.z;
+  Vec3 v{q.x * start.w - q.w * start.x - q.y * start.z + q.z * start.y, q.y * start.w - q.w * start.y - q.z * start.x + q.x * start.z,
+         q.z * start.w - q.w * start.z - q.x * start.y + q.y * start.x};
+  const double s = norm(v);
+  if (s < 1e-12) return 2.0 * v;
+  return (2.0 * std::atan2(s, w) / s) * v;
+}
+
+double ramp_share(double t, double begin, double end) {
+  if (t >= end) return 1.0;
+  return t <= begin ? 0.0 : (t - begin) / (end - begin);
+}
+
+Vec3 displacement_at(const cases::SupportHistory& h, double t) {
+  if (h.time.empty() || t < h.time.front()) return {};
+  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
+  const auto i = static_cast<std::size_t>(later - h.time.begin());
+  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
+  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
+  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
+}
+
+}  // namespace
+
+Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
+    : case_(c), motion_(motion), world_(build_world(c, m, o)) {
+  if (o.threads > 0) omp_set_num_threads(o.threads);
+  World& w = *world_;
+  list_live_blocks(w);
+  forces_stage_.tasks = JointTasks(w);
+  full_gravity_ = tilted(c.gravity.acceleration, c.base);
+  const double frequency = c.damping.frequency.value_or(0.0);
+  ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
+  damage_ = initial_damage(w);
+  ledger_ = Ledger(w);
+  case_alpha_ = w.elements.alpha;
+  for (const cases::HistoryPoint& p : c.output.history) followed_.push_back(cases::nearest_element(m, p.point));
+  start_.resize(followed_.size());
+  turned_.resize(followed_.size());
+  velocity_before_.resize(followed_.size());
+  samples_.resize(followed_.size());
+  load_before_.resize(2 * w.loads.size());
+  if (c.gravity.settle && norm(full_gravity_) > 0.0) {
+    phase_ = Phase::settling;
+    // Near-critical for the slowest sway the case names; else for one that the ramp calls slow.
+    settling_alpha_ =
+        2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? std::max(ramp_, kShortestRamp) : kRamp));
+    set_damping(settling_alpha_);
+  } else {
+    set_initial_velocities(w);
+  }
+  // Rows follow from the state: a drift of no time writes them.
+  kernels::drift(w.elements.view(), w.elements.row_view(), 0.0, 0, w.elements.rows);
+}
+
+double Simulation::time_of(std::int64_t step) const {
+  const double t = static_cast<double>(step) * world_->dt;
+  return phase_ == Phase::settling ? t - (ramp_ + case_.gravity.settle_limit) : t;
+}
+
+Vec3 Simulation::gravity_at(double t) const {
+  if (phase_ == Phase::shaking || t >= ramp_) return full_gravity_;
+  return (0.5 - 0.5 * std::cos(std::numbers::pi * t / ramp_)) * full_gravity_;
+}
+
+Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
+
+kernels::BodyForces Simulation::body_forces() const {
+  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, phase_ == Phase::settling};
+  if (step_ == 0) return f;  // no interval behind the first step
+  f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
+  f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
+  return f;
+}
+
+void Simulation::place_supports() {
+  if (phase_ == Phase::settling) return;
+  const double t = static_cast<double>(step_) * world_->dt;
+  Elements& e = world_->elements;
+  for (const Support& s : world_->supports) {
+    const auto i = static_cast<std::size_t>(s.element);
+    const Vec3 u = displacement_at(*s.history, t);
+    const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
+    world_->contacts.path[i] += jump;
+    e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
+    kernels::store_displacement(e.pose.data(), s.element, u);
+    moved_ = std::max(moved_, measure_move(*world_, s.element));
+  }
+}
+
+void Simulation::move_supports_on() {
+  if (phase_ == Phase::settling) return;
+  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
+  Elements& e = world_->elements;
+  for (const Support& s : world_->supports) {
+    const auto i = static_cast<std::size_t>(s.element);
+    const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
+    // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
+    const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
+    e.books[i / kernels::kBunch * kernels::kBooks + static_cast<std::size_t>(kernels::Book::loss_dashpots)] +=
+        0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
+    e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
+  }
+}
+
+void Simulation::apply_loads() {
+  World& w = *world_;
+  const double t = phase_ == Phase::settling ? 0.0 : static_cast<double>(step_) * w.dt;
+  for (std::size_t k = 0; k < w.loads.size(); ++k) {
+    const PointLoad& l = w.loads[k];
+    const auto i = static_cast<std::size_t>(l.element);
+    const double share = ramp_share(t, l.ramp_begin, l.ramp_end);
+    const Vec3 arm = l.arm + kernels::load_pose(w.elements.pose.data(), l.element).d * l.arm;
+    const Vec3 force = share * l.force, moment = share * l.moment + cross(arm, force);
+    kernels::add_wrench(w.elements.wrench.data(), l.element, force, moment);
+    const Vec3 v{w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]}, spin{w.elements.wx[i], w.elements.wy[i], w.elements.wz[i]};
+    if (step_ > 0) ledger_.add_load_work(0.5 * w.dt * (dot(force + load_before_[2 * k], v) + dot(moment + load_before_[2 * k + 1], spin)));
+    load_before_[2 * k] = force;
+    load_before_[2 * k + 1] = moment;
+  }
+}
+
+// Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
+void Simulation::measure_base_forces() {
+  const World& w = *world_;
+  forces_ = {time(), {}, {}};
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (w.elements.fixed[i]) continue;
+    const double* r = w.elements.wrench.data() + i * kernels::kWrenchStride;
+    const Vec3 f{r[0], r[1], r[2]};
+    const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
+    forces_.base_shear += f;
+    forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
+  }
+}
+
+void Simulation::take_samples() {
+  const Elements& e = world_->elements;
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k]);
+    const Vec3 u{e.ux[i], e.uy[i], e.uz[i]}, v{e.vx[i], e.vy[i], e.vz[i]};
+    samples_[k] = {u - start_[k], 0.5 * (velocity_before_[k] + v), rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, turned_[k])};
+  }
+}
+
+void Simulation::guard() {
+  const Elements& e = world_->elements;
+  const auto squares = [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return std::pair{e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k], e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]};
+  };
+  const auto sound = [&](std::int64_t i) {
+    const auto [v2, w2] = squares(i);
+    return v2 < kFastest * kFastest && std::isfinite(w2);
+  };
+  // By the threads that have the rows: one alone would fetch all of them, and the others fetch theirs back.
+  const double most = over_elements(*world_, update_shares_, [&](std::int64_t first, std::int64_t last) {
+    double v2 = 0.0;
+    for (std::int64_t i = first; i < last; ++i) v2 = std::max(v2, sound(i) ? squares(i).first : std::numeric_limits<double>::infinity());
+    return v2;
+  });
+  if (most < kFastest * kFastest) {
+    peak_speed_ = std::max(peak_speed_, std::sqrt(most));
+    return;
+  }
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    peak_speed_ = std::max(peak_speed_, std::sqrt(squares(i).first));
+    if (sound(i)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%s moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g",
+                  cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(squares(i).first), time(), kFastest, world_->dt,
+                  0.5 * world_->dt);
+    throw NumericalError(text);
+  }
+}
+
+std::string Simulation::fastest_element() const {
+  const Elements& e = world_->elements;
+  std::size_t fastest = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const double v2 = e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i];
+    if (v2 <= most) continue;
+    fastest = i, most = v2;
+    if (std::isnan(v2)) break;
+  }
+  return cases::describe(world_->model.blocks[fastest], fastest);
+}
+
+void Simulation::note_velocities() {
+  const Elements& e = world_->elements;
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k]);
+    velocity_before_[k] = {e.vx[i], e.vy[i], e.vz[i]};
+  }
+}
+
+void Simulation::kick(const kernels::BodyForces& f) {
+  World& w = *world_;
+  over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.elements.row_view()](std::int64_t first, std::int64_t last) {
+    kernels::kick(view, rows, f, first, last);
+    return 0.0;
+  });
+}
+
+void Simulation::drift(double dt) {
+  World& w = *world_;
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::drift(view, rows, dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
+}
+
+// In one go where nobody looks in between: an element's rows are then still at hand.
+void Simulation::kick_and_drift(const kernels::BodyForces& f) {
+  World& w = *world_;
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::kick(view, rows, f, first, last);
+        kernels::drift(view, rows, f.dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
+}
+
+void Simulation::step(Due due) {
+  World& w = *world_;
+  const double t = time();
+  place_supports();
+  {
+    const StageTimer timer(times_, Stage::search);
+    if (search_due(w, moved_)) search_contacts(w);
+    if (w.overlaps.stale) list_all_overlap_pairs(w);
+    if (w.contacts.gather_stale) build_gather(w);
+  }
+  {
+    const StageTimer timer(times_, Stage::forces);
+    solver::forces(w, t, step_, forces_stage_);
+  }
+  {
+    const StageTimer timer(times_, Stage::damage);
+    book_damage(w, forces_stage_.events, t, damage_, cracks_);
+  }
+  if (due.ledger) {
+    const StageTimer timer(times_, Stage::ledger);
+    ledger_.before_kick(w);
+  }
+  const StageTimer timer(times_, Stage::update);
+  ledger_.add_support_work(w);
+  if (due.sample) {
+    measure_base_forces();
+    note_velocities();
+  }
+  apply_loads();
+  move_supports_on();
+  const kernels::BodyForces f = body_forces();
+  if (due.sample) {
+    kick(f);
+    take_samples();
+    drift(f.dt);
+  } else {
+    kick_and_drift(f);
+  }
+  if (due.ledger) ledger_.after_drift(w, f.damps_rotation, t);
+  ++step_;
+  if (step_ % kGuardInterval == 0) guard();
+}
+
+// The row of the first step knows of no motion yet, and one from before the last step was perhaps of the ramp.
+bool Simulation::at_rest() const {
+  return step_ > 1 && static_cast<double>(step_) * world_->dt > ramp_ && ledger_.last().time == time_of(step_ - 1) &&
+         ledger_.kinetic_over_elastic() < kRest;
+}
+
+// Not one step longer: settling has negative times, and time zero belongs to the shaking alone.
+bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt >= ramp_ + case_.gravity.settle_limit; }
+
+void Simulation::set_damping(double alpha) {
+  Elements& e = world_->elements;
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    if (!e.fixed[static_cast<std::size_t>(i)]) e.alpha[static_cast<std::size_t>(i)] = alpha;
+  }
+}
+
+void Simulation::start_shaking() {
+  Elements& e = world_->elements;
+  if (phase_ == Phase::settling) {
+    set_initial_velocities(*world_);
+    e.alpha = case_alpha_;
+  }
+  if (world_->drop_debris_damping) {
+    for (std::size_t i = 0; i < e.bonds.size(); ++i) {
+      if (e.bonds[i] == 0) e.alpha[i] = 0.0;
+    }
+  }
+  phase_ = Phase::shaking;
+  step_ = 0;
+  ledger_.restart(*world_);
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(followed_[k]);
+    start_[k] = {e.ux[i], e.uy[i], e.uz[i]};
+    turned_[k] = {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
+  }
+}
+
+}  // namespace voussoir::solver

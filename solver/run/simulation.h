@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/model.h"
+#include "cases/motion.h"
+#include "solver/run/damage.h"
+#include "solver/run/forces.h"
+#include "solver/run/ledger.h"
+#include "solver/run/recorder.h"
+#include "solver/world/stages.h"
+#include "solver/world/world.h"
+
+/// One run: the world, its clock, and the step.
+namespace voussoir::solver {
+
+enum class Phase : std::uint8_t { settling, shaking };
+
+/// What the observers of a step want to see.
+struct Due {
+  bool sample = false;  // histories and forces: displacements and mid-step velocities
+  bool ledger = false;  // an energy row
+};
+
+class Simulation {
+ public:
+  /// Builds the world; it settles first if the case says so. The case and the model must outlive it.
+  /// \throw cases::InputError
+  Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
+
+  /// One step of dt. The stages, in order: supports, search, forces, damage, loads, kick, samples, drift, ledger.
+  /// \throw NumericalError if the state is no longer a number, or too fast to be a house
+  void step(Due due);
+
+  [[nodiscard]] double time() const { return time_of(step_); }  // s; < 0 while settling
+  [[nodiscard]] std::int64_t steps() const { return step_; }    // in this phase
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] double dt() const { return world_->dt; }
+  [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] World& world() { return *world_; }
+
+  /// While settling: gravity is up and (nearly) nothing moves any more. Told only by a step that had a ledger row.
+  [[nodiscard]] bool at_rest() const;
+  /// While settling: the time limit has passed.
+  [[nodiscard]] bool settled_too_long() const;
+  /// Ends settling: velocities, clock and ledger start anew, the case's own damping acts.
+  void start_shaking();
+
+  // Results of the last step.
+  [[nodiscard]] const EnergyRow& energy() const { return ledger_.last(); }
+  [[nodiscard]] double worst_residual() const { return ledger_.worst_residual(); }
+  [[nodiscard]] const std::vector<HistorySample>& history() const { return samples_; }
+  [[nodiscard]] const ForcesRow& forces() const { return forces_; }
+  [[nodiscard]] const Damage& damage() const { return damage_; }
+  /// Cracks since the last call; the caller clears it.
+  [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
+  [[nodiscard]] double peak_speed() const { return peak_speed_; }
+  /// Wall-clock by stage since the simulation was built; others add their own (output).
+  [[nodiscard]] StageTimes& stage_times() { return times_; }
+  [[nodiscard]] const StageTimes& stage_times() const { return times_; }
+  /// Whether the parts of the stage of forces are timed too from now on; costs some hundredths of a step.
+  void time_parts(bool on) { forces_stage_.split = on; }
+  [[nodiscard]] const ForceTimes& part_times() const { return forces_stage_.parts; }
+  /// The element that moves fastest (or is no number any more), as messages call it: the first to look at when the numbers go wrong.
+  [[nodiscard]] std::string fastest_element() const;
+
+ private:
+  friend struct FieldTable;
+  [[nodiscard]] double time_of(std::int64_t step) const;
+  void place_supports();
+  void move_supports_on();
+  void apply_loads();
+  void measure_base_forces();
+  void take_samples();
+  void note_velocities();
+  void kick(const kernels::BodyForces& f);
+  void drift(double dt);
+  void kick_and_drift(const kernels::BodyForces& f);
+  void guard();
+  [[nodiscard]] kernels::BodyForces body_forces() const;
+  [[nodiscard]] Vec3 gravity_at(double t) const;
+  [[nodiscard]] Vec3 ground_at(double t) const;
+  void set_damping(double alpha);
+
+  const cases::Case& case_;
+  cases::GroundMotion motion_;
+  std::unique_ptr<World> world_;
+  Phase phase_ = Phase::shaking;
+  std::int64_t step_ = 0;
+  Vec3 full_gravity_;            // m/s2, tilted
+  double ramp_ = 0.0;            // s
+  double settling_alpha_ = 0.0;  // 1/s
+  Array<double> case_alpha_;
+  ForceStage forces_stage_;
+  // A run of elements taken from another thread is half a thousand lines of memory that go there and back: much patience.
+  TaskShares update_shares_{1.0};
+  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has
+  StageTimes times_{};
+  Damage damage_;
+  Ledger ledger_;
+  std::vector<CrackRow> cracks_;
+  std::vector<std::int32_t> followed_;  // elements, for Recorder::history
+  std::vector<Vec3> start_;             // m, their displacements at time zero
+  std::vector<Quaternion> turned_;      // their orientations at time zero
+  std::vector<Vec3> velocity_before_;   // m/s, theirs at the half step before
+  std::vector<Vec3> load_before_;       // N, N m of each load at the last step (force, moment pairs)
+  std::vector<HistorySample> samples_;
+  ForcesRow forces_;
+  double peak_speed_ = 0.0;  // m/s
+};
+
+}  // namespace voussoir::solver

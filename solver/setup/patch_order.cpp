@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/patch_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::ptrdiff_t kScattered = 128;  // patches out of order that cost more than sorting, which takes some ten steps' time
+
+bool by_element(const kernels::Patch& a, const kernels::Patch& b) { return a.element < b.element; }
+
+template <class Column>
+void reorder(Column& column, const std::vector<std::size_t>& order) {
+  Column sorted;
+  sorted.reserve(column.size());
+  for (const std::size_t i : order) sorted.push_back(column[i]);
+  column = std::move(sorted);
+}
+
+/// Where the points of each patch begin, and where the last end.
+std::vector<std::int64_t> ends_of_points(const Patches& p) {
+  std::vector<std::int64_t> ends;
+  ends.reserve(p.patch.size() + 1);
+  for (const FreePatch& patch : p.patch) ends.push_back(patch.first_point);
+  ends.push_back(static_cast<std::int64_t>(p.partner.size()));
+  return ends;
+}
+
+/// \param together  points of an entry of the column
+template <class Column>
+void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, int together = 1) {
+  Column sorted;
+  sorted.reserve(column.size());
+  for (const std::size_t i : order) {
+    sorted.insert(sorted.end(), column.begin() + ends[i] / together, column.begin() + ends[i + 1] / together);
+  }
+  column = std::move(sorted);
+}
+
+void place_points(Patches& p, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
+  std::int64_t at = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    p.patch[k].first_point = at;
+    at += ends[order[k] + 1] - ends[order[k]];
+  }
+}
+
+}  // namespace
+
+void sort_patches(World& w) {
+  Patches& p = w.patches;
+  std::vector<std::size_t> order(p.patch.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return by_element(p.patch[a], p.patch[b]); });
+  const std::vector<std::int64_t> ends = ends_of_points(p);
+  for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order);
+  reorder_points(p.springs, ends, order, kernels::kWidth);
+  reorder(p.patch, order);
+  reorder(p.from_side, order);
+  reorder(p.mastered, order);
+  place_points(p, ends, order);
+}
+
+bool patches_are_scattered(const World& w) {
+  const Array<FreePatch>& all = w.patches.patch;
+  return all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "cases/census.h"
+#include "solver/setup/patch_order.h"
+#include "solver/setup/point_sets.h"
+
+namespace voussoir::solver {
+
+void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered) {
+  Patches& p = w.patches;
+  const auto n = static_cast<std::size_t>(w.points.count[static_cast<std::size_t>(set)]);
+  p.patch.push_back({patch, set, 0, static_cast<std::int64_t>(p.partner.size())});
+  const auto e = static_cast<std::size_t>(patch.element);
+  p.patch.back().face_number = static_cast<std::uint8_t>(patch.face - w.elements.first_face[e]);
+  p.patch.back().face_count = static_cast<std::uint8_t>(w.elements.face_count[e]);
+  p.from_side.push_back(from_side);
+  p.mastered.push_back(mastered ? 1 : 0);
+  const std::size_t end = p.partner.size() + static_cast<std::size_t>(round_up(static_cast<std::int64_t>(n), kernels::kLanes));
+  p.partner.resize(end, kernels::kNobody);
+  p.face.resize(end, kernels::kNoFace);
+  p.springs.resize(end / kernels::kWidth);
+}
+
+void set_up_patches(World& w) {
+  const geometry::Assembly& a = w.model.assembly;
+  PointSetBuilder sets(w.points);
+  for (const geometry::FreePatch& p : a.patches) {
+    const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];
+    kernels::Patch patch;
+    patch.element = p.element;
+    patch.face = e.first_face + p.face;
+    patch.centre = p.frame.centre - e.mass.centroid;
+    patch.es = p.frame.axis_s, patch.et = p.frame.axis_t;
+    patch.s_low = patch.t_low = 1e300, patch.s_high = patch.t_high = -1e300;
+    for (const geometry::Segment& s : p.segments) {
+      patch.s_low = std::min(patch.s_low, s.s), patch.s_high = std::max(patch.s_high, s.s);
+      patch.t_low = std::min(patch.t_low, s.t), patch.t_high = std::max(patch.t_high, s.t);
+    }
+    append_patch(w, patch, sets.add(p.segments), -1, true);
+  }
+  sort_patches(w);
+}
+
+void set_up_loads(World& w, const cases::Case& c) {
+  const auto element = [&](const std::string& name, const std::string& key) {
+    for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
+      if (w.model.blocks[i].name == name) return static_cast<std::int32_t>(i);
+    }
+    throw cases::InputError(key, "= \"" + name + "\" is the name of no block");
+  };
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    const cases::Load& l = c.loads[i];
+    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"), l.force, l.moment, {}, l.ramp[0], l.ramp[1]};
+    if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(p.element)].mass.centroid;
+    w.loads.push_back(p);
+  }
+  for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
+    const std::int32_t history = w.model.blocks[i].support_motion;
+    if (history >= 0) w.supports.push_back({static_cast<std::int32_t>(i), &w.model.support_motions[static_cast<std::size_t>(history)]});
+  }
+}
+
+namespace {
+
+kernels::FailureOptions failure_options(const cases::Failure& f) {
+  kernels::FailureOptions o;
+  o.shear = f.shear;
+  o.brittle = f.post_shear == cases::PostShear::brittle;
+  o.in_tension = f.shear_in_tension == cases::ShearInTension::cohesion ? kernels::ShearInTension::cohesion
+                 : f.shear_in_tension == cases::ShearInTension::none   ? kernels::ShearInTension::none
+                                                                       : kernels::ShearInTension::coulomb;
+  return o;
+}
+
+/// Under half the smallest segment: coplanar neighbours in an intact wall, whose points lie half a segment apart, are no candidates then.
+double choose_skin(const cases::Model& m) {
+  double smallest = 1e300;
+  for (const cases::Block& b : m.blocks) smallest = std::min(smallest, b.segment_size);
+  return 0.4 * smallest;
+}
+
+}  // namespace
+
+std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) {
+  auto w = std::make_unique<World>(m);
+  w->options = o;
+  w->far = m.blocks.size() >= o.far_from;
+  w->failure = failure_options(c.failure);
+  w->has_base = c.base.has_value();
+  w->drop_debris_damping = !c.damping.debris;
+  w->bound = cases::census(m).step_bound;
+  w->dt = choose_step(c, o, w->bound);
+  w->contact = {w->dt, c.contact.damping, std::tan(c.contact.friction * std::numbers::pi / 180.0),
+                c.contact.normal == cases::ContactNormal::master};
+  set_up_elements(*w, c);
+  w->contact.base = w->elements.base;
+  set_up_faces(*w);
+  set_up_damping_bound(*w);
+  set_up_sides(*w, c);
+  set_up_patches(*w);
+  set_up_overlaps(*w);
+  set_up_side_views(*w);
+  set_up_side_gather(*w);
+  set_up_loads(*w, c);
+  w->contacts.skin = choose_skin(m);
+  for (auto* column : {&w->contacts.path, &w->contacts.until}) column->assign(w->elements.ux.size(), 0.0);
+  for (auto* column : {&w->contacts.bunch_path, &w->contacts.bunch_until}) column->assign(w->elements.watched.size(), 0.0);
+  return w;
+}
+
+}  // namespace voussoir::solver

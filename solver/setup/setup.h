@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "cases/case.h"
+#include "solver/world/world.h"
+
+/// From the model to the arrays of the step.
+namespace voussoir::solver {
+
+/// The step of a run [s]: as given, or the largest ≤ 0.995 × bound (Eq. 19, see cases/census.h) that divides history_interval.
+double choose_step(const cases::Case& c, const Options& o, double bound);
+
+/// Builds the world at rest in the reference configuration. `m` must outlive it.
+/// \throw cases::InputError where data that belong together do not (a mortar thicker than its bricks, a load on an unknown block)
+std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o);
+
+/// The rooms of build_world, in the order they are called.
+void set_up_elements(World& w, const cases::Case& c);
+void set_up_faces(World& w);
+void set_up_damping_bound(World& w);
+void set_up_sides(World& w, const cases::Case& c);
+void set_up_patches(World& w);
+void set_up_overlaps(World& w);
+/// Points each side at its points and its segments' history, when all arrays have their size.
+void set_up_side_views(World& w);
+/// The buffer for pairs and its lists, for --scatter gather.
+void set_up_side_gather(World& w);
+void set_up_loads(World& w, const cases::Case& c);
+
+/// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand
+void set_initial_velocities(World& w);
+
+/// Appends a free patch with no partners.
+void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);
+
+}  // namespace voussoir::solver

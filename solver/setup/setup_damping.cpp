@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "solver/setup/setup.h"
+
+// Contact dashpots with h = 1 would need a step well under Eq. 19, because their velocities lag by half a step. They are taken
+// semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of
+// M⁻¹C when the dashpots of all its segments act at once. Then the damping matrix of the whole assembly has Δt λ_max(M⁻¹C') < 1 for
+// whatever faces touch at the stiffness of Eq. 2 (that of a joint with mortar stiffer than its blocks is not asked). A sum over the
+// dashpots of c dA (1/m + r²/I_min) is a bound too, but three times as large, and would cost effective damping.
+namespace voussoir::solver {
+
+namespace {
+
+struct FaceClass {
+  double compliance_n, compliance_s, mass;
+  auto operator<=>(const FaceClass&) const = default;
+};
+
+/// The distinct kinds of faces in the model: whatever a face may come to touch.
+std::vector<FaceClass> face_classes(const std::vector<kernels::Face>& faces) {
+  std::set<FaceClass> classes;
+  for (const kernels::Face& f : std::span(faces).first(faces.size() - 1)) classes.insert({f.compliance_n, f.compliance_s, f.mass});
+  return {classes.begin(), classes.end()};
+}
+
+/// Largest dashpot constants per area that the face can meet (Eq. 9).
+std::array<double, 2> worst_dashpot(const FaceClass& face, const std::vector<FaceClass>& others, double h) {
+  double cn = 0.0, cs = 0.0;
+  for (const FaceClass& o : others) {
+    const double mass = face.mass + o.mass;
+    cn = std::max(cn, 2.0 * h * std::sqrt(mass / (face.compliance_n + o.compliance_n)));
+    cs = std::max(cs, 2.0 * h * std::sqrt(mass / (face.compliance_s + o.compliance_s)));
+  }
+  return {cn, cs};
+}
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Damping matrices of all elements, filled segment by segment.
+class DampingMatrices {
+ public:
+  DampingMatrices(const World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
+    const std::vector<FaceClass> classes = face_classes(w.faces);
+    std::vector<std::array<double, 2>> worst;
+    for (const FaceClass& k : classes) worst.push_back(worst_dashpot(k, classes, w.contact.damping));
+    for (const kernels::Face& f : std::span(w.faces).first(w.faces.size() - 1)) {
+      const FaceClass k{f.compliance_n, f.compliance_s, f.mass};
+      dashpot_.push_back(worst[static_cast<std::size_t>(std::lower_bound(classes.begin(), classes.end(), k) - classes.begin())]);
+    }
+  }
+
+  void add(std::int32_t element, std::int32_t face, const geometry::Frame& f, const std::vector<geometry::Segment>& segments) {
+    const geometry::Element& g = w_.model.assembly.elements[static_cast<std::size_t>(element)];
+    const auto [cn, cs] = dashpot_[static_cast<std::size_t>(g.first_face + face)];
+    const Eigen::Vector3d n(f.normal.x, f.normal.y, f.normal.z);
+    const Eigen::Matrix3d c = cs * Eigen::Matrix3d::Identity() + (cn - cs) * n * n.transpose();
+    for (const geometry::Segment& s : segments) {
+      const Vec3 r = f.centre + s.s * f.axis_s + s.t * f.axis_t - g.mass.centroid;
+      Eigen::Matrix<double, 3, 6> j;  // velocity of the point from (v, ω)
+      j << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0).finished();
+      c_[static_cast<std::size_t>(element)] += s.area * (j.transpose() * c * j);
+    }
+  }
+
+  [[nodiscard]] double rate(std::size_t i) const {
+    const geometry::Element& g = w_.model.assembly.elements[i];
+    const double mass = w_.elements.mass[i], density = mass / g.mass.volume;
+    const Mat3& inertia = g.mass.inertia;
+    Matrix6 m = Matrix6::Zero();
+    m.topLeftCorner<3, 3>() = mass * Eigen::Matrix3d::Identity();
+    m.bottomRightCorner<3, 3>() << inertia.r0.x, inertia.r0.y, inertia.r0.z, inertia.r1.x, inertia.r1.y, inertia.r1.z, inertia.r2.x,
+        inertia.r2.y, inertia.r2.z;
+    m.bottomRightCorner<3, 3>() *= density;
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6>(c_[i], m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  }
+
+ private:
+  const World& w_;
+  std::vector<Matrix6> c_;
+  std::vector<std::array<double, 2>> dashpot_;  // c_n, c_s by face
+};
+
+}  // namespace
+
+void set_up_damping_bound(World& w) {
+  const geometry::Assembly& a = w.model.assembly;
+  DampingMatrices matrices(w);
+  for (const geometry::Joint& j : a.joints) {
+    matrices.add(j.element_a, j.face_a, j.frame, j.side_a);
+    if (j.element_b != geometry::kBase) matrices.add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
+  }
+  for (const geometry::FreePatch& p : a.patches) matrices.add(p.element, p.face, p.frame, p.segments);
+  for (std::int32_t i = 0; i < w.elements.count; ++i) {
+    const auto e = static_cast<std::size_t>(i);
+    if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);
+  }
+}
+
+}  // namespace voussoir::solver

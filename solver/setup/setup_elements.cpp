@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "solver/setup/setup.h"
+#include "solver/world/twists.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - m.poisson * m.poisson); }
+
+void size_arrays(Elements& e) {
+  const auto n = static_cast<std::size_t>(e.rows);
+  for (Array<double>* a : {&e.ux,  &e.uy,  &e.uz,  &e.qx,  &e.qy,     &e.qz,     &e.vx,     &e.vy,       &e.vz,  &e.lx,
+                           &e.ly,  &e.lz,  &e.wx,  &e.wy,  &e.wz,     &e.alpha,  &e.mass,   &e.inv_mass, &e.ixx, &e.iyy,
+                           &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
+    a->assign(n, 0.0);
+  }
+  e.books.assign(n / kernels::kBunch * kernels::kBooks, 0.0);
+  e.qw.assign(n, 1.0);
+  e.body.assign(n, {});
+  e.bonds.assign(n, 0);
+  e.bonds_at_start.assign(n, 0);
+  e.fixed.assign(n, 1);
+  e.first_face.assign(n, 0);
+  e.face_count.assign(n, 0);
+  e.pose.assign(n * kernels::kPoseStride, 0.0);
+  e.twist.assign(n * kernels::kTwistStride, 0.0);
+  e.watched.assign(n / kernels::kBunch, 0);
+  e.wrench.assign(n * kernels::kWrenchStride, 0.0);
+  e.dashpot.assign(n * kernels::kDashpotStride, 0.0);
+}
+
+/// In reference axes.
+void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
+  Eigen::Matrix3d j;
+  j << inertia.r0.x, inertia.r0.y, inertia.r0.z, inertia.r1.x, inertia.r1.y, inertia.r1.z, inertia.r2.x, inertia.r2.y, inertia.r2.z;
+  const Eigen::Matrix3d inverse = j.inverse();
+  e.ixx[i] = inverse(0, 0), e.iyy[i] = inverse(1, 1), e.izz[i] = inverse(2, 2);
+  e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
+}
+
+/// What bunches have in common. Call when all elements are there.
+void set_up_bunches(Elements& e) {
+  e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBunch), 1);
+  e.largest_radius.assign(e.principal.size(), 0.0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.rows); ++i) {
+    double& largest = e.largest_radius[i / kernels::kBunch];
+    largest = std::max(largest, e.radius[i]);
+    if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBunch] = 0;
+  }
+}
+
+void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, Vec3 centroid) {
+  for (const Vec3& v : shape.vertices) {
+    const Vec3 r = v - centroid;
+    e.radius[i] = std::max(e.radius[i], norm(r));
+    e.half_x[i] = std::max(e.half_x[i], std::abs(r.x));
+    e.half_y[i] = std::max(e.half_y[i], std::abs(r.y));
+    e.half_z[i] = std::max(e.half_z[i], std::abs(r.z));
+  }
+}
+
+double mass_damping(const cases::Damping& d) {
+  if (d.alpha) return *d.alpha;
+  return d.frequency ? 2.0 * d.ratio * 2.0 * std::numbers::pi * *d.frequency : 0.0;  // Eq. 14
+}
+
+}  // namespace
+
+double choose_step(const cases::Case& c, const Options& o, double bound) {
+  if (o.step) return *o.step;
+  if (c.time.step) return *c.time.step;
+  if (!std::isfinite(bound)) return c.output.history_interval;  // nothing moves but what is fixed
+  return c.output.history_interval / std::ceil(c.output.history_interval / (0.995 * bound));
+}
+
+void set_up_elements(World& w, const cases::Case& c) {
+  const cases::Model& m = w.model;
+  Elements& e = w.elements;
+  e.count = static_cast<std::int32_t>(m.blocks.size());
+  e.base = e.count;
+  e.rows = round_up(e.count + 1, kernels::kBunch);
+  size_arrays(e);
+  if (w.options.gather) std::ranges::fill(e.watched, 1);  // several threads may look at an element at a time: none may make its row then
+  const double alpha = mass_damping(c.damping);
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const cases::Block& b = m.blocks[i];
+    const geometry::Element& g = m.assembly.elements[i];
+    const double density = m.materials[static_cast<std::size_t>(b.material)].value.density;
+    e.body[i].ref = g.mass.centroid;
+    e.first_face[i] = g.first_face, e.face_count[i] = g.face_count;
+    set_extent(e, i, b.shape, g.mass.centroid);
+    e.fixed[i] = b.fixed ? 1 : 0;
+    if (b.fixed) continue;
+    e.mass[i] = density * g.mass.volume;
+    e.inv_mass[i] = 1.0 / e.mass[i];
+    e.alpha[i] = alpha;
+    set_inverse_inertia(e, i, density * g.mass.inertia);
+  }
+  set_up_bunches(e);
+  const auto base = static_cast<std::size_t>(e.base);
+  e.body[base].ref.z = c.base ? c.base->z : 0.0;
+  e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
+  e.face_count[base] = 1;
+}
+
+void set_initial_velocities(World& w) {
+  Elements& e = w.elements;
+  for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
+    const cases::Block& b = w.model.blocks[i];
+    const Vec3 v = b.fixed ? Vec3{} : b.velocity, spin = b.fixed ? Vec3{} : b.angular_velocity;
+    const double density = w.model.materials[static_cast<std::size_t>(b.material)].value.density;
+    const Mat3 r = rotation({e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
+    const Vec3 l = r * (density * (w.model.assembly.elements[i].mass.inertia * (transposed(r) * spin)));
+    e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
+    e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
+    e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
+  }
+  make_twists(e);
+}
+
+void set_up_faces(World& w) {
+  const cases::Model& m = w.model;
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const geometry::Element& e = m.assembly.elements[i];
+    if (e.face_count > kernels::kMostFaces) {
+      throw cases::InputError("", cases::describe(m.blocks[i], i) + " has " + std::to_string(e.face_count) + " faces; allowed: at most " +
+                                      std::to_string(kernels::kMostFaces));
+    }
+    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
+      const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
+      w.faces.push_back({.normal = face.normal,
+                         .distance = face.distance,
+                         .compliance_n = face.distance / plane_strain_modulus(material),  // Eq. 1
+                         .compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young,
+                         .mass = material.density * face.distance});  // Eq. 10
+    }
+  }
+  w.faces.push_back({.normal = {0.0, 0.0, 1.0}});  // the base, a rigid half-space
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "solver/setup/setup.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+// Of a segment, under the rule of centres: points lie half a segment inside the edge. A little less, so that what rests on such a contact
+// is no deeper than half a segment.
+constexpr double kAllowed = 0.45;
+constexpr double kSameDirection = 1e-9;  // sine between edges that are parallel
+
+/// From the centroid, in multiples of 2^-40 m, so that equal bricks have equal shapes.
+Vec3 rounded(Vec3 r) {
+  constexpr double kGrid = 0x1p40;
+  return {std::round(r.x * kGrid) / kGrid, std::round(r.y * kGrid) / kGrid, std::round(r.z * kGrid) / kGrid};
+}
+
+using Key = std::vector<std::tuple<double, double, double>>;  // vertices, then normals of faces
+
+Key key_of(const std::vector<Vec3>& vertices, std::span<const kernels::Face> faces) {
+  Key key;
+  for (const Vec3& v : vertices) key.emplace_back(v.x, v.y, v.z);
+  for (const kernels::Face& f : faces) key.emplace_back(f.normal.x, f.normal.y, f.normal.z), key.emplace_back(f.distance, 0.0, 0.0);
+  return key;
+}
+
+std::vector<Vec3> edge_directions(const geometry::Polyhedron& p) {
+  std::vector<Vec3> out;
+  for (const auto& loop : p.faces) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec3 edge =
+          normalised(p.vertices[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] - p.vertices[static_cast<std::size_t>(loop[i])]);
+      if (std::ranges::none_of(out, [&](Vec3 o) { return norm(cross(o, edge)) < kSameDirection; })) out.push_back(edge);
+    }
+  }
+  return out;
+}
+
+/// Where the vertices and edges of a shape begin, until all are there and lie still.
+struct Range {
+  std::size_t vertices, vertex_count, edges, edge_count, first_face, face_count;
+};
+
+}  // namespace
+
+void set_up_overlaps(World& w) {
+  Overlaps& o = w.overlaps;
+  const cases::Model& m = w.model;
+  std::map<Key, std::int32_t> known;
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const geometry::Polyhedron& shape = m.blocks[i].shape;
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : shape.vertices) vertices.push_back(rounded(v - m.assembly.elements[i].mass.centroid));
+    const auto first = static_cast<std::size_t>(w.elements.first_face[i]), count = static_cast<std::size_t>(w.elements.face_count[i]);
+    const auto [at, is_new] =
+        known.try_emplace(key_of(vertices, std::span(w.faces).subspan(first, count)), static_cast<std::int32_t>(ranges.size()));
+    o.shape_of.push_back(at->second);
+    if (!is_new) continue;
+    const std::vector<Vec3> edges = edge_directions(shape);
+    ranges.push_back({o.vertices.size(), vertices.size(), o.edges.size(), edges.size(), first, count});
+    o.vertices.insert(o.vertices.end(), vertices.begin(), vertices.end());
+    o.edges.insert(o.edges.end(), edges.begin(), edges.end());
+  }
+  for (const Range& r : ranges) {
+    o.shape.push_back({.vertices = std::span(o.vertices).subspan(r.vertices, r.vertex_count),
+                       .edges = std::span(o.edges).subspan(r.edges, r.edge_count),
+                       .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count)});
+  }
+  // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).
+  for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    const double edge = std::cbrt(m.assembly.elements[i].mass.volume);
+    o.stiffness_n.push_back(2.0 * edge * material.young / (1.0 - material.poisson * material.poisson));
+    o.stiffness_s.push_back(edge * material.young / (1.0 + material.poisson));
+    o.allowed.push_back(kAllowed * m.blocks[i].segment_size);
+  }
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string>
+
+#include "solver/setup/decomposition.h"
+#include "solver/setup/point_sets.h"
+#include "solver/setup/setup.h"
+#include "solver/setup/side_kinds.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+/// A side before it has a place in a block.
+struct NewSide {
+  std::int32_t joint = 0;
+  std::int32_t master = 0, slave = 0, master_face = 0, slave_face = 0;  // slave may be the base row
+  geometry::Frame frame;                                                // normal outward of the master
+  std::vector<geometry::Segment> segments;
+  double factor = 1.0;
+  int faces = 1;  // 2: stands for both
+  // Found from the above.
+  kernels::Stiffness k = {};
+  std::int32_t kind = -1, order = -1;
+};
+
+/// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
+geometry::Frame seen_from_behind(const geometry::Frame& f) { return {f.centre, f.axis_t, f.axis_s, -f.normal}; }
+
+std::vector<geometry::Segment> swapped(std::vector<geometry::Segment> segments) {
+  for (geometry::Segment& s : segments) std::swap(s.s, s.t);
+  return segments;
+}
+
+double snapped(double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); }  // as the geometry does: equal sets stay equal
+
+/// Moves the frame's centre to the area centroid of the points, where Σ s dA = Σ t dA = 0.
+void centre_on_points(NewSide& side) {
+  double area = 0.0, s = 0.0, t = 0.0;
+  for (const geometry::Segment& p : side.segments) area += p.area, s += p.area * p.s, t += p.area * p.t;
+  s /= area, t /= area;
+  side.frame.centre += s * side.frame.axis_s + t * side.frame.axis_t;
+  for (geometry::Segment& p : side.segments) p.s = snapped(p.s - s), p.t = snapped(p.t - t);
+}
+
+std::vector<NewSide> sides_of(const World& w) {
+  const geometry::Assembly& a = w.model.assembly;
+  const auto face = [&](std::int32_t e, std::int32_t f) { return a.elements[static_cast<std::size_t>(e)].first_face + f; };
+  std::vector<NewSide> sides;
+  for (std::size_t i = 0; i < a.joints.size(); ++i) {
+    const geometry::Joint& j = a.joints[i];
+    const bool on_base = j.element_b == geometry::kBase;
+    const bool one = on_base || (j.merged && w.options.merge_sides);
+    NewSide first{static_cast<std::int32_t>(i),
+                  j.element_a,
+                  on_base ? w.elements.base : j.element_b,
+                  face(j.element_a, j.face_a),
+                  on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b),
+                  j.frame,
+                  j.side_a,
+                  one ? 1.0 : 0.5,
+                  one && !on_base ? 2 : 1};
+    if (!one) {
+      NewSide second{first.joint,
+                     first.slave,
+                     first.master,
+                     first.slave_face,
+                     first.master_face,
+                     seen_from_behind(j.frame),
+                     swapped(j.merged ? j.side_a : j.side_b),
+                     0.5,
+                     1};
+      centre_on_points(second);
+      sides.push_back(std::move(first));
+      sides.push_back(std::move(second));
+    } else {
+      sides.push_back(std::move(first));
+    }
+  }
+  return sides;
+}
+
+/// k̄ of two faces with the joint's mortar between them: Eqs. 2, 3, THEORY.md (4), (5). Against the base the element's own ℓ alone counts.
+kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
+  const kernels::Face &a = w.faces[static_cast<std::size_t>(s.master_face)], &b = w.faces[static_cast<std::size_t>(s.slave_face)];
+  double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
+  const bool on_base = s.slave == w.elements.base;
+  if (law.thickness > 0.0 && !on_base) {
+    const double half = 0.5 * law.thickness;
+    const double left = 1.0 - half / a.distance, right = 1.0 - half / b.distance;
+    if (left <= 0.0 || right <= 0.0) {
+      throw cases::InputError(
+          "joint_laws." + w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(s.joint)])].name + ".thickness",
+          "= " + std::to_string(law.thickness) + " m is thicker than a block that it joins; allowed: less than twice the distance " +
+              std::to_string(std::min(a.distance, b.distance)) + " m from its centroid to the face");
+    }
+    cn = left * a.compliance_n + right * b.compliance_n + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
+    cs = left * a.compliance_s + right * b.compliance_s + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
+  }
+  kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
+  const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
+  const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
+                      w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
+  const double c = 2.0 * h / (1.0 + w.dt * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
+  k.cn = c * std::sqrt(mass * k.kn);
+  k.cs = c * std::sqrt(mass * k.ks);
+  return k;
+}
+
+/// \param factor  of the joint, see cases/scatter.h
+kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double contact_friction) {
+  const double phi = (dry ? contact_friction : law.friction) * std::numbers::pi / 180.0;
+  if (dry) return {0.0, 0.0, std::tan(phi), 1.0, 0.0};
+  return {factor * law.tension, factor * law.cohesion, std::tan(phi), factor * law.compression, law.cap};
+}
+
+void size_side_arrays(Sides& s, std::size_t blocks) {
+  const std::size_t n = blocks * kernels::kLanes;
+  s.blocks.assign(blocks, kernels::SideBlock{});
+  s.steady.assign_zeros(blocks);
+  for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
+  s.size.assign(n, 0.0);
+  for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
+  s.parts.assign(n, {});
+  s.faces.assign(n, 1);
+  s.quick.assign(n, kernels::Quick::segments);
+  s.retired.assign(n, 1);
+  s.held.assign(n, 0);
+}
+
+/// Second moments and the rectangle round the points.
+void set_moments(kernels::SideConstants& c, const NewSide& side) {
+  *c.s_low = *c.t_low = 1e300, *c.s_high = *c.t_high = -1e300;
+  for (const geometry::Segment& p : side.segments) {
+    const double da = side.factor * p.area;
+    *c.area += da;
+    *c.sss += da * p.s * p.s, *c.sst += da * p.s * p.t, *c.stt += da * p.t * p.t;
+    *c.s_low = std::min(*c.s_low, p.s), *c.s_high = std::max(*c.s_high, p.s);
+    *c.t_low = std::min(*c.t_low, p.t), *c.t_high = std::max(*c.t_high, p.t);
+  }
+}
+
+/// Constants of a side, in lane 0.
+kernels::SideConstants constants_of(const World& w, const NewSide& side, const kernels::Strength& strength) {
+  kernels::SideConstants c{};
+  const auto put = [](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][0] = v.x, to[1][0] = v.y, to[2][0] = v.z; };
+  const auto centroid = [&](std::int32_t e) {
+    const auto i = static_cast<std::size_t>(e);
+    return w.elements.body[i].ref;
+  };
+  put(c.ca, side.frame.centre - centroid(side.master));
+  put(c.cb, side.frame.centre - centroid(side.slave));
+  put(c.es, side.frame.axis_s);
+  put(c.et, side.frame.axis_t);
+  // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
+  // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
+  // comparison. So is a force at the master point along the normal of the base, THEORY.md (10a).
+  *c.mean = w.options.merge_sides && side.slave != w.elements.base ? 0.5 : 0.0;
+  set_moments(c, side);
+  *c.kn = side.k.kn, *c.ks = side.k.ks;
+  *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;
+  *c.compression = strength.compression, *c.cap = strength.cap;
+  return c;
+}
+
+/// A lane without a side: no area.
+kernels::SideConstants nothing() {
+  kernels::SideConstants c{};
+  c.es[0][0] = c.et[1][0] = 1.0;
+  *c.kn = *c.ks = 1.0;
+  return c;
+}
+
+/// Sides of one form go through the kernel of whole sides together: those that look along one axis, those that do not, those on the base.
+std::int32_t form_of(const World& w, const NewSide& s) {
+  if (s.slave == w.elements.base) return 4;
+  const int axis = kernels::axis_of_side(s.frame.axis_s, s.frame.axis_t);
+  return axis < 0 ? 3 : axis;
+}
+
+/// Stiffness and kind of every side. Sides run form by form, in the order of what they would be without scatter of their strength, since
+/// `decompose` can set those of one kind that share no element beside each other.
+SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
+  SideKinds kinds, without_scatter;
+  kinds.add(nothing());
+  for (NewSide& side : sides) {
+    const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
+    const cases::JointLaw& law = w.model.laws[law_index].value;
+    const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, c.contact.friction); };
+    side.k = joint_stiffness(w, side, law, c.contact.damping);
+    side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
+    side.order = without_scatter.add(constants_of(w, side, strength(1.0)));
+  }
+  for (NewSide& side : sides) side.order += form_of(w, side) * without_scatter.size();
+  return kinds;
+}
+
+/// Bookkeeping and the initial state of one side.
+void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) {
+  Sides& s = w.sides;
+  const bool dry = w.model.joint_law[static_cast<std::size_t>(side.joint)] == 0;
+  s.joint[id] = side.joint;
+  s.set[id] = set;
+  s.master_face[id] = side.master_face, s.slave_face[id] = side.slave_face;
+  s.faces[id] = static_cast<std::uint8_t>(side.faces);
+  s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
+  s.retired[id] = 0;
+  s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
+  s.parts[id] = {
+      .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
+  const auto n = static_cast<std::int32_t>(side.segments.size());
+  s.held[id] = dry ? 0 : n;
+  s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);
+  s.bond.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(s.bond.size()), kernels::kLanes)), kernels::Bond::bonded);
+  if (dry) return;
+  for (const std::int32_t e : {side.master, side.slave}) {
+    const std::int32_t sides_here = side.faces == 2 || e == side.master ? n : 0;  // a merged spring is one side of each body
+    w.elements.bonds[static_cast<std::size_t>(e)] += sides_here;
+    w.elements.bonds_at_start[static_cast<std::size_t>(e)] += sides_here;
+  }
+}
+
+/// Colours, tasks and blocks; returns the sides in the order of their numbers, −1: unused lane.
+std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sides) {
+  std::vector<Writes> writes;
+  std::vector<std::int32_t> kinds;
+  for (const NewSide& s : sides) {
+    writes.push_back({s.master, s.slave == w.elements.base ? -1 : s.slave});
+    kinds.push_back(s.order);
+  }
+  std::vector<Vec3> centroids;
+  for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);
+  const double cell = w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids, w.far);
+  Decomposition d = decompose(writes, kinds, centroids, cell, w.far);
+  Sides& s = w.sides;
+  if (!d.overflow.empty()) {
+    s.overflow_colour = static_cast<std::int32_t>(d.colours.size());
+    d.colours.push_back({d.overflow});
+  }
+  std::vector<std::int32_t> numbered;
+  for (const auto& tasks : d.colours) {
+    s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
+    for (const auto& task : tasks) {
+      s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
+      numbered.insert(numbered.end(), task.begin(), task.end());
+      numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
+    }
+  }
+  s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
+  s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
+  return numbered;
+}
+
+/// Who is in which lane, and the constants of the block.
+void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<std::int32_t>& numbered, const SideKinds& kinds) {
+  BlockKinds blocks(kinds);
+  std::vector<std::size_t> constants;
+  for (std::size_t block = 0; block < w.sides.blocks.size(); ++block) {
+    kernels::SideBlock& b = w.sides.blocks[block];
+    BlockKinds::Lanes in_lane{};
+    for (int l = 0; l < kernels::kLanes; ++l) {
+      const std::size_t id = block * kernels::kLanes + static_cast<std::size_t>(l);
+      b.master[l] = b.slave[l] = w.elements.base;
+      if (numbered[id] < 0) continue;
+      const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+      b.master[l] = side.master, b.slave[l] = side.slave;
+      if (side.slave == w.elements.base) b.on_base |= 1U << l;
+      in_lane[static_cast<std::size_t>(l)] = side.kind;
+    }
+    constants.push_back(blocks.add(in_lane));
+  }
+  Sides& s = w.sides;
+  s.constants = blocks.take();
+  s.whole.resize(s.constants.size());
+  std::vector<bool> found(s.constants.size(), false);
+  for (std::size_t block = 0; block < constants.size(); ++block) {
+    const std::size_t i = constants[block];
+    if (!found[i]) s.whole[i] = kernels::whole_constants(s.constants[i], s.blocks[block].on_base), found[i] = true;
+    s.blocks[block].constants = &s.constants[i];
+    kernels::set_whole(s.blocks[block], s.whole[i]);
+  }
+}
+
+}  // namespace
+
+void set_up_sides(World& w, const cases::Case& c) {
+  std::vector<NewSide> sides = sides_of(w);
+  const SideKinds kinds = sort_by_kind(w, c, sides);
+  const std::vector<std::int32_t> numbered = number_sides(w, sides);
+  size_side_arrays(w.sides, numbered.size() / kernels::kLanes);
+  fill_blocks(w, sides, numbered, kinds);
+  PointSetBuilder sets(w.points);
+  for (std::size_t id = 0; id < numbered.size(); ++id) {
+    if (numbered[id] < 0) continue;
+    const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+    set_state(w, side, id, sets.add(side.segments));
+  }
+  const std::size_t n = w.sides.bond.size();
+  static_assert(static_cast<int>(kernels::Mode::none) == 0);
+  w.sides.first_mode.assign_zeros(n);
+  w.sides.first_time.assign_zeros(n);
+  w.sides.springs.assign_zeros(n / kernels::kWidth);
+}
+
+void set_up_side_gather(World& w) {
+  Sides& s = w.sides;
+  if (!w.options.gather) return;
+  const std::size_t n = s.parts.size();
+  s.pair_wrench.assign(n * kernels::kPairStride, 0.0);
+  s.pair_dashpot.assign(n * kernels::kPairStride, 0.0);
+  s.pair_on.assign(n, 0);
+  std::vector<std::vector<std::int64_t>> of_element(static_cast<std::size_t>(w.elements.count));
+  for (std::size_t id = 0; id < n; ++id) {
+    if (s.joint[id] < 0) continue;
+    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
+    const std::int32_t master = b.master[id % kernels::kLanes], slave = b.slave[id % kernels::kLanes];
+    of_element[static_cast<std::size_t>(master)].push_back(static_cast<std::int64_t>(2 * id));
+    if (slave != w.elements.base) of_element[static_cast<std::size_t>(slave)].push_back(static_cast<std::int64_t>(2 * id + 1));
+  }
+  for (const std::vector<std::int64_t>& codes : of_element) {
+    s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
+    s.gather.insert(s.gather.end(), codes.begin(), codes.end());
+  }
+  s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
+}
+
+void set_up_side_views(World& w) {
+  Sides& s = w.sides;
+  std::size_t at = 0;
+  for (std::size_t id = 0; id < s.parts.size(); ++id) {
+    if (s.joint[id] < 0) continue;
+    s.parts[id].points = w.points.view(s.set[id]);
+    s.parts[id].segments = {s.bond.data() + at, s.first_mode.data() + at, s.first_time.data() + at,
+                            s.springs.data() + at / kernels::kWidth};
+    at += static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes));
+  }
+}
+
+}  // namespace voussoir::solver

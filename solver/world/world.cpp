@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/world/world.h"
+
+namespace voussoir::solver {
+
+kernels::ElementsView Elements::view() noexcept {
+  return {.ux = ux.data(),
+          .uy = uy.data(),
+          .uz = uz.data(),
+          .qw = qw.data(),
+          .qx = qx.data(),
+          .qy = qy.data(),
+          .qz = qz.data(),
+          .vx = vx.data(),
+          .vy = vy.data(),
+          .vz = vz.data(),
+          .lx = lx.data(),
+          .ly = ly.data(),
+          .lz = lz.data(),
+          .wx = wx.data(),
+          .wy = wy.data(),
+          .wz = wz.data(),
+          .books = books.data(),
+          .mass = mass.data(),
+          .inv_mass = inv_mass.data(),
+          .alpha = alpha.data(),
+          .ixx = ixx.data(),
+          .iyy = iyy.data(),
+          .izz = izz.data(),
+          .ixy = ixy.data(),
+          .ixz = ixz.data(),
+          .iyz = iyz.data(),
+          .principal = principal.data()};
+}
+
+kernels::ElementRows Elements::row_view(bool far) noexcept {
+  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), watched.data(), far};
+}
+
+kernels::Bodies World::bodies() const noexcept {
+  return {elements.pose.data(), elements.twist.data(), elements.body.data(), contacts.path.data()};
+}
+
+kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
+  const auto i = static_cast<std::size_t>(set);
+  const auto at = static_cast<std::size_t>(first[i]);
+  return {s.data() + at, t.data() + at, area.data() + at, count[i]};
+}
+
+kernels::Rows World::rows() noexcept {
+  kernels::PairBuffer pairs;
+  if (options.gather) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data()};
+  return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
+}
+
+kernels::Side Sides::side(std::int64_t id) const noexcept {
+  const auto i = static_cast<std::size_t>(id);
+  return kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
+}
+
+kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
+  const auto at = static_cast<std::size_t>(patch[static_cast<std::size_t>(p)].first_point);
+  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth};
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cases/model.h"
+#include "geometry/grid.h"
+#include "kernels/contact_patch.h"
+#include "kernels/integrate.h"
+#include "kernels/law.h"
+#include "kernels/overlap.h"
+#include "kernels/side.h"
+#include "kernels/whole_sides.h"
+#include "solver/world/array.h"
+
+/// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
+/// by setup.h, or rebuilt from the state (candidates, the grid).
+namespace voussoir::solver {
+
+/// How a run is computed. Two change what is computed: `step`, and `merge_sides` (for the test of THEORY.md's merging).
+struct Options {
+  bool reference_kernels = false;  // --kernels reference: every segment on its own, in plain scalar code
+  bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
+  bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
+  double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
+  std::size_t far_from = 25'000;  // elements from which a model is far, see World::far; a number of its own, or bits would depend on caches
+  int threads = 0;                // 0: OpenMP's default
+  std::optional<double> step;     // s; overrides the case
+};
+
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole bunches
+/// (kernels::kBunch) and is inert.
+struct Elements {
+  std::int32_t count = 0, base = 0;
+  std::int64_t rows = 0;
+  // State.
+  Array<double> ux, uy, uz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz, wx, wy, wz;
+  Array<double> books;        // J, see kernels::Book
+  Array<double> alpha;        // 1/s (changes where debris loses its damping)
+  Array<std::int32_t> bonds;  // bonded segment sides left
+  // Constants.
+  Array<double> mass, inv_mass;                // kg, 1/kg
+  Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
+  std::vector<std::uint8_t> principal;         // by bunch, see kernels::ElementsView
+  std::vector<kernels::BodyConstants> body;
+  Array<double> radius, largest_radius;              // m, round the centroid; by bunch
+  Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
+  std::vector<std::int32_t> first_face, face_count;  // into World::faces
+  std::vector<std::int32_t> bonds_at_start;
+  std::vector<std::uint8_t> fixed;
+  // Rows, see kernels/rows.h; those of twists are kept of watched bunches alone (solver/world/twists.h).
+  Array<double> pose, twist, wrench, dashpot;
+  std::vector<std::uint8_t> watched;  // by bunch
+
+  [[nodiscard]] kernels::ElementsView view() noexcept;
+  /// \param far  see kernels::ElementRows
+  [[nodiscard]] kernels::ElementRows row_view(bool far = false) noexcept;
+};
+
+/// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
+struct PointSets {
+  std::vector<std::int32_t> first, count;  // by set; first is a multiple of kLanes
+  Array<double> s, t, area;                // padded to kLanes with area 0
+  std::int32_t largest = 0;                // points
+  [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
+};
+
+/// Sides of joints, in blocks of kLanes, blocks in tasks, tasks in colours (decomposition.h). A side's number is block × kLanes + lane.
+struct Sides {
+  Array<kernels::SideConstants> constants;  // of blocks that are alike
+  Array<kernels::WholeConstants> whole;     // of the same blocks
+  Array<kernels::SideBlock> blocks;
+  std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;       // one task; −1: none
+  std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
+  std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
+  std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired
+  // Constants by side.
+  std::vector<std::int32_t> joint, set;               // joint −1: unused lane
+  std::vector<std::int32_t> master_face, slave_face;  // into World::faces
+  std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
+  std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
+  std::vector<double> size;                           // m, segment size of the master
+  // --scatter gather: what each side left, and where each element finds its own (side × 2 + (0: master, 1: slave), ascending).
+  Array<double> pair_wrench, pair_dashpot;
+  std::vector<std::uint8_t> pair_on;
+  std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
+  ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
+  // State by side.
+  Array<kernels::Quick> quick;
+  Array<std::uint8_t> retired;               // lives on as free patches
+  Array<std::int32_t> held;                  // bonded segments
+  Array<double> friction, impact, fracture;  // J, lost so far
+  // State by segment.
+  Array<kernels::Bond> bond;
+  ZeroArray<kernels::Mode> first_mode;
+  ZeroArray<double> first_time;
+  ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
+
+  [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
+  [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
+};
+
+/// A free patch and what it has been through: three cache lines, all of which a patch needs that is pushed.
+struct alignas(64) FreePatch : kernels::Patch {
+  std::int32_t set = 0;                               // of its points in World::points
+  std::int32_t touching = 0;                          // points with a partner (state)
+  std::int64_t first_point = 0;                       // into the arrays by point, a multiple of kLanes
+  double stored = 0.0, friction = 0.0, impact = 0.0;  // J (state)
+};
+static_assert(sizeof(FreePatch) == 192);
+
+/// Free patches: segments in no joint, or whose joint has come apart. Grows as sides retire.
+struct Patches {
+  Array<FreePatch> patch;
+  // State by patch.
+  Array<std::int32_t> from_side;  // the side it comes from, −1: never joined
+  Array<std::uint8_t> mastered;   // 1: its element was the master of from_side
+  // State by point.
+  Array<std::int32_t> partner, face;
+  Array<kernels::PointSprings> springs;  // of kWidth points each
+
+  [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
+};
+
+/// Possible contacts: for each active patch a few candidates, each with a slot for its wrench; every element gathers
+/// its slots in a fixed order, so no two threads ever add to one row.
+struct Contacts {
+  geometry::UniformGrid grid;
+  double skin = 0.0;                                              // m
+  bool stale = true;                                              // a search is due at once
+  std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
+  bool gather_stale = false;                                      // slots were added since the gather lists were made
+  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
+  Array<double> path, until, bunch_path, bunch_until;             // m, see kernels::Moves (derived)
+  [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
+  std::vector<std::int32_t> active;                                      // patches with candidates
+  std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries
+  std::vector<std::int32_t> master;                                      // by active patch: its element (derived)
+  Array<std::int32_t> element;                                           // by slot: who may be touched (state)
+  Array<kernels::Candidate> candidate;                                   // by slot: the same, and what is known of the pair (derived)
+  Array<kernels::PairWrench> wrench;
+  std::vector<std::uint8_t> on;
+  std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
+  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
+  std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
+  std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
+  std::int64_t searched = 0;            // active patches whose candidates a search found; the others are new (state)
+  std::int64_t searches = 0;
+};
+
+/// Two elements that may come to overlap by more than contact points can see.
+struct OverlapPair {
+  std::int32_t a = 0, b = 0;         // a < b; b may be the base
+  double until = kernels::kLookNow;  // m, sum of both bodies' paths up to which they overlap by no more than is allowed
+};
+
+/// The spring between two elements that overlap by more than is allowed (all of it state).
+struct OverlapSpring {
+  std::int32_t a = 0, b = 0;
+  Vec3 shear;                      // m, elongation along the contact, in the body axes of a
+  double stored = 0.0;             // J
+  Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
+};
+
+/// Contact of whole bodies by their exact overlap, where contact points see too little: at edges, corners and crossed edges, and deep
+/// inside (THEORY.md (21a)).
+struct Overlaps {
+  // Constants.
+  std::vector<Vec3> vertices, edges;             // of all shapes: from the centroid, m; unit directions
+  std::vector<kernels::ConvexShape> shape;       // different ones once; the faces of the first element that has it
+  std::vector<std::int32_t> shape_of;            // by element
+  std::vector<double> stiffness_n, stiffness_s;  // N/m, by element; the base is rigid: 0
+  std::vector<double> allowed;                   // m, by element
+  // Derived.
+  bool stale = true;               // pairs are to be listed for all elements
+  std::vector<OverlapPair> pairs;  // ascending (a, b)
+  // State.
+  std::vector<OverlapSpring> springs;   // ascending (a, b)
+  double friction = 0.0, impact = 0.0;  // J, lost so far
+};
+
+/// Loads and supports that act on single elements.
+struct PointLoad {
+  std::int32_t element = 0;
+  Vec3 force, moment, arm;              // arm: from the centroid, body axes
+  double ramp_begin = 0, ramp_end = 0;  // s
+};
+struct Support {
+  std::int32_t element = 0;
+  const cases::SupportHistory* history = nullptr;
+};
+
+struct World {
+  explicit World(const cases::Model& m) : model(m) {}
+
+  const cases::Model& model;
+  Options options;
+  kernels::FailureOptions failure;
+  kernels::ContactOptions contact;
+  bool has_base = false;
+  bool far = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
+  bool drop_debris_damping = false;
+  double dt = 0.0;     // s
+  double bound = 0.0;  // s, Eq. 19
+  Elements elements;
+  std::vector<kernels::Face> faces;  // of all elements, one more for the base
+  PointSets points;
+  Sides sides;
+  Patches patches;
+  Contacts contacts;
+  Overlaps overlaps;
+  [[nodiscard]] kernels::Bodies bodies() const noexcept;
+  [[nodiscard]] kernels::Rows rows() noexcept;
+
+  std::vector<PointLoad> loads;
+  std::vector<Support> supports;
+};
+
+}  // namespace voussoir::solver

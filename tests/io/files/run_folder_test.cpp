@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/files/run_folder.h"
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "io/files/errors.h"
+#include "tests/io/results_fixture.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+void touch(const std::string& path) {
+  fs::create_directories(fs::path(path).parent_path());
+  std::ofstream(path) << "x";
+}
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// Exit code of `work` in a child.
+template <class Work>
+int in_child(Work work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    int code = 99;
+    try {
+      code = work();
+    } catch (...) {
+    }
+    ::_exit(code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("a new folder is made with those above it, and holds the case") {
+  const TempFolder dir;
+  const RunFolder folder = RunFolder::create(dir.file("a/b/"), false);
+  CHECK(folder.path() == dir.file("a/b"));
+  folder.write_case("title = 1\n");
+  CHECK(text_of(folder.file("case.toml")) == "title = 1\n");
+  folder.write_case("title = 2\n");
+  CHECK(text_of(folder.file("case.toml")) == "title = 2\n");
+  CHECK(files_in(folder.path()) == std::set<std::string>{".lock", "case.toml"});
+}
+
+TEST_CASE("results of another run are refused, or on request removed and nothing else") {
+  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "run.xdmf", "paraview.h5"}) {
+    CAPTURE(own);
+    const TempFolder dir;
+    touch(dir.file(own));
+    CHECK_THROWS_WITH_AS(RunFolder::create(dir.path(), false), doctest::Contains("--overwrite"), FileError);
+    CHECK(fs::exists(dir.file(own)));
+  }
+  const TempFolder dir;
+  const std::set<std::string> foreign{"notes.txt",        "parts/plan.h5", "run.h5.bak",      "house.toml",
+                                      "checkpoint-x.txt", "log",           "stills/plan.png", "stills/front-s.png"};
+  for (const std::string& name : foreign) touch(dir.file(name));
+  { CHECK_NOTHROW(RunFolder::create(dir.path(), false)); }
+  for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml",
+                          "stills/front-2.5s.png", "report.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
+    touch(dir.file(own));
+  const RunFolder folder = RunFolder::create(dir.path(), true);
+  std::set<std::string> left = foreign;
+  left.insert(".lock");
+  CHECK(files_in(dir.path()) == left);
+}
+
+TEST_CASE("two processes cannot have one folder") {
+  const TempFolder dir;
+  {
+    const RunFolder folder = RunFolder::create(dir.path(), false);
+    const std::string pid = std::to_string(::getpid());
+    const auto refused = [&](bool open) {
+      return in_child([&] {
+        try {
+          open ? RunFolder::open(dir.path()) : RunFolder::create(dir.path(), true);
+        } catch (const FileError& e) {
+          return std::string(e.what()).find("process " + pid) != std::string::npos ? 0 : 2;
+        }
+        return 1;
+      });
+    };
+    CHECK(refused(false) == 0);
+    CHECK(refused(true) == 0);
+  }
+  CHECK_NOTHROW(RunFolder::open(dir.path()));
+  // A process that died holds nothing.
+  CHECK(in_child([&]() -> int {
+          const RunFolder folder = RunFolder::create(dir.path(), false);
+          ::kill(::getpid(), SIGKILL);
+          return 0;
+        }) == -1);
+  CHECK_NOTHROW(RunFolder::create(dir.path(), false));
+}
+
+TEST_CASE("places where nothing can be written") {
+  const TempFolder dir;
+  touch(dir.file("file"));
+  CHECK_THROWS_WITH_AS(RunFolder::create(dir.file("file"), true), doctest::Contains("is a file"), FileError);
+  CHECK_THROWS_AS(RunFolder::create(dir.file("file/below"), true), FileError);
+  CHECK_THROWS_AS(RunFolder::create("", true), FileError);
+  CHECK_THROWS_AS(RunFolder::open(dir.file("none")), FileError);
+  fs::create_directory(dir.file("locked"));
+  ::chmod(dir.file("locked").c_str(), 0555);
+  ::chmod(dir.path().c_str(), 0755);
+  const int code = in_child([&] {
+    // The superuser may write anywhere, so become somebody else.
+    if (::geteuid() == 0 && ::setuid(65534) != 0) return 3;
+    try {
+      RunFolder::create(dir.file("locked"), false);
+    } catch (const FileError& e) {
+      return std::string(e.what()).find("Permission denied") != std::string::npos ? 0 : 2;
+    }
+    return 1;
+  });
+  CHECK(code == 0);
+}
+
+TEST_CASE("a text that cannot be written leaves the old one") {
+  const TempFolder dir;
+  fs::create_directory(dir.file("t.tmp"));  // in the way of the temporary file
+  touch(dir.file("t"));
+  CHECK_THROWS_AS(write_text_file(dir.file("t"), "new"), FileError);
+  CHECK(text_of(dir.file("t")) == "x");
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "io/commands/report_command.h"
+#include "io/files/errors.h"
+#include "io/files/packed_text.h"
+#include "io/files/text_file.h"
+#include "io/replay/covered_faces.h"
+#include "io/replay/opened_faces.h"
+#include "io/report/report_page.h"
+#include "tests/io/results_fixture.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace test;
+
+std::string base64_of(const std::string& text) { return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()}); }
+
+/// What stands in the element of the page with this id.
+std::string element(const std::string& page, const std::string& id) {
+  const std::string mark = "id=\"" + id + "\">";
+  const std::size_t from = page.find(mark, report_page().head.size());
+  REQUIRE(from != std::string::npos);
+  return page.substr(from + mark.size(), page.find("</script>", from) - from - mark.size());
+}
+
+/// The bytes of a packed element of the page, of which there must be `size`.
+std::vector<unsigned char> unpacked(const std::string& page, const std::string& id, std::size_t size) {
+  const std::vector<std::byte> packed_bytes = from_base64(element(page, id));
+  std::vector<unsigned char> bytes(size + 1);
+  uLongf length = bytes.size();
+  REQUIRE(uncompress(bytes.data(), &length, reinterpret_cast<const Bytef*>(packed_bytes.data()), packed_bytes.size()) == Z_OK);
+  REQUIRE(length == size);
+  bytes.pop_back();
+  return bytes;
+}
+
+/// A run of two cubes with `rows` rows; the quaternions of the fixture are no rotations, but numbers that can be checked.
+void write_run(const TempFolder& folder, std::uint64_t rows) {
+  ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
+  for (std::uint64_t i = 0; i < rows; ++i) record(results, i);
+  results.finish();
+}
+
+ReportOptions page_of(const TempFolder& folder, const std::string& file = {}) {
+  ReportOptions o;
+  o.folder = folder.path();
+  o.output = file;
+  return o;
+}
+
+/// Adds up the steps of component `channel` of both cubes over `frames` frames of 15 bytes an element.
+std::vector<std::array<int, 2>> component(const std::vector<unsigned char>& bytes, std::size_t channel, std::size_t frames) {
+  std::vector<std::array<int, 2>> values(frames);
+  std::array<int, 2> sum{};
+  for (std::size_t f = 0; f < frames; ++f)
+    for (std::size_t e = 0; e < 2; ++e) {
+      const std::size_t low = 30 * f + 4 * channel + e;
+      const int zigzag = bytes[low] + 256 * bytes[low + 2];
+      sum[e] += zigzag % 2 == 0 ? zigzag / 2 : -(zigzag + 1) / 2;
+      values[f][e] = sum[e];
+    }
+  return values;
+}
+
+TEST_CASE("base64 is that of RFC 4648, section 10") {
+  CHECK(base64_of("").empty());
+  CHECK(base64_of("f") == "Zg==");
+  CHECK(base64_of("fo") == "Zm8=");
+  CHECK(base64_of("foo") == "Zm9v");
+  CHECK(base64_of("foobar") == "Zm9vYmFy");
+  const std::vector<std::byte> back = from_base64("Zm9vYg==");
+  CHECK(std::string(reinterpret_cast<const char*>(back.data()), back.size()) == "foob");
+}
+
+TEST_CASE("steps of 16 bits: small ones of either sign are small numbers, and the ends meet") {
+  CHECK(zigzag_step(5, 5) == 0);
+  CHECK(zigzag_step(5, 4) == 1);
+  CHECK(zigzag_step(5, 6) == 2);
+  CHECK(zigzag_step(32767, -32768) == 2);  // one further, modulo 2^16
+  CHECK(quantised(0.26, 0.1) == 3);
+  CHECK(quantised(1e9, 0.1) == 32767);
+}
+
+TEST_CASE("the page holds the frames of the run within half a quantum") {
+  const TempFolder folder;
+  constexpr std::size_t rows = 5;
+  write_run(folder, rows);
+  const std::string file = folder.file("page.html");
+  CHECK(report_command(page_of(folder, file)) == 0);
+
+  const std::string page = read_text_file(file, 1U << 24U);
+  CHECK(page.starts_with("<!DOCTYPE html>"));
+  CHECK(page.ends_with(report_page().tail));
+  CHECK(page.find("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'") != std::string::npos);  // no request can leave it
+  CHECK(element(page, "facts").find("two cubes") != std::string::npos);
+
+  const std::vector<unsigned char> frames = unpacked(page, "frames", 15 * 2 * rows);
+  // In frame f the fixture has the first cube at x = f and the second at z = -f; the largest displacement is that of the second along x or
+  // y, from (0.15, 0.05, 0.05) to (3, 4, -f), or of the last frames' f.
+  const double largest = std::max(4 - 0.05, (rows - 1) + 0.05);
+  const double quantum = largest / 32767;
+  const auto x = component(frames, 0, rows), z = component(frames, 2, rows), w = component(frames, 3, rows);
+  for (std::size_t f = 0; f < rows; ++f) {
+    CHECK(std::abs(quantum * x[f][0] - (double(f) - 0.05)) <= 0.5001 * quantum);
+    CHECK(std::abs(quantum * z[f][1] - (-double(f) - 0.05)) <= 0.5001 * quantum);
+    CHECK(w[f][0] == 32767);
+    CHECK(w[f][1] == 0);
+  }
+  const std::vector<unsigned char> vertices = unpacked(page, "vertices", 16 * 3 * sizeof(float));
+  float corner = 0;
+  std::memcpy(&corner, vertices.data() + 9 * 3 * sizeof(float), sizeof corner);
+  CHECK(corner == 0.2F);  // x of the second corner of the second cube
+}
+
+TEST_CASE("a face is covered where bonded joints take all of its area") {
+  const auto covered = [](const cases::Model& m) {
+    const TempFolder folder;
+    ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
+    return covered_faces(Hdf5File::open(folder.file("run.h5")));
+  };
+  cases::Model m = two_cubes();  // faces of 0.01 m2, of which one of each cube is a joint
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  CHECK(covered(m).normal == std::vector<float>{1, 0, 0, -1, 0, 0});
+  m.assembly.joints[0].area = 0.005;
+  CHECK(covered(m).element.empty());
+  m.assembly.joints.push_back(m.assembly.joints[0]);  // the other half
+  m.joint_law.push_back(1);
+  CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
+  m.joint_law[1] = 0;  // dry
+  CHECK(covered(m).element.empty());
+  m.assembly.joints[1] = m.assembly.joints[0];
+  m.joint_law[1] = 1;
+  m.assembly.joints[1].element_b = -1;  // the base: the face of the first cube alone
+  CHECK(covered(m).element == std::vector<std::int32_t>{0});
+  m.assembly.joints[1].face_a = 99;
+  CHECK_THROWS_WITH_AS(covered(m), doctest::Contains("/model/joint: row 1 refers to no face"), FileError);
+}
+
+TEST_CASE("a face is open once the springs of half of a joint on it are broken") {
+  const auto opened = [](const std::vector<solver::CrackRow>& cracks) {
+    const TempFolder folder;
+    const cases::Model m = two_cubes();
+    ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+    writer.cracks(cracks);
+    writer.finish();
+    return opened_faces(Hdf5File::open(folder.file("run.h5")));
+  };
+  const auto crack = [](double time, std::int32_t from, double area) {
+    return solver::CrackRow{time, 0, from, 1 - from, {}, {}, area, solver::FailureMode::tension, solver::FailureMode::tension, time};
+  };
+  // The joint of 0.01 m2 is open at 3 s: at 2 s both sides together have lost 0.004 m2.
+  const OpenedFaces faces = opened({crack(1.0, 0, 0.002), crack(2.0, 1, 0.002), crack(3.0, 0, 0.001), crack(4.0, 1, 0.003)});
+  CHECK(faces.element == std::vector<std::int32_t>{0, 1});
+  CHECK(faces.normal == std::vector<float>{1, 0, 0, -1, 0, 0});
+  CHECK(faces.time == std::vector<float>{3.0F, 3.0F});
+  CHECK(opened({crack(1.0, 0, 0.004)}).element.empty());
+  CHECK_THROWS_WITH_AS(opened({{1.0, 7, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}}),
+                       doctest::Contains("/cracks/joint: row 0 refers to no joint"), FileError);
+}
+
+TEST_CASE("an existing page stays unless it may be replaced") {
+  const TempFolder folder;
+  write_run(folder, 2);
+  write_text_file(folder.file("report.html"), "mine", false);
+  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("--overwrite"), FileError);
+  CHECK(read_text_file(folder.file("report.html"), 100) == "mine");
+  ReportOptions again = page_of(folder);
+  again.overwrite = true;
+  CHECK(report_command(again) == 0);
+  CHECK(read_text_file(folder.file("report.html"), 1U << 24U).size() > report_page().head.size());
+}
+
+TEST_CASE("a folder without a run and a frame without numbers are refused, and no page is left") {
+  const TempFolder folder;
+  CHECK_THROWS_AS(report_command(page_of(folder)), FileError);
+  {
+    ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
+    const std::array<float, 6> position{std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0};
+    const std::array<float, 8> quaternion{1, 0, 0, 0, 1, 0, 0, 0};
+    const std::array<float, 2> broken{};
+    results.frame({0.0, position, quaternion, broken});
+    results.finish();
+  }
+  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("/frames/position: row 0"), FileError);
+  CHECK_FALSE(std::filesystem::exists(folder.file("report.html")));
+}
+
+}  // namespace
+}  // namespace voussoir::io

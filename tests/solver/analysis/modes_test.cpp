@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/analysis/modes.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "solver/analysis/impulse.h"
+#include "solver/setup/setup.h"
+#include "tests/cases/paper_house.h"
+
+using namespace voussoir;
+
+namespace {
+
+constexpr double kSide = 0.2, kHeight = 0.2;  // m, of an element
+
+/// A column of adobe cubes on the base.
+cases::Case column(int elements) {
+  cases::Case c = testing::paper_materials();
+  c.base = cases::Base{};
+  for (int i = 0; i < elements; ++i) {
+    cases::BlockSpec block;
+    block.name = "cube " + std::to_string(i), block.material = "adobe";
+    block.box = {Vec3{0.0, 0.0, i * kHeight}, Vec3{kSide, kSide, (i + 1) * kHeight}};
+    c.blocks.push_back(block);
+  }
+  return c;
+}
+
+std::vector<solver::Mode> modes_of(const cases::Case& c, int count) {
+  const cases::Model model = cases::build_model(c);
+  return solver::natural_modes(*solver::build_world(c, model, {}), count);
+}
+
+}  // namespace
+
+TEST_CASE("axial modes of a column are those of the chain of springs") {
+  constexpr int n = 10;
+  const double c_long = std::sqrt(9.8e7 / (1.0 - 0.25 * 0.25) / 1800.0);
+  int found = 0;
+  for (const solver::Mode& m : modes_of(column(n), 6 * n - 1)) {
+    if (m.mass_share.z < 1e-6) continue;
+    ++found;
+    const double expected = c_long / (std::numbers::pi * kHeight) * std::sin((2 * found - 1) * std::numbers::pi / (4 * n));
+    CHECK(m.frequency == doctest::Approx(expected).epsilon(1e-9));
+  }
+  CHECK(found >= n - 1);
+}
+
+TEST_CASE("effective masses of all modes are the mass, and shapes are scaled to one metre") {
+  const std::vector<solver::Mode> modes = modes_of(column(10), 60);
+  REQUIRE(modes.size() == 59);  // all but the highest, which has less than 1 % of the mass
+  const double radius = 0.5 * std::sqrt(2 * kSide * kSide + kHeight * kHeight);
+  Vec3 sum;
+  for (const solver::Mode& m : modes) {
+    sum += m.mass_share;
+    double largest = 0.0;
+    for (const Vec3 u : m.displacement) largest = std::max({largest, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+    for (const Vec3 turn : m.rotation) {
+      for (const double a : {turn.x, turn.y, turn.z}) largest = std::max(largest, radius * std::abs(a));
+    }
+    CHECK(largest == doctest::Approx(1.0));
+  }
+  for (const double share : {sum.x, sum.y, sum.z}) {
+    CHECK(share <= 1.0 + 1e-9);
+    CHECK(share > 0.99);
+  }
+}
+
+TEST_CASE("what nothing holds has no frequency") {
+  cases::Case c = column(1);
+  c.base.reset();
+  c.blocks[0].free = true;
+  for (const solver::Mode& m : modes_of(c, 5)) CHECK(m.frequency < 1e-6);
+}
+
+TEST_CASE("the Fourier transform finds a cosine's bin") {
+  std::vector<double> samples;
+  for (int i = 0; i < solver::kImpulseSamples; ++i)
+    samples.push_back(5.0 + std::cos(2.0 * std::numbers::pi * 34.0 * i / solver::kImpulseSamples));
+  CHECK(solver::dominant_frequency(samples, solver::kImpulseInterval) == doctest::Approx(34.0 / 5.12).epsilon(1e-12));
+}
+
+TEST_CASE("impulse and eigenvalues agree within a bin") {
+  cases::Case c = column(6);
+  c.output.history = {{"top", {0.1, 0.1, 5.5 * kHeight}}};
+  const cases::Model model = cases::build_model(c);
+  const double first = modes_of(c, 4).front().frequency;
+  for (int axis = 0; axis < 2; ++axis) {
+    const solver::ImpulseResponse r = solver::impulse_response(c, model, {}, axis, [](double) {});
+    CHECK(r.broken == 0);
+    REQUIRE(r.displacement.size() == 1);
+    REQUIRE(r.displacement[0].size() == solver::kImpulseSamples);
+    CHECK(std::abs(solver::dominant_frequency(r.displacement[0], solver::kImpulseInterval) - first) < 1.0 / 5.12);
+  }
+}
+
+TEST_CASE("samples of the impulse are a hundredth of a second apart whatever step the case gives, and nothing else moves") {
+  cases::Case c = column(6);
+  c.output.history = {{"top", {0.1, 0.1, 5.5 * kHeight}}};
+  const auto response = [&c] { return solver::impulse_response(c, cases::build_model(c), {}, 0, [](double) {}).displacement[0]; };
+  const std::vector<double> usual = response();
+  c.time.step = 3e-4;  // 33 of them are 9.9 ms
+  c.blocks.back().velocity = {0.3, 0.0, 0.0};
+  const std::vector<double> given = response();
+  double largest = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    largest = std::max(largest, std::abs(usual[i]));
+    apart = std::max(apart, std::abs(usual[i] - given[i]));
+  }
+  CHECK(apart < 0.1 * largest);
+}

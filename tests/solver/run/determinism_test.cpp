@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "solver/contact/contact_forces.h"
+#include "solver/contact/contact_lists.h"
+#include "solver/run/simulation.h"
+#include "solver/state/field_table.h"
+#include "tests/solver/small_wall.h"
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+/// Steps a simulation with a given number of threads, so that two can run side by side.
+struct Run {
+  Run(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g, int threads_, solver::Options o = {})
+      : threads(threads_), sim(c, m, g, o) {}
+  void step(bool ledger) {
+    omp_set_num_threads(threads);
+    sim.step({ledger, ledger});
+  }
+  int threads;
+  solver::Simulation sim;
+};
+
+/// First field in which two worlds differ, empty if none does.
+std::string difference(solver::World& a, solver::World& b) {
+  const std::vector<solver::Field> p = solver::fields(a), q = solver::fields(b);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (solver::packed(p[i]) != solver::packed(q[i])) return p[i].name;
+  }
+  return {};
+}
+
+/// Slipped segment sides, after a check that the running counts are those of the state.
+std::int64_t checked_slips(solver::Simulation& s) {
+  std::int64_t bonded = 0, slipped = 0;
+  solver::World& w = s.world();
+  for (std::int64_t id = 0; id < w.sides.count(); ++id) {
+    const auto side = static_cast<std::size_t>(id);
+    if (w.sides.joint[side] < 0 || w.sides.retired[side]) continue;
+    const kernels::SegmentsView q = w.sides.segments(id);
+    for (int i = 0; i < w.points.count[static_cast<std::size_t>(w.sides.set[side])]; ++i) {
+      bonded += kernels::holds(q.bond[i]) ? w.sides.faces[side] : 0;
+      slipped += q.bond[i] == kernels::Bond::slipped ? w.sides.faces[side] : 0;
+    }
+  }
+  CHECK(s.damage().slipped == slipped);
+  CHECK(s.damage().bonded == bonded);
+  return slipped;
+}
+
+void step_side_by_side(std::vector<std::unique_ptr<Run>>& runs, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    for (auto& r : runs) r->step(i % 50 == 0);
+    for (std::size_t k = 1; k < runs.size(); ++k) {
+      const std::string where = difference(runs[0]->sim.world(), runs[k]->sim.world());
+      INFO("step " << i << ", " << runs[k]->threads << " threads");
+      REQUIRE(where == "");
+      REQUIRE(runs[0]->sim.energy().residual == runs[k]->sim.energy().residual);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the bits do not depend on the number of threads, through cracking, falling and contact") {
+  const cases::Case c = small_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 2, 3, 8}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
+  std::int64_t most_slips = 0;
+  for (int part = 0; part < 36; ++part) {
+    step_side_by_side(runs, 100);
+    most_slips = std::max(most_slips, checked_slips(runs[0]->sim));
+  }
+  CHECK(most_slips > 50);
+  const solver::Simulation& s = runs[0]->sim;
+  CHECK(s.damage().tension > 500);
+  CHECK(s.world().contacts.searches > 10);
+  CHECK(std::any_of(s.world().patches.patch.begin(), s.world().patches.patch.end(), [](const auto& p) { return p.touching > 0; }));
+}
+
+TEST_CASE("the bits of joints of two sides and of timber depend neither on the number of threads nor on how forces are scattered") {
+  const cases::Case c = mixed_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options gather;
+  gather.gather = true;
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
+  runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
+  const solver::World& w = runs[0]->sim.world();
+  CHECK(std::ranges::count_if(m.assembly.joints, [](const geometry::Joint& j) { return j.element_b >= 0 && !j.merged; }) > 30);
+  CHECK(std::ranges::count_if(m.assembly.joints, [](const geometry::Joint& j) { return j.element_b >= 0 && j.merged; }) > 20);
+  std::int64_t most_slips = 0;
+  for (int part = 0; part < 36; ++part) {
+    step_side_by_side(runs, 100);
+    most_slips = std::max(most_slips, checked_slips(runs[0]->sim));
+  }
+  CHECK(most_slips > 50);
+  CHECK(runs[0]->sim.damage().tension > 500);
+  CHECK(w.contacts.searches > 10);
+}
+
+TEST_CASE("a far model gives the same bits with any number of threads and however forces are scattered") {
+  const cases::Case c = small_wall(8, 6);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options far, gather;
+  far.far_from = gather.far_from = 1;
+  far.cell = gather.cell = 0.45;
+  gather.gather = true;
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 2, 3, 8}) runs.push_back(std::make_unique<Run>(c, m, g, threads, far));
+  runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
+  const solver::World& w = runs[0]->sim.world();
+  CHECK(w.far);
+  CHECK(w.sides.task_first.size() > 5);
+  step_side_by_side(runs, 60);
+  CHECK(std::ranges::count(w.sides.quick, kernels::Quick::whole) > 50);
+  step_side_by_side(runs, 2340);
+  CHECK(runs[0]->sim.damage().tension > 500);
+  CHECK(w.contacts.searches > 10);
+  // Near, sums have another order: the same response but for round-off, up to first damage.
+  Run near(c, m, g, 2), again(c, m, g, 2, far);
+  CHECK(!near.sim.world().far);
+  for (int i = 0; i < 60; ++i) near.step(false), again.step(false);
+  const auto &a = near.sim.world().elements.uz, &b = again.sim.world().elements.uz;
+  CHECK(std::ranges::any_of(a, [](double u) { return std::abs(u) > 1e-9; }));
+  for (std::size_t e = 0; e < a.size(); ++e) CHECK(std::abs(a[e] - b[e]) < 1e-15);
+}
+
+TEST_CASE("what is known of pairs saves looks at points and changes no bit, through cracking, falling and contact") {
+  const cases::Case c = small_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  Run knows(c, m, g, 1), forgets(c, m, g, 1);
+  std::int64_t waiting = 0, touching = 0;
+  for (int i = 0; i < 6000; ++i) {
+    solver::list_candidates(forgets.sim.world());
+    knows.step(false), forgets.step(false);
+    INFO("step " << i);
+    REQUIRE(difference(knows.sim.world(), forgets.sim.world()) == "");
+    for (const kernels::Candidate& k : knows.sim.world().contacts.candidate) {
+      waiting += k.until > 0.0;
+      touching += k.face >= 0;
+    }
+  }
+  CHECK(touching > 10000);
+  CHECK(waiting > 10000);
+}
+
+TEST_CASE("sides that span more than two cells are run after all others, with the same bits for any number of threads") {
+  const cases::Case c = small_wall(4, 4);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options small;
+  small.cell = 0.06;  // bricks lie 0.1 and 0.2 m apart
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads, small));
+  const solver::Sides& s = runs[0]->sim.world().sides;
+  CHECK(s.overflow_colour > 0);
+  CHECK(s.overflow_colour + 2 == static_cast<std::int32_t>(s.colour_first.size()));
+  step_side_by_side(runs, 2500);
+  Run all(c, m, g, 2);
+  CHECK(all.sim.world().sides.overflow_colour == -1);
+  // Another order of summation: the same response but for round-off, up to first damage.
+  Run first(c, m, g, 2, small);
+  for (int i = 0; i < 300; ++i) all.step(false), first.step(false);
+  for (std::size_t e = 0; e < static_cast<std::size_t>(all.sim.world().elements.count); ++e) {
+    CHECK(all.sim.world().elements.uy[e] == doctest::Approx(first.sim.world().elements.uy[e]).epsilon(1e-9).scale(1e-6));
+  }
+}
+
+TEST_CASE("forces scattered by colour and gathered from pairs give the same bits") {
+  const cases::Case c = small_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  for (const bool reference : {false, true}) {
+    solver::Options colour, gather;
+    gather.gather = true;
+    colour.reference_kernels = gather.reference_kernels = reference;
+    std::vector<std::unique_ptr<Run>> runs;
+    runs.push_back(std::make_unique<Run>(c, m, g, 2, colour));
+    runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
+    runs.push_back(std::make_unique<Run>(c, m, g, 3, gather));
+    step_side_by_side(runs, reference ? 400 : 3600);
+    if (!reference) CHECK(runs[0]->sim.damage().tension > 500);
+  }
+}
