@@ -21,7 +21,8 @@ cases::Accelerogram refined(const cases::Accelerogram& a, int parts) {
 struct Peak {
   double got = 0.0, exact = 0.0;  // m
 };
-Peak peak_of(const cases::Case& c) {
+/// \param scale  of the record
+Peak peak_of(const cases::Case& c, double scale = 1.0) {
   const double height = 0.2,
                frequency = std::sqrt(2.0 * c.materials.at("soft").young / c.materials.at("soft").density) / height / (2 * kPi);
   Run run(c);
@@ -29,7 +30,7 @@ Peak peak_of(const cases::Case& c) {
   const double end = record.dt * static_cast<double>(record.acceleration.size() - 1);
   double peak = 0.0;
   run.until(end, {}, [&] { peak = std::max(peak, std::abs(run.displacement(0).z)); });
-  return {peak, cases::spectral_displacement(refined(record, 10), frequency, 0.05)};
+  return {peak / scale, cases::spectral_displacement(refined(record, 10), frequency, 0.05) / scale};
 }
 
 void compare(const std::string& what, const cases::Case& c) {
@@ -37,9 +38,12 @@ void compare(const std::string& what, const cases::Case& c) {
   expect_near("V9 peak under " + what + " [m]", peak.got, peak.exact, 1e-3);
 }
 
-/// The oscillator tuned to another frequency [Hz].
+constexpr double kScale = 0.1;  // of the record: in full the softest block would sink by a third of its height, past what its points can see
+
+/// The oscillator tuned to another frequency [Hz], under a tenth of the record.
 cases::Case tuned(double frequency) {
   cases::Case c = load("oscillator").value;
+  c.motion->scale = {0.0, 0.0, kScale};
   const double height = 0.2;
   cases::Material& soft = c.materials.at("soft");
   soft.young = 0.5 * soft.density * std::pow(2 * kPi * frequency * height, 2);
@@ -56,7 +60,7 @@ TEST_CASE("V9: response spectrum of bam-like, V") {
       "v9_spectrum", "V9: response spectrum of bam-like, V, 5 % damping", "frequency [Hz]", "peak relative displacement [m]", true, {}};
   Series got{"computed", "o", {}, {}}, exact{"Nigam-Jennings", "-", {}, {}};
   for (const double frequency : {1.5, 2.5, 4.0, 6.5, 10.0}) {
-    const Peak peak = peak_of(tuned(frequency));
+    const Peak peak = peak_of(tuned(frequency), kScale);
     char what[80];
     std::snprintf(what, sizeof what, "V9 spectrum at %.1f Hz [m]", frequency);
     expect_near(what, peak.got, peak.exact, 1e-3);
