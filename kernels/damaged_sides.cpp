@@ -15,11 +15,11 @@ namespace {
 
 /// u(s,t) and its rate in the frame of each lane's side, as in SideFrame: d, ds, dt, v, vs, vt.
 constexpr int kFields = 6;
-struct alignas(64) FieldTable {
+struct alignas(64) LaneFields {
   double value[kFields][3][kWidth];
 };
 
-VOUSSOIR_INLINE void put(FieldTable& f, int field, LocalLanes v) noexcept {
+VOUSSOIR_INLINE void put(LaneFields& f, int field, LocalLanes v) noexcept {
   store_lanes(f.value[field][0], v.n);
   store_lanes(f.value[field][1], v.s1);
   store_lanes(f.value[field][2], v.s2);
@@ -38,7 +38,7 @@ VOUSSOIR_INLINE TwistLanes gather_twists(const double* rows, const std::int32_t*
 }
 
 VOUSSOIR_INLINE void put_fields(const SideBlock& block, int at, const Kinematics& k, const FrameLanes& frame, const Rows& rows,
-                                FieldTable& fields) noexcept {
+                                LaneFields& fields) noexcept {
   put(fields, 0, frame.local(k.d));
   put(fields, 1, frame.local(k.a));
   put(fields, 2, frame.local(k.b));
@@ -52,11 +52,11 @@ VOUSSOIR_INLINE void put_fields(const SideBlock& block, int at, const Kinematics
 
 // ---- one side
 
-VOUSSOIR_INLINE LocalLanes spread_field(const FieldTable& f, int field, int lane) noexcept {
+VOUSSOIR_INLINE LocalLanes spread_field(const LaneFields& f, int field, int lane) noexcept {
   return {lanes(f.value[field][0][lane]), lanes(f.value[field][1][lane]), lanes(f.value[field][2][lane])};
 }
 
-VOUSSOIR_INLINE Law law_of(const SideConstants& b, int l, const FieldTable& f, int lane, const SideParts& p, double step,
+VOUSSOIR_INLINE Law law_of(const SideConstants& b, int l, const LaneFields& f, int lane, const SideParts& p, double step,
                            FailureOptions o) noexcept {
   return {spread_field(f, 0, lane),
           spread_field(f, 1, lane),
@@ -77,7 +77,7 @@ VOUSSOIR_INLINE void write_row(const Sums& s, Lanes extra1, Lanes extra2, double
   store_quad(row + 8, sums_of(s.tf.s2, extra1, extra2, Lanes{}));
 }
 
-Local field(const FieldTable& f, int k, int lane) noexcept { return {f.value[k][0][lane], f.value[k][1][lane], f.value[k][2][lane]}; }
+Local field(const LaneFields& f, int k, int lane) noexcept { return {f.value[k][0][lane], f.value[k][1][lane], f.value[k][2][lane]}; }
 
 /// What the literal law found in the rare chunks of a side; empty between two sides.
 struct Literal {
@@ -88,7 +88,7 @@ struct Literal {
 void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf, a.tf + b.tf}; }
 
 /// The literal law for the points from `i` on, at most kWidth.
-[[gnu::noinline]] void advance_literally(const Side& side, const FieldTable& f, int lane, const SideParts& parts, int i, StepClock clock,
+[[gnu::noinline]] void advance_literally(const Side& side, const LaneFields& f, int lane, const SideParts& parts, int i, StepClock clock,
                                          FailureOptions o, Literal& found, EventSink& sink) noexcept {
   SideFrame frame{};
   frame.d = field(f, 0, lane), frame.ds = field(f, 1, lane), frame.dt = field(f, 2, lane);
@@ -118,7 +118,7 @@ struct SumRows {
 };
 
 /// All segments of one side.
-VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const FieldTable& f, int lane, const SideParts& parts, StepClock clock,
+VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts, StepClock clock,
                                   FailureOptions o, Literal& found, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
   const Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
   Totals sum;
@@ -157,7 +157,7 @@ VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, d
 }
 
 /// Largest |u_s|² over the rectangles round the points: it is convex, so at a corner.
-Lanes largest_slide2(const SideConstants& c, int at, const FieldTable& f) noexcept {
+Lanes largest_slide2(const SideConstants& c, int at, const LaneFields& f) noexcept {
   Lanes most{};
   for (const double* s : {c.s_low + at, c.s_high + at}) {
     for (const double* t : {c.t_low + at, c.t_high + at}) {
@@ -171,7 +171,7 @@ Lanes largest_slide2(const SideConstants& c, int at, const FieldTable& f) noexce
 }
 
 /// How the faces of each lane's side lie to each other.
-void report_facing(const SideBlock& block, int at, const FieldTable& f, unsigned chosen, DamagedSide* result) noexcept {
+void report_facing(const SideBlock& block, int at, const LaneFields& f, unsigned chosen, DamagedSide* result) noexcept {
   const Lanes gap = least_opening(*block.constants, at, load_lanes(f.value[0][0]), load_lanes(f.value[1][0]), load_lanes(f.value[2][0]));
   const auto norm2 = [&](int k) {
     const Lanes n = load_lanes(f.value[k][0]);
@@ -191,7 +191,7 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
                          const Rows& rows, StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result,
                          EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
-  FieldTable fields;
+  LaneFields fields;
   const FrameLanes f = frame_of(block, at, k, k.n);
   put_fields(block, at, k, f, rows, fields);
   SumRows by_lane[kWidth];
@@ -210,7 +210,7 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
   }
   const SumLanes found = global_sums(f, by_lane, &SumRows::total);
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
-  if (touching != 0) scatter(block, at, first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
+  if (touching != 0) assemble(block, at, first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
   report_facing(block, at, fields, chosen, result);
   return touching;
 }

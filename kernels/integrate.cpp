@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "kernels/fetch.h"
+#include "kernels/prefetch.h"
 #include "kernels/lanes.h"
 #include "kernels/rows.h"
 
@@ -14,11 +14,11 @@ namespace {
 
 /// Models that are far: elements ahead, whose numbers are asked for. The columns are more than hardware follows; a few lines at a time, in
 /// between the arithmetic, since all at once they would wait for each other. Beyond the last element there is nothing to have.
-constexpr std::int64_t kAhead = 2 * kBunch;
+constexpr std::int64_t kPrefetchDistance = 2 * kBatch;
 
 template <class... Columns>
-VOUSSOIR_INLINE void fetch_ahead(const ElementRows& rows, std::int64_t i, Columns... columns) noexcept {
-  if (rows.far) (fetch(columns + i + kAhead, kWidth * sizeof(double)), ...);
+VOUSSOIR_INLINE void prefetch_columns(const ElementRows& rows, std::int64_t i, Columns... columns) noexcept {
+  if (rows.out_of_cache) (prefetch(columns + i + kPrefetchDistance, kWidth * sizeof(double)), ...);
 }
 
 struct QuaternionLanes {
@@ -101,23 +101,23 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
 
 VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
   const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
-  if (rows.far) {
-    static_assert(kPoseStride % 4 == 0);  // or thirds of rows would not lie where store_past_caches can write
+  if (rows.out_of_cache) {
+    static_assert(kPoseStride % 4 == 0);  // or thirds of rows would not lie where store_streaming can write
     Quad x[kWidth], y[kWidth], z[kWidth];
     to_rows(d.r0.x, d.r0.y, d.r0.z, u.x, x);
     to_rows(d.r1.x, d.r1.y, d.r1.z, u.y, y);
     to_rows(d.r2.x, d.r2.y, d.r2.z, u.z, z);
     for (int l = 0; l < kWidth; ++l) {  // row by row: whole lines in one go
-      store_past_caches(pose_row(l), x[l]);
-      store_past_caches(pose_row(l) + 4, y[l]);
-      store_past_caches(pose_row(l) + 8, z[l]);
+      store_streaming(pose_row(l), x[l]);
+      store_streaming(pose_row(l) + 4, y[l]);
+      store_streaming(pose_row(l) + 8, z[l]);
     }
   } else {
     store_columns(pose_row, 0, d.r0.x, d.r0.y, d.r0.z, u.x);
     store_columns(pose_row, 4, d.r1.x, d.r1.y, d.r1.z, u.y);
     store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
   }
-  if (rows.watched != nullptr && rows.watched[i / kBunch] == 0) return;
+  if (rows.active != nullptr && rows.active[i / kBatch] == 0) return;
   const SixColumns twists = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
   for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, twists, l);
 }
@@ -135,8 +135,8 @@ VOUSSOIR_INLINE bool any_dashed(const ElementRows& rows, std::int64_t i) noexcep
   return any != 0;
 }
 
-VOUSSOIR_INLINE double* book(const ElementsView& e, std::int64_t i, Book column) noexcept {
-  return e.books + i / kBunch * kBooks + static_cast<int>(column);
+VOUSSOIR_INLINE double* tally_of(const ElementsView& e, std::int64_t i, Tally column) noexcept {
+  return e.tally + i / kBatch * kTallies + static_cast<int>(column);
 }
 
 /// Books the work of the dashpots' torques with the mean of the angular velocities before and after, clears their rows.
@@ -148,7 +148,7 @@ VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecL
   load_columns(row, 0, x, y, z, torque.x);
   load_columns(row, 4, torque.y, torque.z, unused, unused);
   const Quad taken = sums_of(dot(torque, before + after), Lanes{}, Lanes{}, Lanes{});
-  *book(e, i, Book::loss_dashpots) -= 0.5 * dt * taken[0];
+  *tally_of(e, i, Tally::loss_dashpots) -= 0.5 * dt * taken[0];
   clear_rows(rows.dashpot, i);
 }
 
@@ -156,7 +156,7 @@ VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecL
 /// turned by φ = ½ Δt Ω, so Ω = J⁻¹ exp(−φ) Rᵀ L. The last ω gives a first φ, to first order a second, and that Ω; a φ that is not quite
 /// parallel to Ω turns it as it turns the element. \param m  Rᵀ L  \param last  Rᵀ ω, of the last half step
 template <class Inertia>
-VOUSSOIR_INLINE VecLanes spin_ahead(const Inertia& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
+VOUSSOIR_INLINE VecLanes spin_at_half_step(const Inertia& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
   const VecLanes guess = half * last;
   const VecLanes phi = half * (inverse * (m - cross(guess, m)));
   const VecLanes spin = inverse * turned_back(m, phi);
@@ -192,10 +192,10 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
     m[g] = l + transposed_times(d[g], l);
     spin[g] = w + transposed_times(d[g], w);
   }
-  for (int g = 0; g < kGroups; ++g) fetch_ahead(rows, i + g * kWidth, e.qw, e.qx, e.qy, e.qz, e.wx, e.wy, e.wz);
-  for (int g = 0; g < kGroups; ++g) spin[g] = spin_ahead(inverse_inertia<kPrincipal>(e, i + g * kWidth), m[g], spin[g], half);
+  for (int g = 0; g < kGroups; ++g) prefetch_columns(rows, i + g * kWidth, e.qw, e.qx, e.qy, e.qz, e.wx, e.wy, e.wz);
+  for (int g = 0; g < kGroups; ++g) spin[g] = spin_at_half_step(inverse_inertia<kPrincipal>(e, i + g * kWidth), m[g], spin[g], half);
   for (int g = 0; g < kGroups; ++g) q[g] = normalised(turned(q[g], half * spin[g]));
-  for (int g = 0; g < kGroups; ++g) fetch_ahead(rows, i + g * kWidth, e.ixx, e.iyy, e.izz, e.ux, e.uy, e.uz);
+  for (int g = 0; g < kGroups; ++g) prefetch_columns(rows, i + g * kWidth, e.ixx, e.iyy, e.izz, e.ux, e.uy, e.uz);
   for (int g = 0; g < kGroups; ++g) spin[g] = spin[g] + d[g] * spin[g];
   for (int g = 0; g < kGroups; ++g) {
     if (any_dashed(rows, i + g * kWidth)) finish_dashpots(e, i + g * kWidth, spin[g], rows, dt);
@@ -204,7 +204,7 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
 }
 
 /// What an element or several have done in a step [J].
-struct Booked {
+struct StepTally {
   Lanes ground{}, gravity{}, damping{}, dashpots{};
 };
 
@@ -216,9 +216,9 @@ struct Pushes {
 };
 
 /// The kick of kWidth elements.
-VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, Booked& booked) noexcept {
-  if (rows.far) fetch(rows.wrench + (i + kAhead) * kWrenchStride, kWidth * kWrenchStride * sizeof(double));
-  fetch_ahead(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
+VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, StepTally& booked) noexcept {
+  if (rows.out_of_cache) prefetch(rows.wrench + (i + kPrefetchDistance) * kWrenchStride, kWidth * kWrenchStride * sizeof(double));
+  prefetch_columns(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
   const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
   VecLanes force, torque;
   Lanes unused, dashed;
@@ -254,18 +254,18 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
 
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
   const Pushes pushes{lanes(f.dt), spread(f.gravity - f.ground), spread(f.mean_gravity), spread(f.mean_ground), f.damps_rotation};
-  for (std::int64_t i = first; i < last; i += kBunch) {
-    Booked booked;
-    for (int k = 0; k < kBunch; k += kWidth) kick_group(e, rows, pushes, i + k, booked);
+  for (std::int64_t i = first; i < last; i += kBatch) {
+    StepTally booked;
+    for (int k = 0; k < kBatch; k += kWidth) kick_group(e, rows, pushes, i + k, booked);
     const Quad sums = sums_of(booked.ground, booked.gravity, booked.damping, booked.dashpots);
-    add_quad(book(e, i, Book::work_ground), f.dt * sums);
+    add_quad(tally_of(e, i, Tally::work_ground), f.dt * sums);
   }
 }
 
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept {
   constexpr int kGroups = 2;
   for (std::int64_t i = first; i < last; i += kGroups * kWidth) {
-    const bool principal = e.principal[i / kBunch] != 0;
+    const bool principal = e.principal[i / kBatch] != 0;
     principal ? drift_groups<kGroups, true>(e, rows, dt, i) : drift_groups<kGroups, false>(e, rows, dt, i);
   }
 }

@@ -10,9 +10,9 @@
 /// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
 namespace voussoir::kernels {
 
-/// What is booked of a bunch, each a sum over its elements and over all steps so far [J].
-enum class Book : std::uint8_t { work_ground, work_gravity, loss_damping, loss_dashpots };
-inline constexpr int kBooks = 4;
+/// What is booked of a batch, each a sum over its elements and over all steps so far [J].
+enum class Tally : std::uint8_t { work_ground, work_gravity, loss_damping, loss_dashpots };
+inline constexpr int kTallies = 4;
 
 /// State and constants of all elements, structure of arrays; SI units, global axes unless said.
 struct ElementsView {
@@ -21,11 +21,11 @@ struct ElementsView {
   double *vx, *vy, *vz;                             // velocity at the half step [m/s]
   double *lx, *ly, *lz;                             // angular momentum at the half step, space axes [kg m2/s]
   double *wx, *wy, *wz;                             // angular velocity at the half step, space axes [rad/s]
-  double* books;                                    // J, kBooks of each bunch
+  double* tally;                                    // J, kTallies of each batch
   const double *mass, *inv_mass;                    // kg, 1/kg; 0 and 0: fixed
   const double* alpha;                              // 1/s, mass damping (Eq. 13)
   const double *ixx, *iyy, *izz, *ixy, *ixz, *iyz;  // inverse inertia, body axes [1/(kg m2)]; 0: fixed
-  const std::uint8_t* principal;                    // by bunch, 1: all are along their principal axes (ixy, ixz, iyz are 0)
+  const std::uint8_t* principal;                    // by batch, 1: all are along their principal axes (ixy, ixz, iyz are 0)
 };
 
 /// Accelerations that act on every element in a step.
@@ -38,13 +38,13 @@ struct BodyForces {
 
 /// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
 /// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
-/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), whole bunches.
+/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), whole batches.
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
 /// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose rows and
-/// those of twists that are watched, books the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
-/// whole bunches.
+/// those of twists that are active, books the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
+/// whole batches.
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -11,7 +11,7 @@
 #include "geometry/vec3.h"
 
 /// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `bits`,
-/// `load_halves` and `store_past_caches`, where the compiler does not find the machine's instruction. Every lane is computed alone, so a
+/// `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. Every lane is computed alone, so a
 /// result does not depend on its neighbours.
 namespace voussoir::kernels {
 
@@ -91,7 +91,7 @@ VOUSSOIR_INLINE Pair load_pair(const double* p) noexcept {
 VOUSSOIR_INLINE void store_quad(double* p, Quad x) noexcept { __builtin_memcpy(p, &x, sizeof x); }
 /// Into memory, without fetching the line first or keeping it in the caches: for what is not read again before it would have left them.
 /// Other threads see it after kernels::finish_stores. \pre  p is a multiple of 32 bytes
-VOUSSOIR_INLINE void store_past_caches(double* p, Quad x) noexcept {
+VOUSSOIR_INLINE void store_streaming(double* p, Quad x) noexcept {
 #if defined(__AVX__)
   _mm256_stream_pd(p, x);
 #else

@@ -21,13 +21,13 @@ inline constexpr int kDashedColumn = 7;   // of a wrench row: not 0 if dashpots 
 inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (3) [N m], 2 spare
 
 /// Elements that are moved on together, and share what is booked.
-inline constexpr int kBunch = 2 * kLanes;
+inline constexpr int kBatch = 2 * kLanes;
 
 /// Rows of all elements.
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
-  const std::uint8_t* watched = nullptr;  // by bunch, 1: somebody looks at its twists; nullptr: at all
-  bool far = false;  // far larger than the caches: poses are stored past these (kernels::finish_stores), memory is asked for ahead
+  const std::uint8_t* active = nullptr;  // by batch, 1: somebody looks at its twists; nullptr: at all
+  bool out_of_cache = false;  // far larger than the caches: poses are stored past these (kernels::finish_stores), memory is asked for ahead
 };
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).

@@ -160,7 +160,7 @@ struct Rows {
 void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept;
 
 /// Hands out zeros for the sides `live` of a block to the rows of their elements, with the work that forces take.
-void scatter_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept;
+void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept;
 
 /// What became of a side whose segments were looked at.
 struct DamagedSide {
@@ -173,7 +173,7 @@ struct DamagedSide {
 };
 
 /// What is known of a side from the last step, so that most need no look at their segments.
-enum class Quick : std::uint8_t {
+enum class SideState : std::uint8_t {
   segments = 0,  // look at each
   whole = 1,     // all bonded, none slipped: closed form, if a certificate at the corners proves that no segment yields
   open = 2,      // none bonded, none touched: no force, if the corners prove that none touches now
@@ -194,7 +194,7 @@ struct alignas(64) SteadySides {
 
 /// The sides of a block as they stand.
 struct BlockState {
-  const Quick* quick = nullptr;  // kLanes
+  const SideState* side_state = nullptr;  // kLanes
   const SteadySides* steady = nullptr;
   const SideParts* parts = nullptr;  // kLanes
   std::int64_t first = 0;            // number of the first side

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/certificate.h"
 #include "kernels/damaged_sides.h"
-#include "kernels/quick_bits.h"
+#include "kernels/side_state.h"
 #include "kernels/steady_sides.h"
 #include "kernels/whole_sides.h"
 
@@ -10,8 +10,8 @@ namespace voussoir::kernels {
 
 namespace {
 
-VOUSSOIR_INLINE LaneMask steady_lanes(const Quick* quick) noexcept {
-  return widened(reinterpret_cast<const unsigned char*>(quick)) == static_cast<long long>(Quick::steady);
+VOUSSOIR_INLINE LaneMask steady_lanes(const SideState* side_state) noexcept {
+  return widened(reinterpret_cast<const unsigned char*>(side_state)) == static_cast<long long>(SideState::steady);
 }
 
 /// Of the lanes `whole`, those that are certain to stay so. Makes the normal one of length 1.
@@ -25,7 +25,7 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
 [[gnu::noinline]] unsigned advance_any(const SideBlock& block, int at, unsigned live, const BlockState& state, const Rows& rows,
                                        StepClock clock, FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
   const SideConstants& constants = *block.constants;
-  const QuickBits is = quick_bits(state.quick);
+  const StateBits is = state_bits(state.side_state);
   const unsigned whole = live & is.whole >> at, steady = live & is.steady >> at;
   const unsigned open = state.look_closely ? 0U : live & is.open >> at;
   Kinematics k = kinematics(block, at, rows.pose);
@@ -40,11 +40,11 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
     certain = certain_of(constants, at, whole, k, o);
     sums = elastic_sums(constants, at, k);
   }
-  if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.quick + at), sums));
+  if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.side_state + at), sums));
   const unsigned left = live & ~(certain | still_open);
   unsigned touching = 0;
   if (left != 0) touching = advance_damaged(block, at, left, state.first, state.parts + at, k, rows, clock, o, sums, result + at, sink);
-  scatter(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
+  assemble(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
   note_left(rows, state.first + at, certain | left, touching);
   return left;
 }
@@ -54,7 +54,7 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
 unsigned advance_sides(const SideBlock& block, const BlockState& state, const Rows& rows, StepClock clock, FailureOptions o,
                        DamagedSide* result, EventSink& sink) noexcept {
   unsigned live = state.live, looked_at = 0;
-  if (!state.bound_tried && (live & ~quick_bits(state.quick).whole) == 0 && has_short_form(o)) {
+  if (!state.bound_tried && (live & ~state_bits(state.side_state).whole) == 0 && has_short_form(o)) {
     constexpr std::int32_t kThis[] = {0};
     const auto lanes = static_cast<std::uint8_t>(live);
     unsigned done = 0;
@@ -84,12 +84,12 @@ void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Row
   }
 }
 
-void scatter_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept {
+void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept {
   WrenchLanes nothing{};
   asm("" : "+m"(nothing));  // as if it might be anything, or the compiler would leave out what turns columns into rows
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned here = live >> at & kGroup;
-    if (here != 0) scatter(block, at, 0, nothing, here, rows, false);
+    if (here != 0) assemble(block, at, 0, nothing, here, rows, false);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "kernels/fetch.h"
+#include "kernels/prefetch.h"
 #include "kernels/side_lanes.h"
 
 namespace voussoir::kernels {
@@ -65,8 +65,8 @@ void set_limits(const SideConstants& c, int l, WholeConstants& w) noexcept {
   const double slide = kInside * shear / (std::sqrt(3.0) * c.ks[l]) - kLength;
   const auto limit = [&](double stress) { return std::min(2.0 * (kInside * stress / c.kn[l] - kLength), kDigits * slide); };
   w.slide2[l] = slide > 0.0 ? slide * slide : -1.0;
-  w.ahead[l] = limit(c.tension[l]);
-  w.back[l] = limit(c.compression[l] * std::sqrt(1.0 - c.cap[l] * share * share));
+  w.forward[l] = limit(c.tension[l]);
+  w.backward[l] = limit(c.compression[l] * std::sqrt(1.0 - c.cap[l] * share * share));
 }
 
 void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, WholeConstants& w) noexcept {
@@ -84,7 +84,7 @@ void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, W
 /// Brings a lane into the axes of the kernel: its normal is `axis`, its tangents are the two that follow.
 void turn_to(int axis, int l, const Principal& p, WholeConstants& w) noexcept {
   if (axis_of(p.es) != (axis + 1) % 3) std::swap(w.reach_s[l], w.reach_t[l]), std::swap(w.about_s[l], w.about_t[l]);
-  if (part(cross(p.es, p.et), axis) < 0.0) std::swap(w.ahead[l], w.back[l]);
+  if (part(cross(p.es, p.et), axis) < 0.0) std::swap(w.forward[l], w.backward[l]);
   for (int i = 0; i < 3; ++i) {
     w.es[i][l] = i == (axis + 1) % 3 ? 1.0 : 0.0;
     w.et[i][l] = i == (axis + 2) % 3 ? 1.0 : 0.0;
@@ -175,7 +175,7 @@ VOUSSOIR_INLINE LaneMask inside(const WholeConstants& c, int at, const Standing&
   const Lanes swing = max(sn, -sn) + max(tn, -tn);
   const Lanes u2 = dot(k.d, k.d) + ((s * s) * dot(k.a, k.a) + (t * t) * dot(k.b, k.b));
   const Lanes slide2 = u2 - 0.25 * (dn * dn + (sn * sn + tn * tn));
-  return (swing + dn <= load_lanes(c.ahead + at)) & (swing - dn <= load_lanes(c.back + at)) & (slide2 <= load_lanes(c.slide2 + at)) &
+  return (swing + dn <= load_lanes(c.forward + at)) & (swing - dn <= load_lanes(c.backward + at)) & (slide2 <= load_lanes(c.slide2 + at)) &
          (e * e <= kSeries * kSeries);
 }
 
@@ -200,15 +200,15 @@ VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live
   const VecLanes along_s = load_lanes(c.about_s + at) * scaled_sum(f * an, k.n, k.a);
   const VecLanes along_t = load_lanes(c.about_t + at) * scaled_sum(f * bn, k.n, k.b);
   const VecLanes m = cross_plus(k.es, along_s, cross(k.et, along_t));
-  scatter(block, at, first, {force, cross_plus(k.arm_a, force, m), cross_plus(k.arm_b, force, m)}, live, rows, false);
+  assemble(block, at, first, {force, cross_plus(k.arm_a, force, m), cross_plus(k.arm_b, force, m)}, live, rows, false);
   note_left(rows, first + at, live, 0);
   return true;
 }
 
 /// Asks for what the kernel of an axis reads.
 template <int axis>
-VOUSSOIR_INLINE void fetch_constants(const WholeConstants& c) noexcept {
-  fetch(&c, axis < 0 ? sizeof c : offsetof(WholeConstants, es));
+VOUSSOIR_INLINE void prefetch_constants(const WholeConstants& c) noexcept {
+  prefetch(&c, axis < 0 ? sizeof c : offsetof(WholeConstants, es));
 }
 
 /// Goes on with block `i` of the run as long as blocks look along `axis`; false: block i is not certain to stay whole, but for `lanes` of
@@ -220,7 +220,7 @@ template <int axis>
     const SideBlock& block = run.blocks[number];
     if (block.axis != axis) return true;
     lanes = 0;
-    if (i < run.ahead.size()) fetch_constants<axis>(*run.blocks[static_cast<std::size_t>(run.ahead[i])].whole);
+    if (i < run.prefetch.size()) prefetch_constants<axis>(*run.blocks[static_cast<std::size_t>(run.prefetch[i])].whole);
     for (int at = 0; at < kLanes; at += kWidth) {
       const unsigned live = run.live_lanes[number] >> at & kGroup;
       if (live == 0) continue;

@@ -21,7 +21,7 @@ struct alignas(64) WholeConstants {
   double reach_s[kLanes], reach_t[kLanes];  // m, largest |s| and |t|
   // Limits of the bound, a little inside those of the law: twice u_n along the normal of the kernel and against it [m]; a third of |u_s|²
   // [m2].
-  double ahead[kLanes], back[kLanes], slide2[kLanes];
+  double forward[kLanes], backward[kLanes], slide2[kLanes];
   // Tangents, the share of the slave in mean tangents and point of action, whether the normal turns (0: on the base, THEORY.md (10a)).
   double es[3][kLanes], et[3][kLanes], mean[kLanes], normal_turns[kLanes];
   int axis;  // 0, 1, 2: every side acts at the midpoint, its normal lies along this axis and its tangents along the next two; −1: any block
@@ -41,7 +41,7 @@ struct WholeRun {
   const std::uint8_t* live_lanes = nullptr;  // by block: bit mask of the lanes that take part
   std::span<const std::int32_t> numbers;     // which blocks
   std::int64_t first_side = 0;               // number of the first side of block 0
-  std::span<const std::int32_t> ahead;       // blocks whose constants are asked for: the i-th with the i-th of the run
+  std::span<const std::int32_t> prefetch;     // blocks whose constants are asked for: the i-th with the i-th of the run
 };
 
 /// Whether the bound of `advance_whole` is one under these options: it takes c for the least limit in shear under tension.

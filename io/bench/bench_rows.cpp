@@ -17,8 +17,8 @@ solver::Work work_of(StepPart part, const solver::StepWork& w) {
       return w.damaged_joints;
     case StepPart::contacts:
       return w.contacts;
-    case StepPart::scatter:
-      return w.scatter;
+    case StepPart::assembly:
+      return w.assembly;
     case StepPart::update:
       return w.update;
     default:

@@ -40,7 +40,7 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
   int scatters = 0;
   solver::run(sim, run.plan, endless, kNever, run.results, [&](const solver::RunStatus& at) {
     if (!sim.world().options.gather && at.step > first) {  // not of a step that another team has done
-      scatter += solver::scatter_again(sim.world(), tasks), ++scatters;
+      scatter += solver::assemble_again(sim.world(), tasks), ++scatters;
     }
     return at.step < first + steps;
   });
@@ -73,7 +73,7 @@ solver::StepWork mean_work(const std::vector<Batch>& batches) {
   for (const Batch& b : batches) {
     using Part = solver::Work solver::StepWork::*;
     using W = solver::StepWork;
-    for (const Part part : {&W::whole_joints, &W::damaged_joints, &W::contacts, &W::scatter, &W::update}) {
+    for (const Part part : {&W::whole_joints, &W::damaged_joints, &W::contacts, &W::assembly, &W::update}) {
       (mean.*part).operations += (b.work.*part).operations / n, (mean.*part).bytes += (b.work.*part).bytes / n;
     }
     mean.whole_sides += b.work.whole_sides / n, mean.damaged_sides += b.work.damaged_sides / n;
@@ -101,7 +101,7 @@ StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& f
   put(StepPart::whole_joints, whole - of_whole);
   put(StepPart::damaged_joints, damaged - of_damaged);
   put(StepPart::contacts, force(solver::ForcePart::contacts));
-  put(StepPart::scatter, force(solver::ForcePart::scatter) + of_whole + of_damaged);
+  put(StepPart::assembly, force(solver::ForcePart::assembly) + of_whole + of_damaged);
   put(StepPart::waiting, std::max(0.0, stage(solver::Stage::forces) - std::accumulate(forces.begin(), forces.end(), 0.0)));
   put(StepPart::search, stage(solver::Stage::search));
   put(StepPart::damage, stage(solver::Stage::damage));

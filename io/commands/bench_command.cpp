@@ -43,11 +43,11 @@ Sides sides_now(const solver::World& w) {
   Sides n;
   for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
     if (w.sides.joint[id] < 0 || w.sides.retired[id]) continue;
-    const kernels::Quick state = w.sides.quick[id];
-    n.whole += state == kernels::Quick::whole;
-    n.open += state == kernels::Quick::open;
-    n.steady += state == kernels::Quick::steady;
-    if (state != kernels::Quick::segments && state != kernels::Quick::steady) continue;
+    const kernels::SideState state = w.sides.side_state[id];
+    n.whole += state == kernels::SideState::whole;
+    n.open += state == kernels::SideState::open;
+    n.steady += state == kernels::SideState::steady;
+    if (state != kernels::SideState::segments && state != kernels::SideState::steady) continue;
     ++n.damaged;
     n.points += w.points.count[static_cast<std::size_t>(w.sides.set[id])];
   }
@@ -117,7 +117,7 @@ std::vector<Limits> limits_of(std::span<const int> counts) {
   return limits;
 }
 
-/// The tables of one subject: `build(gather)` makes it anew.
+/// The tables of one subject: `build(gather)` makes it re_search.
 template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   namespace fs = std::filesystem;

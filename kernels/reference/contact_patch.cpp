@@ -12,7 +12,7 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
            GlobalSums& dash, PatchResult& r) noexcept {
   const double xn = f.depth.at(s, t) - q.closure(i);
   if (xn >= 0.0) {  // inside, but not down on its offset
-    book_opening(f, master, s, t, area, q, i, step, r);
+    record_opening(f, master, s, t, area, q, i, step, r);
     q.set_slip(i, {});
     return;
   }

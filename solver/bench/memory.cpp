@@ -24,17 +24,17 @@ MemoryUse memory_use(const World& w) {
   const Contacts& c = w.contacts;
   MemoryUse use;
   use.elements = bytes(e.ux, e.uy, e.uz, e.qw, e.qx, e.qy, e.qz, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.wx, e.wy, e.wz) +
-                 bytes(e.books, e.alpha, e.bonds, e.body) +
+                 bytes(e.tally, e.alpha, e.bonds, e.body) +
                  bytes(e.mass, e.inv_mass, e.ixx, e.iyy, e.izz, e.ixy, e.ixz, e.iyz, e.radius, e.half_x, e.half_y, e.half_z) +
                  bytes(e.first_face, e.face_count, e.bonds_at_start, e.fixed, e.pose, e.twist, e.wrench, e.dashpot) + bytes(w.faces);
   use.sides = bytes(s.constants, s.whole, s.blocks, s.task_first, s.live, s.live_first, s.live_lanes, s.joint, s.set, s.master_face,
                     s.slave_face, s.faces) +
               bytes(s.parts, s.size, s.pair_wrench, s.pair_dashpot, s.pair_on, s.first_gather, s.gather) +
-              bytes(s.quick, s.retired, s.held, s.friction, s.impact, s.fracture) +
+              bytes(s.side_state, s.retired, s.held, s.friction, s.impact, s.fracture) +
               bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
   use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.springs);
   use.patches = bytes(p.patch, p.from_side, p.mastered, p.partner, p.face, p.springs) +
-                bytes(c.at_ux, c.at_uy, c.at_uz, c.at_qw, c.at_qx, c.at_qy, c.at_qz, c.path, c.until, c.bunch_path, c.bunch_until, c.active,
+                bytes(c.at_ux, c.at_uy, c.at_uz, c.at_qw, c.at_qx, c.at_qy, c.at_qz, c.path, c.until, c.batch_path, c.batch_until, c.active,
                       c.first_slot, c.element, c.candidate) +
                 bytes(c.wrench, c.on, c.first_gather, c.gather, c.place, c.gather_on) +
                 bytes(w.overlaps.vertices, w.overlaps.edges, w.overlaps.shape, w.overlaps.shape_of, w.overlaps.stiffness_n,

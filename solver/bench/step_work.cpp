@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "solver/joints/quick_blocks.h"
+#include "solver/joints/block_state.h"
 
 namespace voussoir::solver {
 
@@ -41,7 +41,7 @@ class Fetched {
   [[nodiscard]] double bytes(double constants, double row) const {
     const auto elements = static_cast<double>(std::ranges::count(elements_, true));
     // Beside the block its number, and what its sides are now.
-    return blocks_ * (sizeof(kernels::SideBlock) + sizeof(std::int32_t) + kernels::kLanes * sizeof(kernels::Quick) + 1) +
+    return blocks_ * (sizeof(kernels::SideBlock) + sizeof(std::int32_t) + kernels::kLanes * sizeof(kernels::SideState) + 1) +
            static_cast<double>(constants_.size()) * constants + elements * row;
   }
 
@@ -54,8 +54,8 @@ class Fetched {
 /// Of one side of a block in which something has happened, beside what the block needs.
 Work damaged_side(const Sides& s, std::size_t id) {
   Work work;
-  if (s.quick[id] == kernels::Quick::steady) work.bytes += sizeof(kernels::SteadySides) / static_cast<double>(kernels::kLanes);
-  if (s.quick[id] != kernels::Quick::segments) return work;
+  if (s.side_state[id] == kernels::SideState::steady) work.bytes += sizeof(kernels::SteadySides) / static_cast<double>(kernels::kLanes);
+  if (s.side_state[id] != kernels::SideState::segments) return work;
   const double points = s.parts[id].points.n;
   constexpr double kSprings = sizeof(kernels::SegmentSprings) / static_cast<double>(kernels::kWidth);
   work.operations += points * kSegment;
@@ -69,7 +69,7 @@ void add_joints(const World& w, StepWork& work) {
   for (const std::int32_t number : s.live) {
     const auto b = static_cast<std::size_t>(number);
     const kernels::SideBlock& block = s.blocks[b];
-    const int pushing = std::popcount(s.live_lanes[b] & ~quick_of(s, b).open);
+    const int pushing = std::popcount(s.live_lanes[b] & ~states_of(s, b).open);
     (is_whole(s, b) ? work.whole_sides : work.damaged_sides) += pushing;
     if (is_whole(s, b)) {
       work.whole_joints.operations += pushing * (block.axis < 0 ? kWholeAnyhow : kWholeAlongAxis);
@@ -106,21 +106,21 @@ void add_contacts(const World& w, StepWork& work) {
       work.contacts.operations += kPair;
       work.contacts.bytes += points * (2 * sizeof(std::int32_t) + kTwice * kSprings) + sizeof(kernels::Face) + sizeof(kernels::PairWrench) +
                              kRow + kTwist + sizeof(kernels::BodyConstants);
-      work.scatter.bytes += sizeof(kernels::PairWrench) + 2 * sizeof(std::int64_t);  // by both of its elements, one after the other
+      work.assembly.bytes += sizeof(kernels::PairWrench) + 2 * sizeof(std::int64_t);  // by both of its elements, one after the other
     }
     if (pushed) work.contacts.bytes += kTwice * sizeof(FreePatch) + sizeof(kernels::Face) + kRow + kTwist + sizeof(kernels::BodyConstants);
   }
-  work.scatter.bytes += slots * 2;  // flags, those of each slot for both
+  work.assembly.bytes += slots * 2;  // flags, those of each slot for both
 }
 
-void add_scatter(const World& w, StepWork& work) {
-  work.scatter.bytes += static_cast<double>(w.elements.count) * kTwice * kWrench;
+void add_assembly(const World& w, StepWork& work) {
+  work.assembly.bytes += static_cast<double>(w.elements.count) * kTwice * kWrench;
   double sides = 0.0;
   for (const std::int32_t b : w.sides.live) sides += std::popcount(w.sides.live_lanes[static_cast<std::size_t>(b)]);
   if (w.options.gather) {
-    work.scatter.bytes += sides * (kLeft + 2 * sizeof(std::int64_t));
+    work.assembly.bytes += sides * (kLeft + 2 * sizeof(std::int64_t));
   } else {
-    work.scatter.bytes += sides * 2 * sizeof(std::int32_t);
+    work.assembly.bytes += sides * 2 * sizeof(std::int32_t);
   }
 }
 
@@ -128,17 +128,17 @@ void add_scatter(const World& w, StepWork& work) {
 void add_update(const World& w, StepWork& work) {
   constexpr double kState = 16, kConstants = 6;       // numbers read and written; read: masses, inertia along principal axes, damping
   constexpr double kOffDiagonal = 3;                  // read beside, where elements do not lie along these
-  constexpr double kWay = kTwice + 2, kBunchWay = 4;  // path, until and radius: of a watched element; of a bunch
-  const auto of_bunches = [](const auto& flags, int value) {
-    return static_cast<double>(std::ranges::count(flags, value)) * kernels::kBunch;
+  constexpr double kWay = kTwice + 2, kBatchTravel = 4;  // path, until and radius: of a active element; of a batch
+  const auto of_batches = [](const auto& flags, int value) {
+    return static_cast<double>(std::ranges::count(flags, value)) * kernels::kBatch;
   };
   const Elements& e = w.elements;
   const auto rows = static_cast<double>(e.rows);
-  const double watched = of_bunches(e.watched, 1);
-  const double numbers = rows * (kTwice * kState + kConstants) + kOffDiagonal * of_bunches(e.principal, 0) + kWay * watched +
-                         rows / kernels::kBunch * (kTwice * kernels::kBooks + kBunchWay);
+  const double active = of_batches(e.active, 1);
+  const double numbers = rows * (kTwice * kState + kConstants) + kOffDiagonal * of_batches(e.principal, 0) + kWay * active +
+                         rows / kernels::kBatch * (kTwice * kernels::kTallies + kBatchTravel);
   work.update.operations = rows * kUpdate;
-  work.update.bytes = numbers * sizeof(double) + rows * (kRow + kTwice * kWrench) + watched * kTwist;
+  work.update.bytes = numbers * sizeof(double) + rows * (kRow + kTwice * kWrench) + active * kTwist;
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ StepWork step_work(const World& w) {
   StepWork work;
   add_joints(w, work);
   add_contacts(w, work);
-  add_scatter(w, work);
+  add_assembly(w, work);
   add_update(w, work);
   return work;
 }

@@ -15,7 +15,7 @@ struct Work {
 /// Of a step of a world as it is. Operations are those of the vector kernels, as scripts/count_operations counts them (perf/README.md):
 /// for damaged joints and contacts they depend on what segments and points do, and stand here for a house in its collapse.
 struct StepWork {
-  Work whole_joints, damaged_joints, contacts, scatter, update;
+  Work whole_joints, damaged_joints, contacts, assembly, update;
   double whole_sides = 0.0, damaged_sides = 0.0;  // that hand out forces: in blocks in which nothing has happened, and in others
 };
 StepWork step_work(const World& w);

@@ -8,15 +8,15 @@
 #include <bit>
 #include <cstring>
 
-#include "kernels/fetch.h"
+#include "kernels/prefetch.h"
 
 namespace voussoir::solver {
 
 namespace {
 
 constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;   // patches that a thread takes at a time
-constexpr std::size_t kPointsAhead = 3, kPatchAhead = 6;  // patches, when their memory is asked for
-constexpr std::int32_t kElementsAhead = 8;
+constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, when their memory is asked for
+constexpr std::int32_t kPrefetchElements = 8;
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
 /// reads lists alone: the patches themselves lie all over memory.
@@ -30,34 +30,34 @@ bool is_quiet(const World& w, std::size_t a) {
 
 const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
 
-void fetch_body(const Elements& e, std::int32_t element) {
+void prefetch_body(const Elements& e, std::int32_t element) {
   const auto i = static_cast<std::size_t>(element);
-  kernels::fetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
-  kernels::fetch(&e.twist[i * kernels::kTwistStride], kernels::kTwistStride * sizeof(double));
-  kernels::fetch(&e.body[i], sizeof e.body[i]);
+  kernels::prefetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
+  kernels::prefetch(&e.twist[i * kernels::kTwistStride], kernels::kTwistStride * sizeof(double));
+  kernels::prefetch(&e.body[i], sizeof e.body[i]);
 }
 
-void fetch_patch(const World& w, std::size_t a) {
-  kernels::fetch(&patch_at(w, a), sizeof(FreePatch));
-  fetch_body(w.elements, w.contacts.master[a]);
+void prefetch_patch(const World& w, std::size_t a) {
+  kernels::prefetch(&patch_at(w, a), sizeof(FreePatch));
+  prefetch_body(w.elements, w.contacts.master[a]);
 }
 
 /// Once the patch is there, asks for its points that touch and for whom they touch.
-void fetch_points(const World& w, std::size_t a) {
+void prefetch_points(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
   const Patches& p = w.patches;
   const FreePatch& patch = patch_at(w, a);
-  kernels::fetch(&w.faces[static_cast<std::size_t>(patch.face)], sizeof(kernels::Face));
+  kernels::prefetch(&w.faces[static_cast<std::size_t>(patch.face)], sizeof(kernels::Face));
   for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
     const kernels::Candidate& k = c.candidate[slot];
     if (k.first >= k.last) continue;
-    kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]);
-    fetch_body(w.elements, k.element);
-    if (k.face >= 0) kernels::fetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
+    kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]);
+    prefetch_body(w.elements, k.element);
+    if (k.face >= 0) kernels::prefetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
-    kernels::fetch(&p.partner[first], points * sizeof p.partner[0]);
-    kernels::fetch(&p.face[first], points * sizeof p.face[0]);
-    kernels::fetch(&p.springs[first / kernels::kWidth], points / kernels::kWidth * sizeof p.springs[0]);
+    kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
+    kernels::prefetch(&p.face[first], points * sizeof p.face[0]);
+    kernels::prefetch(&p.springs[first / kernels::kWidth], points / kernels::kWidth * sizeof p.springs[0]);
   }
 }
 
@@ -134,13 +134,13 @@ void advance_contacts(World& w, ContactRoom& room) {
     for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
       const auto i = static_cast<std::size_t>(a);
       if (is_quiet(w, i)) continue;
-      if (count < kPatchAhead) fetch_patch(w, i);
+      if (count < kPrefetchPatches) prefetch_patch(w, i);
       near[count++] = i;
     }
-    for (std::size_t k = 0; k < std::min(count, kPointsAhead); ++k) fetch_points(w, near[k]);
+    for (std::size_t k = 0; k < std::min(count, kPrefetchPoints); ++k) prefetch_points(w, near[k]);
     for (std::size_t k = 0; k < count; ++k) {
-      if (k + kPatchAhead < count) fetch_patch(w, near[k + kPatchAhead]);
-      if (k + kPointsAhead < count) fetch_points(w, near[k + kPointsAhead]);
+      if (k + kPrefetchPatches < count) prefetch_patch(w, near[k + kPrefetchPatches]);
+      if (k + kPrefetchPoints < count) prefetch_points(w, near[k + kPrefetchPoints]);
       advance_one(w, near[k], bodies, faces, room);
     }
   }
@@ -148,9 +148,9 @@ void advance_contacts(World& w, ContactRoom& room) {
 
 void gather_contacts(World& w, std::int32_t element) {
   const Contacts& c = w.contacts;
-  if (element + kElementsAhead < w.elements.count) {
-    each_push(c, static_cast<std::size_t>(element + kElementsAhead),
-              [&](std::size_t slot, bool) { kernels::fetch(&c.wrench[slot], sizeof c.wrench[slot]); });
+  if (element + kPrefetchElements < w.elements.count) {
+    each_push(c, static_cast<std::size_t>(element + kPrefetchElements),
+              [&](std::size_t slot, bool) { kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]); });
   }
   double *wrench = w.elements.wrench.data(), *dashpot = w.elements.dashpot.data();
   each_push(c, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {

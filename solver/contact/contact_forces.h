@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernels/moves.h"
+#include "kernels/travel.h"
 #include "solver/world/world.h"
 
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
@@ -17,7 +17,7 @@ double measure_move(World& w, std::int32_t element);
 /// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
 bool search_due(World& w, double moved);
 
-/// Broad phase on the uniform grid, then patch against element by separating planes: finds anew the candidates of elements that have moved
+/// Broad phase on the uniform grid, then patch against element by separating planes: finds again the candidates of elements that have moved
 /// by more than a quarter of the skin since they were searched last, as patches and as partners, and of patches that came since. Others
 /// keep theirs. In a collapse few elements fly, but these ask for a search every ten steps.
 void search_contacts(World& w);

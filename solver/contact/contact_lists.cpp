@@ -25,15 +25,15 @@ kernels::Candidate candidate_found(const World& w, const Found& f, std::size_t i
 }
 
 /// Pairs that stay. Marks patches that lose some.
-std::vector<Pair> kept_pairs(const Contacts& c, const Anew& anew, std::vector<std::uint8_t>& changed) {
+std::vector<Pair> kept_pairs(const Contacts& c, const ReSearch& re_search, std::vector<std::uint8_t>& changed) {
   std::vector<Pair> pairs;
   pairs.reserve(c.candidate.size());
   for (std::size_t a = 0; a < c.active.size(); ++a) {
     const auto p = static_cast<std::size_t>(c.active[a]);
-    if (anew.patch[p] != 0) continue;
+    if (re_search.patch[p] != 0) continue;
     for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
       const kernels::Candidate& k = c.candidate[slot];
-      if (anew.element[static_cast<std::size_t>(k.element)] != 0) {
+      if (re_search.element[static_cast<std::size_t>(k.element)] != 0) {
         changed[p] = 1;
       } else {
         pairs.push_back({c.active[a], k});
@@ -140,7 +140,7 @@ void build_gather(World& w) {
   c.first_gather.assign(n + 1, 0);
   each([&](std::size_t e, std::int64_t) {
     ++c.first_gather[e + 1];
-    watch(w, static_cast<std::int32_t>(e));
+    activate(w, static_cast<std::int32_t>(e));
   });
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
   c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
@@ -156,10 +156,10 @@ void build_gather(World& w) {
   c.gather_stale = false;
 }
 
-void replace_candidates(World& w, const Anew& anew, std::span<const Found> found) {
+void replace_candidates(World& w, const ReSearch& re_search, std::span<const Found> found) {
   Contacts& c = w.contacts;
-  std::vector<std::uint8_t> changed = anew.patch;
-  std::vector<Pair> pairs = kept_pairs(c, anew, changed);
+  std::vector<std::uint8_t> changed = re_search.patch;
+  std::vector<Pair> pairs = kept_pairs(c, re_search, changed);
   for (const Found& f : found) {
     for (std::size_t i = 0; i < f.patch.size(); ++i) {
       changed[static_cast<std::size_t>(f.patch[i])] = 1;

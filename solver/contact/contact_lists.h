@@ -10,8 +10,8 @@
 /// The lists that a search leaves: which patches have candidates, a slot for each pair, and who gathers from which slots.
 namespace voussoir::solver {
 
-/// What a search looks for anew: all pairs of the elements and all of the patches that are marked. Those of others stay as they are.
-struct Anew {
+/// What is searched again: all pairs of the elements and all of the patches that are marked. Those of others stay as they are.
+struct ReSearch {
   std::vector<std::uint8_t> element, patch;  // by element (and the base), by patch; a marked element's patches are marked too
 };
 
@@ -22,9 +22,9 @@ struct Found {
   std::vector<double> gap;  // m, that one face of the element keeps from the whole patch
 };
 
-/// Puts what was found in the place of what was looked for anew. Patches lie in the order of their numbers; the candidates of one are those
+/// Puts what was found in the place of what was looked for re_search. Patches lie in the order of their numbers; the candidates of one are those
 /// that stayed, then those found, in the order of `found`. Points whose partner is no candidate any more are free.
-void replace_candidates(World& w, const Anew& anew, std::span<const Found> found);
+void replace_candidates(World& w, const ReSearch& re_search, std::span<const Found> found);
 
 /// An element that a patch may touch, as new.
 [[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/moves.h"
+#include "kernels/travel.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
@@ -122,12 +122,12 @@ PatchesOfElements patches_of_elements(const World& w) {
 }
 
 /// One search: what it looks for, and how far.
-struct Task {
+struct SearchPass {
   const World& w;
-  const Anew& anew;
+  const ReSearch& re_search;
   const PatchesOfElements& patches;
-  double skin = 0.0, moved = 0.0;  // m; that elements which are not looked for anew have moved at most since they were searched
-  [[nodiscard]] bool is_anew(std::int32_t e) const { return anew.element[static_cast<std::size_t>(e)] != 0; }
+  double skin = 0.0, moved = 0.0;  // m; that elements which are not searched again have moved at most since they were searched
+  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return re_search.element[static_cast<std::size_t>(e)] != 0; }
 };
 
 void consider(const World& w, std::int32_t p, const PlacedPatch& patch, std::int32_t element, const Body& b, double gap_at_most,
@@ -146,14 +146,14 @@ struct Here {
   geometry::Box3 box;
 };
 
-/// Candidates of the patches of an element that are looked for anew.
-void search_own_patches(const Task& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+/// Candidates of the patches of an element that are looked for re_search.
+void search_own_patches(const SearchPass& t, const Here& here, const Neighbours& near, double gap, Found& found) {
   const World& w = t.w;
   const Elements& el = w.elements;
   const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(here.element)] &&
                          here.box.low.z - gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
   for (const std::int32_t p : t.patches.of(here.element)) {
-    if (t.anew.patch[static_cast<std::size_t>(p)] == 0) continue;
+    if (t.re_search.patch[static_cast<std::size_t>(p)] == 0) continue;
     const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here.body);
     for (std::size_t k = 0; k < near.element.size(); ++k) {
       if (overlap(patch.box, near.box[k], gap)) consider(w, p, patch, near.element[k], near.body[k], gap, found);
@@ -162,13 +162,13 @@ void search_own_patches(const Task& t, const Here& here, const Neighbours& near,
   }
 }
 
-/// Patches of its neighbours that are not looked for anew themselves, against the element.
-void search_patches_around(const Task& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+/// Patches of its neighbours that are not searched again themselves, against the element.
+void search_patches_around(const SearchPass& t, const Here& here, const Neighbours& near, double gap, Found& found) {
   const World& w = t.w;
   for (std::size_t k = 0; k < near.element.size(); ++k) {
-    if (t.is_anew(near.element[k])) continue;
+    if (t.is_re_searched(near.element[k])) continue;
     for (const std::int32_t p : t.patches.of(near.element[k])) {
-      if (t.anew.patch[static_cast<std::size_t>(p)] != 0) continue;
+      if (t.re_search.patch[static_cast<std::size_t>(p)] != 0) continue;
       const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], near.body[k]);
       if (overlap(patch.box, here.box, gap)) consider(w, p, patch, here.element, here.body, gap, found);
     }
@@ -178,21 +178,21 @@ void search_patches_around(const Task& t, const Here& here, const Neighbours& ne
 /// A pair stays listed until one of its two is searched again, when it has moved by half the skin at most from where it was searched last.
 /// One that is searched now goes by half the skin from here; one that was searched before may come back from where it has moved, and go by
 /// half the skin from there.
-void search_element(const Task& t, std::int32_t e, Neighbours& near, Found& found) {
-  const bool anew = t.is_anew(e);
+void search_element(const SearchPass& t, std::int32_t e, Neighbours& near, Found& found) {
+  const bool again = t.is_re_searched(e);
   const Body b = body(t.w, e);
   const Here here{e, b, element_box(t.w, e, b)};
-  const double gap = t.skin + (anew ? 1.0 : 2.0) * t.moved;
+  const double gap = t.skin + (again ? 1.0 : 2.0) * t.moved;
   find_neighbours(t.w, e, here.box, gap + t.moved, near);
   search_own_patches(t, here, near, gap, found);
-  if (anew) search_patches_around(t, here, near, gap, found);
+  if (again) search_patches_around(t, here, near, gap, found);
 }
 
-/// Elements that have something looked for anew.
-std::vector<std::int32_t> elements_of(const World& w, const Anew& anew) {
-  std::vector<std::uint8_t> wanted = anew.element;
-  for (std::size_t p = 0; p < anew.patch.size(); ++p) {
-    if (anew.patch[p] != 0) wanted[static_cast<std::size_t>(w.patches.patch[p].element)] = 1;
+/// Elements that are searched again, or whose patches are.
+std::vector<std::int32_t> elements_of(const World& w, const ReSearch& re_search) {
+  std::vector<std::uint8_t> wanted = re_search.element;
+  for (std::size_t p = 0; p < re_search.patch.size(); ++p) {
+    if (re_search.patch[p] != 0) wanted[static_cast<std::size_t>(w.patches.patch[p].element)] = 1;
   }
   std::vector<std::int32_t> list;
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
@@ -211,21 +211,21 @@ void place_grid(World& w) {
   w.contacts.grid.build(boxes);
 }
 
-/// \param moved  m, that elements which are not looked for anew have moved at most since they were searched
-void search(World& w, const Anew& anew, double moved) {
+/// \param moved  m, that elements which are not searched again have moved at most since they were searched
+void search(World& w, const ReSearch& re_search, double moved) {
   place_grid(w);
   const PatchesOfElements patches = patches_of_elements(w);
-  const Task task{w, anew, patches, w.contacts.skin, moved};
-  const std::vector<std::int32_t> elements = elements_of(w, anew);
+  const SearchPass pass{w, re_search, patches, w.contacts.skin, moved};
+  const std::vector<std::int32_t> elements = elements_of(w, re_search);
   std::vector<Found> found(elements.size());
 #pragma omp parallel
   {
     Neighbours near;
 #pragma omp for schedule(dynamic, 64)
-    for (std::size_t k = 0; k < elements.size(); ++k) search_element(task, elements[k], near, found[k]);
+    for (std::size_t k = 0; k < elements.size(); ++k) search_element(pass, elements[k], near, found[k]);
   }
-  replace_candidates(w, anew, found);
-  list_overlap_pairs(w, anew.element, moved);
+  replace_candidates(w, re_search, found);
+  list_overlap_pairs(w, re_search.element, moved);
   ++w.contacts.searches;
 }
 
@@ -245,21 +245,21 @@ kernels::SearchedPoses searched_poses(const World& w) {
 }
 
 /// Patches that came after the last search.
-void mark_new_patches(const Contacts& c, Anew& anew) {
-  for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) anew.patch[static_cast<std::size_t>(c.active[a])] = 1;
+void mark_new_patches(const Contacts& c, ReSearch& re_search) {
+  for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) re_search.patch[static_cast<std::size_t>(c.active[a])] = 1;
 }
 
 /// Elements that have moved farther than that, and their patches. Returns how far the others have moved at most [m].
-double mark_moved(World& w, double farther_than, Anew& anew) {
+double mark_moved(World& w, double farther_than, ReSearch& re_search) {
   const kernels::ElementsView now = w.elements.view();
   const kernels::SearchedPoses then = searched_poses(w);
   double moved = 0.0;
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
     const double m = kernels::move_of(now, then, static_cast<std::int64_t>(e));
-    anew.element[e] = m > farther_than ? 1 : 0;
-    if (anew.element[e] == 0) moved = std::max(moved, m);
+    re_search.element[e] = m > farther_than ? 1 : 0;
+    if (re_search.element[e] == 0) moved = std::max(moved, m);
   }
-  for (std::size_t p = 0; p < anew.patch.size(); ++p) anew.patch[p] |= anew.element[static_cast<std::size_t>(w.patches.patch[p].element)];
+  for (std::size_t p = 0; p < re_search.patch.size(); ++p) re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
   return moved;
 }
 
@@ -271,8 +271,8 @@ kernels::Moves moves_of(World& w) {
           .dt = w.dt,
           .limit = c.farthest(),
           .element = {c.path.data(), c.until.data()},
-          .watched = w.elements.watched.data(),
-          .bunch = {c.bunch_path.data(), c.bunch_until.data()},
+          .active = w.elements.active.data(),
+          .batch = {c.batch_path.data(), c.batch_until.data()},
           .largest_radius = w.elements.largest_radius.data()};
 }
 
@@ -291,28 +291,28 @@ bool search_due(World& w, double moved) {
 void search_all(World& w) {
   Contacts& c = w.contacts;
   c.active.clear(), c.first_slot.clear();  // nothing of them stays, and sorting gives the patches other numbers
-  if (patches_are_scattered(w)) sort_patches(w);
+  if (patches_lie_apart(w)) sort_patches(w);
   for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.path, &c.until})
     column->resize(w.elements.ux.size());
   for (std::size_t e = 0; e < w.elements.ux.size(); ++e) remember_pose(w, e);
-  Anew anew{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
+  ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
             std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
-  search(w, anew, 0.0);
+  search(w, re_search, 0.0);
   c.stale = false;
 }
 
 void search_contacts(World& w) {
   Contacts& c = w.contacts;
-  if (c.stale || patches_are_scattered(w)) return search_all(w);
-  Anew anew{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
+  if (c.stale || patches_lie_apart(w)) return search_all(w);
+  ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
             std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
-  mark_new_patches(c, anew);
+  mark_new_patches(c, re_search);
   // Not only those for which it is time: others would be due a few steps later.
-  const double moved = mark_moved(w, 0.25 * c.skin, anew);
+  const double moved = mark_moved(w, 0.25 * c.skin, re_search);
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    if (anew.element[e] != 0) remember_pose(w, e);
+    if (re_search.element[e] != 0) remember_pose(w, e);
   }
-  search(w, anew, moved);
+  search(w, re_search, moved);
 }
 
 }  // namespace voussoir::solver

@@ -25,9 +25,9 @@ struct OverlapFound {
 
 /// Lists the pairs of elements that are marked, as they stand; others keep theirs. Call with every search.
 /// \pre Contacts::grid holds all elements where they were searched last
-/// \param anew   by element: its pairs are listed anew
+/// \param re_search   by element: its pairs are listed again
 /// \param moved  m, that elements which are not marked have moved at most since they were searched
-void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& anew, double moved);
+void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, double moved);
 
 /// Lists all pairs, whenever elements were searched: for a state that was read.
 void list_all_overlap_pairs(World& w);

@@ -29,11 +29,11 @@ geometry::Box3 box_of(const World& w, std::int32_t e) {
 /// One listing: which elements, where the others are, and how far bodies may still go before they are listed again.
 struct Listing {
   const World& w;
-  const std::vector<std::uint8_t>& anew;
+  const std::vector<std::uint8_t>& re_search;
   const geometry::UniformGrid& grid;
   double way = 0.0;    // m, of both together
   double reach = 0.0;  // m, from where a body stands to where the grid has another one
-  [[nodiscard]] bool is_anew(std::int32_t e) const { return anew[static_cast<std::size_t>(e)] != 0; }
+  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return re_search[static_cast<std::size_t>(e)] != 0; }
   [[nodiscard]] bool is_fixed(std::int32_t e) const { return w.elements.fixed[static_cast<std::size_t>(e)] != 0; }
 };
 
@@ -55,7 +55,7 @@ void list_pairs_of(const Listing& l, std::int32_t e, std::vector<std::int32_t>& 
   const Vec3 wide{l.reach, l.reach, l.reach};
   l.grid.query({box.low - wide, box.high + wide}, near);
   for (const std::int32_t other : near) {
-    if (other == e || (l.is_anew(other) && other < e) || (l.is_fixed(e) && l.is_fixed(other))) continue;
+    if (other == e || (l.is_re_searched(other) && other < e) || (l.is_fixed(e) && l.is_fixed(other))) continue;
     consider(l, std::min(e, other), std::max(e, other), pairs);
   }
   if (l.w.has_base && !l.is_fixed(e)) consider(l, e, l.w.elements.base, pairs);
@@ -69,7 +69,7 @@ std::vector<OverlapPair> list_pairs(const Listing& l) {
     std::vector<std::int32_t> near;
 #pragma omp for schedule(dynamic, 64) nowait
     for (std::int32_t e = 0; e < l.w.elements.count; ++e) {
-      if (l.is_anew(e)) list_pairs_of(l, e, near, mine);
+      if (l.is_re_searched(e)) list_pairs_of(l, e, near, mine);
     }
 #pragma omp critical
     pairs.insert(pairs.end(), mine.begin(), mine.end());
@@ -81,8 +81,8 @@ std::vector<OverlapPair> list_pairs(const Listing& l) {
 void take_pairs(World& w, std::vector<OverlapPair> pairs) {
   std::ranges::sort(pairs, {}, [](const OverlapPair& p) { return std::pair(p.a, p.b); });
   for (const OverlapPair& p : pairs) {
-    watch(w, p.a);
-    if (p.b != w.elements.base) watch(w, p.b);
+    activate(w, p.a);
+    if (p.b != w.elements.base) activate(w, p.b);
   }
   w.overlaps.pairs = std::move(pairs);
   w.overlaps.stale = false;
@@ -90,11 +90,11 @@ void take_pairs(World& w, std::vector<OverlapPair> pairs) {
 
 }  // namespace
 
-void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& anew, double moved) {
+void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, double moved) {
   const double way = w.contacts.skin + moved;
-  std::vector<OverlapPair> pairs = list_pairs({w, anew, w.contacts.grid, way, way + moved});
+  std::vector<OverlapPair> pairs = list_pairs({w, re_search, w.contacts.grid, way, way + moved});
   for (const OverlapPair& p : w.overlaps.pairs) {
-    if (anew[static_cast<std::size_t>(p.a)] == 0 && anew[static_cast<std::size_t>(p.b)] == 0) pairs.push_back(p);
+    if (re_search[static_cast<std::size_t>(p.a)] == 0 && re_search[static_cast<std::size_t>(p.b)] == 0) pairs.push_back(p);
   }
   take_pairs(w, std::move(pairs));
 }

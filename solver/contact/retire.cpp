@@ -32,7 +32,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 /// Bonds that still pull when their faces have slid past each other end with the side. Books what their springs held, and by the trapezoid
 /// rule the work of their last force in the step ahead, as advance_segment does for one that breaks (a row of the ledger in this very step
 /// has that work early).
-void book_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
+void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
@@ -111,7 +111,7 @@ void retire_side(World& w, std::int32_t side) {
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
-  book_torn_bonds(w, id, s, f);
+  record_torn_bonds(w, id, s, f);
   const int patches = sides.faces[i];  // 2: the side stood for both faces
   for (int k = 0; k < patches; ++k) {
     append_retired_patch(w, side, k == 1);
@@ -120,7 +120,7 @@ void retire_side(World& w, std::int32_t side) {
   }
   sides.retired[i] = 1;
   if (w.options.gather) sides.pair_on[i] = 0;
-  sides.quick[i] = kernels::Quick::segments;
+  sides.side_state[i] = kernels::SideState::segments;
   if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
 }
 

@@ -8,8 +8,8 @@
 #include <bit>
 #include <cmath>
 
-#include "kernels/fetch.h"
-#include "solver/joints/quick_blocks.h"
+#include "kernels/prefetch.h"
+#include "solver/joints/block_state.h"
 #include "solver/world/twists.h"
 
 namespace voussoir::solver {
@@ -20,8 +20,8 @@ namespace {
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
-constexpr std::int32_t kBlockAhead = 2;      // blocks, when their memory is asked for
-constexpr std::size_t kWholeAhead = 2;       // whole blocks of a far model, when their constants are asked for
+constexpr std::int32_t kPrefetchBlocks = 2;      // blocks, when their memory is asked for
+constexpr std::size_t kPrefetchWhole = 2;       // whole blocks of a out-of-cache model, when their constants are asked for
 constexpr std::size_t kAtATime = 4;          // whole blocks, between two requests for elements of the next task
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
@@ -50,51 +50,51 @@ void add_loss(double& sum, double loss) {
 void book(World& w, std::size_t id, const kernels::DamagedSide& r, bool look_closely, bool try_steady, JointFindings& found) {
   Sides& s = w.sides;
   // The plain twin looks at every side in every step; what it finds must not come sooner.
-  if (s.quick[id] == kernels::Quick::open && !look_closely && r.gap > 0.0) return;
+  if (s.side_state[id] == kernels::SideState::open && !look_closely && r.gap > 0.0) return;
   s.held[id] = r.held;
   add_loss(s.friction[id], r.friction);
   add_loss(s.impact[id], r.impact);
   add_loss(s.fracture[id], r.fracture);
   // A whole side that failed its certificate, but in which nothing happened, is still whole.
-  if (s.quick[id] == kernels::Quick::whole && r.events == 0) return;
-  s.quick[id] = r.held == 0 && !r.touching ? kernels::Quick::open : kernels::Quick::segments;
+  if (s.side_state[id] == kernels::SideState::whole && r.events == 0) return;
+  s.side_state[id] = r.held == 0 && !r.touching ? kernels::SideState::open : kernels::SideState::segments;
   if (comes_apart(w, id, r)) {
     found.coming_apart.push_back(static_cast<std::int32_t>(id));
   } else if (try_steady && found_steady(w, id, r)) {
-    s.quick[id] = kernels::Quick::steady;
+    s.side_state[id] = kernels::SideState::steady;
   }
 }
 
 /// Asks for what the sides of a block take in which something has happened: the rows of their elements, constants, and of those whose
 /// segments are looked at where these lie.
-void fetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number) {
+void prefetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
-  const kernels::QuickBits quick = quick_of(s, block);
-  if (quick.whole == s.live_lanes[block]) return;
+  const kernels::StateBits states = states_of(s, block);
+  if (states.whole == s.live_lanes[block]) return;
   const kernels::SideBlock& b = s.blocks[block];
   for (const std::int32_t* elements : {b.master, b.slave}) {
     for (int l = 0; l < kernels::kLanes; ++l) {
       const auto e = static_cast<std::int64_t>(elements[l]);
-      kernels::fetch(rows.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
-      kernels::fetch(rows.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
+      kernels::prefetch(rows.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
+      kernels::prefetch(rows.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
     }
   }
-  kernels::fetch(b.constants, sizeof *b.constants);
-  for (unsigned rest = quick.segments; rest != 0; rest &= rest - 1) {
-    kernels::fetch(&s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))], sizeof(kernels::SideParts));
+  kernels::prefetch(b.constants, sizeof *b.constants);
+  for (unsigned rest = states.segments; rest != 0; rest &= rest - 1) {
+    kernels::prefetch(&s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))], sizeof(kernels::SideParts));
   }
 }
 
 /// Then for what has happened in them.
-void fetch_histories(const Sides& s, std::int32_t number) {
+void prefetch_histories(const Sides& s, std::int32_t number) {
   const auto block = static_cast<std::size_t>(number);
-  const kernels::QuickBits quick = quick_of(s, block);
-  if (quick.steady != 0) kernels::fetch(&s.steady[block], sizeof s.steady[block]);
-  for (unsigned rest = quick.segments; rest != 0; rest &= rest - 1) {
+  const kernels::StateBits states = states_of(s, block);
+  if (states.steady != 0) kernels::prefetch(&s.steady[block], sizeof s.steady[block]);
+  for (unsigned rest = states.segments; rest != 0; rest &= rest - 1) {
     const kernels::SideParts& parts = s.parts[block * kernels::kLanes + static_cast<std::size_t>(std::countr_zero(rest))];
     const auto n = static_cast<std::size_t>(parts.points.n);
-    kernels::fetch(parts.segments.bond, n * sizeof(kernels::Bond));
-    kernels::fetch(parts.segments.springs, n * sizeof(kernels::SegmentSprings) / kernels::kWidth);
+    kernels::prefetch(parts.segments.bond, n * sizeof(kernels::Bond));
+    kernels::prefetch(parts.segments.springs, n * sizeof(kernels::SegmentSprings) / kernels::kWidth);
   }
 }
 
@@ -102,7 +102,7 @@ void fetch_histories(const Sides& s, std::int32_t number) {
 void have_twists(Elements& e, const kernels::SideBlock& block, JointFindings& found) {
   for (const std::int32_t* ends : {block.master, block.slave}) {
     for (int l = 0; l < kernels::kLanes; ++l) {
-      if (is_watched(e, ends[l]) || ends[l] == e.base) continue;
+      if (is_active(e, ends[l]) || ends[l] == e.base) continue;
       make_twist(e, ends[l]);
       found.looked_at.push_back(ends[l]);
     }
@@ -121,7 +121,7 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, uns
   const bool look_closely = step % kOpenInterval == 0;
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
   const unsigned looked_at = advance(s.blocks[block],
-                                     {.quick = s.quick.data() + first,
+                                     {.side_state = s.side_state.data() + first,
                                       .steady = &s.steady[block],
                                       .parts = s.parts.data() + first,
                                       .first = static_cast<std::int64_t>(first),
@@ -139,18 +139,18 @@ void advance_block(World& w, const kernels::Rows& rows, std::int32_t number, uns
 }
 
 /// Asks for the rows of elements that the next task writes to, a few with each block of this one.
-class RowsAhead {
+class RowPrefetch {
  public:
   /// \param blocks  of this task, at least 1
-  RowsAhead(const kernels::Rows& rows, std::span<const std::int32_t> elements, std::size_t blocks)
+  RowPrefetch(const kernels::Rows& rows, std::span<const std::int32_t> elements, std::size_t blocks)
       : rows_(rows), left_(elements), each_((elements.size() + blocks - 1) / blocks) {}
   [[nodiscard]] bool any() const { return each_ > 0; }
   void fetch(std::size_t blocks) {
     const std::span<const std::int32_t> now = left_.first(std::min(each_ * blocks, left_.size()));
     for (const std::int32_t element : now) {
       const auto e = static_cast<std::int64_t>(element);
-      kernels::fetch_for_later(rows_.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
-      kernels::fetch_for_later(rows_.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
+      kernels::prefetch_to_second_cache(rows_.pose + e * kernels::kPoseStride, kernels::kPoseStride * sizeof(double));
+      kernels::prefetch_to_second_cache(rows_.wrench + e * kernels::kWrenchStride, kernels::kWrenchStride * sizeof(double));
     }
     left_ = left_.subspan(now.size());
   }
@@ -162,16 +162,16 @@ class RowsAhead {
 };
 
 /// Blocks in which nothing has happened. Those that a bound does not prove to stay so are looked at like any other.
-/// \param ahead  blocks whose constants are asked for meanwhile
-void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, std::span<const std::int32_t> ahead,
+/// \param prefetch  blocks whose constants are asked for meanwhile
+void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, std::span<const std::int32_t> prefetch,
                           kernels::StepClock clock, std::int64_t step, JointFindings& found) {
-  kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers, .ahead = ahead};
+  kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers, .prefetch = prefetch};
   while (!run.numbers.empty()) {
     unsigned lanes = 0;
     run.numbers = run.numbers.subspan(kernels::advance_whole(run, rows, lanes));
     if (run.numbers.empty()) return;
     advance_block(w, rows, run.numbers.front(), lanes, true, clock, step, found);
-    run.numbers = run.numbers.subspan(1), run.ahead = {};
+    run.numbers = run.numbers.subspan(1), run.prefetch = {};
   }
 }
 
@@ -184,24 +184,24 @@ void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, 
   const kernels::Rows rows = w.rows();
   const kernels::StepClock clock{w.dt, at.time};
   const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
-  RowsAhead ahead(rows, next, numbers.size());
+  RowPrefetch next_rows(rows, next, numbers.size());
   watch.begin();
   if (!w.options.reference_kernels && kernels::has_short_form(w.failure) &&
       std::all_of(numbers.begin(), numbers.end(), [&](std::int32_t n) { return is_whole(s, static_cast<std::size_t>(n)); })) {
-    const std::size_t some = ahead.any() ? kAtATime : numbers.size();
+    const std::size_t some = next_rows.any() ? kAtATime : numbers.size();
     for (std::size_t i = 0; i < numbers.size(); i += some) {
       const std::span<const std::int32_t> now = numbers.subspan(i, std::min(some, numbers.size() - i));
-      ahead.fetch(now.size());
-      const std::size_t from = ahead.any() ? std::min(i + kWholeAhead, numbers.size()) : numbers.size();
+      next_rows.fetch(now.size());
+      const std::size_t from = next_rows.any() ? std::min(i + kPrefetchWhole, numbers.size()) : numbers.size();
       advance_whole_blocks(w, rows, now, numbers.subspan(from), clock, at.step, found);
     }
     watch.lap(ForcePart::whole_joints);
     return;
   }
   for (std::int32_t i = first; i < last; ++i) {
-    ahead.fetch(1);
-    if (i + kBlockAhead < last) fetch_block(s, rows, s.live[static_cast<std::size_t>(i + kBlockAhead)]);
-    if (i + 1 < last) fetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
+    next_rows.fetch(1);
+    if (i + kPrefetchBlocks < last) prefetch_block(s, rows, s.live[static_cast<std::size_t>(i + kPrefetchBlocks)]);
+    if (i + 1 < last) prefetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
     const std::int32_t number = s.live[static_cast<std::size_t>(i)];
     const bool whole = is_whole(s, static_cast<std::size_t>(number));
     advance_block(w, rows, number, 0, false, clock, at.step, found);
@@ -211,9 +211,9 @@ void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, 
 
 /// What is to be done with each task.
 auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
-  return [&](std::size_t task, std::span<const std::int32_t> ahead) {
+  return [&](std::size_t task, std::span<const std::int32_t> prefetch) {
     const std::vector<std::int32_t>& first = at.w.sides.live_first;
-    advance_blocks(at, first[task], first[task + 1], ahead, found, clock);
+    advance_blocks(at, first[task], first[task + 1], prefetch, found, clock);
   };
 }
 
@@ -222,10 +222,10 @@ auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
 void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * s.w.points.largest));
   if (s.w.options.gather) {
-    constexpr std::int32_t kRun = 8;  // blocks
+    constexpr std::int32_t kBlocksAtATime = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kRun) advance_blocks(s, i, std::min(i + kRun, n), {}, found, clock);
+    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
     return;
   }
   s.tasks.run_own(advance_task(s, found, clock));
@@ -235,7 +235,7 @@ void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock)
   if (!s.w.options.gather) s.tasks.help(advance_task(s, found, clock));
 }
 
-double scatter_again(World& w, JointTasks& tasks) {
+double assemble_again(World& w, JointTasks& tasks) {
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
   tasks.begin(omp_get_max_threads());
@@ -244,17 +244,17 @@ double scatter_again(World& w, JointTasks& tasks) {
 #pragma omp parallel reduction(+ : time, team)
   {
     LapClock clock(true);
-    const auto hand_out = [&](std::size_t task, std::span<const std::int32_t> /*ahead*/) {
+    const auto hand_out = [&](std::size_t task, std::span<const std::int32_t> /*next*/) {
       clock.begin();
       for (auto i = static_cast<std::size_t>(s.live_first[task]); i < static_cast<std::size_t>(s.live_first[task + 1]); ++i) {
         const auto block = static_cast<std::size_t>(s.live[i]);
-        kernels::scatter_zeros(s.blocks[block], s.live_lanes[block] & ~quick_of(s, block).open, rows);
+        kernels::assemble_zeros(s.blocks[block], s.live_lanes[block] & ~states_of(s, block).open, rows);
       }
-      clock.lap(ForcePart::scatter);
+      clock.lap(ForcePart::assembly);
     };
     tasks.run_own(hand_out);
     tasks.help(hand_out);
-    time = clock.time(ForcePart::scatter), team = 1;
+    time = clock.time(ForcePart::assembly), team = 1;
   }
   return time / team;
 }
@@ -278,8 +278,8 @@ namespace {
 StoredEnergy energy_of(World& w, std::size_t id, double whole) {
   Sides& s = w.sides;
   if (s.retired[id]) return {};
-  if (s.quick[id] == kernels::Quick::whole) return {whole, 0.0};
-  if (s.quick[id] == kernels::Quick::open) return {};
+  if (s.side_state[id] == kernels::SideState::whole) return {whole, 0.0};
+  if (s.side_state[id] == kernels::SideState::open) return {};
   const kernels::Side side = s.side(static_cast<std::int64_t>(id));
   const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
   const kernels::SideFrame f = kernels::side_frame(side, kernels::load_pose(pose, side.master), kernels::load_pose(pose, side.slave),

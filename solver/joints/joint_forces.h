@@ -17,7 +17,7 @@ namespace voussoir::solver {
 struct JointFindings {
   std::vector<kernels::SegmentEvent> events;
   std::vector<std::int32_t> coming_apart;
-  std::vector<std::int32_t> looked_at;  // elements whose twists were, and which were not watched
+  std::vector<std::int32_t> looked_at;  // elements whose twists were, and which were not active
   // For the block in hand.
   std::vector<kernels::SegmentEvent> room;
   std::array<kernels::DamagedSide, kernels::kLanes> sides;
@@ -45,7 +45,7 @@ void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock)
 /// changes nothing, and takes what handing out takes alone: within the kernels it cannot be timed apart.
 /// \param tasks  of its own, or the shares of the step would follow what this takes
 /// \return s, of the mean thread, without its waiting
-double scatter_again(World& w, JointTasks& tasks);
+double assemble_again(World& w, JointTasks& tasks);
 
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);

@@ -43,9 +43,9 @@ JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), f
     colour_.push_back(static_cast<std::int32_t>(colour));
     const double sum = std::accumulate(elements.begin(), elements.end(), 0.0);
     place_.push_back(sum / static_cast<double>(elements.size()) / static_cast<double>(w.elements.rows));
-    if (w.far) elements_.push_back(std::move(elements));
+    if (w.out_of_cache) elements_.push_back(std::move(elements));
   }
-  if (!w.far) return;
+  if (!w.out_of_cache) return;
   rank_.assign(flag_.size(), -1);
   std::vector<std::int32_t> along(flag_.size());
   std::iota(along.begin(), along.end(), 0);

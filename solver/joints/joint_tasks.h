@@ -23,7 +23,7 @@ namespace voussoir::solver {
 /// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task waits for tasks of
 /// lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest colour never waits.
 ///
-/// Of a model that is far (World::far) a thread would fetch its share once for each colour. There only tasks at the borders of shares, and
+/// Of a model that is far (World::out_of_cache) a thread would fetch its share once for each colour. There only tasks at the borders of shares, and
 /// those that they wait for, come first, colour by colour; then the others along the plan, each right after those that it waits for. So
 /// again what a task waits for stands before it in its queue, or comes first in another.
 class JointTasks {
@@ -94,8 +94,8 @@ class JointTasks {
   std::vector<std::size_t> flag_;                    // by task: its place among these
   std::vector<std::int32_t> first_before_, before_;  // by task: those that it waits for
   std::vector<std::int32_t> colour_;                 // by task
-  std::vector<std::int32_t> rank_;                   // by task of a far model: along the plan, after those that it waits for
-  std::vector<std::vector<std::int32_t>> elements_;  // by task of a far model: those that it writes to, ascending
+  std::vector<std::int32_t> rank_;                   // by task of a out-of-cache model: along the plan, after those that it waits for
+  std::vector<std::vector<std::int32_t>> elements_;  // by task of a out-of-cache model: those that it writes to, ascending
   std::vector<double> place_;                        // by task: where its elements lie among all, from 0 to 1
 };
 

@@ -40,7 +40,7 @@ CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::
   return row;
 }
 
-void book_event(World& w, const kernels::SegmentEvent& event, double time, Damage& d, std::vector<CrackRow>& cracks) {
+void record_event(World& w, const kernels::SegmentEvent& event, double time, Damage& d, std::vector<CrackRow>& cracks) {
   const kernels::Side s = w.sides.side(event.side);
   const std::int64_t n = w.sides.faces[static_cast<std::size_t>(event.side)];
   if (event.broke == kernels::Mode::none) {
@@ -70,7 +70,7 @@ void break_what_holds(World& w, std::int32_t side, double time, Damage& d, std::
       q.first_mode[i] = kernels::Mode::shear;
       q.first_time[i] = time;
     }
-    book_event(w, event, time, d, cracks);
+    record_event(w, event, time, d, cracks);
   }
 }
 
@@ -85,8 +85,8 @@ Damage initial_damage(const World& w) {
   return d;
 }
 
-void book_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks) {
-  for (const kernels::SegmentEvent& e : events.events) book_event(w, e, time, d, cracks);
+void record_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks) {
+  for (const kernels::SegmentEvent& e : events.events) record_event(w, e, time, d, cracks);
   for (const std::int32_t side : events.coming_apart) {
     break_what_holds(w, side, time, d, cracks);
     retire_side(w, side);

@@ -20,6 +20,6 @@ Damage initial_damage(const World& w);
 
 /// Books the events of a step: counts, bonds of the elements, damping of debris, one crack row a broken segment; then retires the sides
 /// that came apart (breaking what still held them). Rows are appended in a fixed order.
-void book_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks);
+void record_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks);
 
 }  // namespace voussoir::solver

@@ -27,7 +27,7 @@ void gather(World& w, LapClock& clock) {
     }
     if (contacts) gather_contacts(w, e);
   }
-  clock.lap(ForcePart::scatter);
+  clock.lap(ForcePart::assembly);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   std::vector<OverlapFound> overlaps;
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
     ThreadRoom& r = stage.by_thread[thread];
-    for (const std::int32_t e : r.joints.looked_at) watch_from_now_on(w, e);
+    for (const std::int32_t e : r.joints.looked_at) activate_next_drift(w, e);
     r.joints.looked_at.clear();
     found.push_back(&r.joints);
     overlaps.insert(overlaps.end(), r.overlaps.begin(), r.overlaps.end());

@@ -32,16 +32,16 @@ double stored_energy(const Overlaps& o) {
   return sum;
 }
 
-double total(const Elements& e, kernels::Book book) {
+double total(const Elements& e, kernels::Tally book) {
   double sum = 0.0;
-  for (auto i = static_cast<std::size_t>(book); i < e.books.size(); i += kernels::kBooks) sum += e.books[i];
+  for (auto i = static_cast<std::size_t>(book); i < e.tally.size(); i += kernels::kTallies) sum += e.tally[i];
   return sum;
 }
 
 }  // namespace
 
 void Ledger::restart(World& w) {
-  std::ranges::fill(w.elements.books, 0.0);
+  std::ranges::fill(w.elements.tally, 0.0);
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
   w.overlaps.friction = w.overlaps.impact = 0.0;
@@ -88,15 +88,15 @@ double Ledger::kinetic(const World& w) const {
 // The accumulators hold whole steps; a row stands at a whole step, in the middle of one, so half of the last is taken back.
 void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) const {
   const Elements& e = w.elements;
-  double damping_ahead = 0.0, dashpot_ahead = 0.0;
+  double damping_early = 0.0, dashpot_early = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
-    damping_ahead += 0.25 * w.dt * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
-    if (damps_rotation) damping_ahead += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick booked half a step behind
-    dashpot_ahead -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
+    damping_early += 0.25 * w.dt * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
+    if (damps_rotation) damping_early += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick booked half a step behind
+    dashpot_early -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
-  row.damping = total(e, kernels::Book::loss_damping) - damping_ahead;
-  row.dashpot = total(e, kernels::Book::loss_dashpots) - dashpot_ahead + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
+  row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
+  row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
                 w.overlaps.impact;
   row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction;
   row.fracture = total(w.sides.fracture);
@@ -108,11 +108,11 @@ EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) 
   row.kinetic = kinetic(w);
   row.strain = stored_.bonds;
   row.contact = stored_.contact + patches_;
-  row.gravity = -total(w.elements, kernels::Book::work_gravity);
+  row.gravity = -total(w.elements, kernels::Tally::work_gravity);
   sum_losses(w, damps_rotation, row);
   const double losses = row.dashpot + row.friction + row.fracture + row.damping;
   const double balance = row.kinetic + row.strain + row.contact + row.gravity + losses;
-  const double work = total(w.elements, kernels::Book::work_ground) + loads_ + supports_;
+  const double work = total(w.elements, kernels::Tally::work_ground) + loads_ + supports_;
   if (fresh_) initial_ = balance - work;
   fresh_ = false;
   row.input = initial_ + work;

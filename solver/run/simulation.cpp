@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-#include "kernels/fetch.h"
+#include "kernels/prefetch.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
@@ -28,20 +28,20 @@ constexpr double kRamp = 1.0;                // s, of gravity, if the case says 
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
-constexpr std::int64_t kRun = 2 * kernels::kBunch;  // elements that a thread takes at a time
+constexpr std::int64_t kElementsAtATime = 2 * kernels::kBatch;  // elements that a thread takes at a time
 
-/// Calls `work(first, last)` for all elements, bunch by bunch: the rows of one stay near. \return the most of what it returns
+/// Calls `work(first, last)` for all elements, batch by batch: the rows of one stay near. \return the most of what it returns
 template <class Work>
 double over_elements(const World& w, TaskShares& shares, Work work) {
   const std::int64_t rows = w.elements.rows;
   shares.begin(omp_get_max_threads());
-  shares.deal((rows + kRun - 1) / kRun);
+  shares.deal((rows + kElementsAtATime - 1) / kElementsAtATime);
   double most = 0.0;
 #pragma omp parallel reduction(max : most)
   {
     const auto do_run = [&](std::int32_t run) {
-      const std::int64_t last = std::min((run + 1) * kRun, rows);
-      for (std::int64_t i = run * kRun; i < last; i += kernels::kBunch) most = std::max(most, work(i, i + kernels::kBunch));
+      const std::int64_t last = std::min((run + 1) * kElementsAtATime, rows);
+      for (std::int64_t i = run * kElementsAtATime; i < last; i += kernels::kBatch) most = std::max(most, work(i, i + kernels::kBatch));
     };
     shares.take_own(omp_get_thread_num(), do_run);
     shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
@@ -160,7 +160,7 @@ void Simulation::move_supports_on() {
     const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
     // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
-    e.books[i / kernels::kBunch * kernels::kBooks + static_cast<std::size_t>(kernels::Book::loss_dashpots)] +=
+    e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=
         0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   }
@@ -273,7 +273,7 @@ void Simulation::drift(double dt) {
   World& w = *world_;
   moved_ = over_elements(
       w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
         kernels::drift(view, rows, dt, first, last);
         return kernels::measure_moves(view, moves, first, last);
       });
@@ -284,7 +284,7 @@ void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
   moved_ = over_elements(
       w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(w.far), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
         kernels::kick(view, rows, f, first, last);
         kernels::drift(view, rows, f.dt, first, last);
         return kernels::measure_moves(view, moves, first, last);
@@ -307,7 +307,7 @@ void Simulation::step(Due due) {
   }
   {
     const StageTimer timer(times_, Stage::damage);
-    book_damage(w, forces_stage_.events, t, damage_, cracks_);
+    record_damage(w, forces_stage_.events, t, damage_, cracks_);
   }
   if (due.ledger) {
     const StageTimer timer(times_, Stage::ledger);

@@ -19,7 +19,7 @@ constexpr double kFits = 0.995;  // share of the sides that must fit between two
 // Elements in a cell, if the model filled its plan evenly; walls are denser. Elements on the borders of cells are fetched once for each
 // colour, so a model of which little stays near the core has larger cells. In a smaller one these would only keep less of a task near.
 constexpr std::size_t kManyElements = 5000;
-constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0, kElementsInAFarCell = 512.0;
+constexpr double kElementsInACell = 32.0, kElementsInALargeCell = 64.0, kElementsOutOfCache = 512.0;
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -80,7 +80,7 @@ std::vector<std::int32_t> kind_by_kind(std::span<const Writes> sides, std::span<
 
 }  // namespace
 
-double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool far) {
+double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool out_of_cache) {
   const Plan plan = plan_of(centroids);
   std::vector<double> reach;
   for (const Writes& w : sides) {
@@ -92,14 +92,14 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
   const double needed = reach.empty() ? 0.0 : reach[static_cast<std::size_t>(kFits * static_cast<double>(reach.size() - 1))];
   const Vec3 size = plan.high - plan.low;
   const double area = along(size, plan.first) * along(size, plan.second);
-  const double elements = far ? kElementsInAFarCell : centroids.size() < kManyElements ? kElementsInACell : kElementsInALargeCell;
+  const double elements = out_of_cache ? kElementsOutOfCache : centroids.size() < kManyElements ? kElementsInACell : kElementsInALargeCell;
   const double useful = std::sqrt(area * elements / static_cast<double>(std::max<std::size_t>(1, centroids.size())));
   const double cell = std::max(1.001 * needed, useful);  // a hair more than needed: centroids lie on a grid
   return cell > 0.0 ? cell : 1.0;
 }
 
 Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell,
-                        bool far) {
+                        bool out_of_cache) {
   const Plan plan = plan_of(centroids);
   using Cell = std::array<std::int64_t, 2>;
   const auto cell_of = [&](std::int32_t e) {
@@ -121,7 +121,7 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const std::int3
   for (const auto& of_colour : tasks) {
     if (of_colour.empty()) continue;
     d.colours.emplace_back();
-    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items, far ? kernels::kLanes : 1));
+    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items, out_of_cache ? kernels::kLanes : 1));
   }
   return d;
 }

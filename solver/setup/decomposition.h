@@ -24,15 +24,15 @@ struct Decomposition {
   std::vector<std::int32_t> overflow;                           // sides that span more than two cells: one task, after all others
 };
 
-/// Edge of the cells [m]: long enough for nearly all sides, and for tasks of a useful size. \param far  see World::far
-double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool far);
+/// Edge of the cells [m]: long enough for nearly all sides, and for tasks of a useful size. \param out_of_cache  see World::out_of_cache
+double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroids, bool out_of_cache);
 
 /// Within a task, sides of one kind come together (solver/setup/side_kinds.h).
 /// \param kinds  by side
-/// \param far  see World::far: in a task first as many of each kind as fill blocks, then what is left of all. So there are fewer kinds of
+/// \param out_of_cache  see World::out_of_cache: in a task first as many of each kind as fill blocks, then what is left of all. So there are fewer kinds of
 /// blocks, and their constants take less of the caches
 /// \pre cell > 0
 Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell,
-                        bool far);
+                        bool out_of_cache);
 
 }  // namespace voussoir::solver

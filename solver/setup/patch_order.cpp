@@ -65,7 +65,7 @@ void sort_patches(World& w) {
   place_points(p, ends, order);
 }
 
-bool patches_are_scattered(const World& w) {
+bool patches_lie_apart(const World& w) {
   const Array<FreePatch>& all = w.patches.patch;
   return all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered;
 }

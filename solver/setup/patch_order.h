@@ -11,6 +11,6 @@ namespace voussoir::solver {
 void sort_patches(World& w);
 
 /// True where that is worth its time: sides retire in any order, and their patches are appended. Follows from the state alone.
-bool patches_are_scattered(const World& w);
+bool patches_lie_apart(const World& w);
 
 }  // namespace voussoir::solver

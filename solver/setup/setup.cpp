@@ -91,7 +91,7 @@ double choose_skin(const cases::Model& m) {
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) {
   auto w = std::make_unique<World>(m);
   w->options = o;
-  w->far = m.blocks.size() >= o.far_from;
+  w->out_of_cache = m.blocks.size() >= o.out_of_cache_from;
   w->failure = failure_options(c.failure);
   w->has_base = c.base.has_value();
   w->drop_debris_damping = !c.damping.debris;
@@ -111,7 +111,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_loads(*w, c);
   w->contacts.skin = choose_skin(m);
   for (auto* column : {&w->contacts.path, &w->contacts.until}) column->assign(w->elements.ux.size(), 0.0);
-  for (auto* column : {&w->contacts.bunch_path, &w->contacts.bunch_until}) column->assign(w->elements.watched.size(), 0.0);
+  for (auto* column : {&w->contacts.batch_path, &w->contacts.batch_until}) column->assign(w->elements.active.size(), 0.0);
   return w;
 }
 

@@ -22,7 +22,7 @@ void size_arrays(Elements& e) {
                            &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
     a->assign(n, 0.0);
   }
-  e.books.assign(n / kernels::kBunch * kernels::kBooks, 0.0);
+  e.tally.assign(n / kernels::kBatch * kernels::kTallies, 0.0);
   e.qw.assign(n, 1.0);
   e.body.assign(n, {});
   e.bonds.assign(n, 0);
@@ -32,7 +32,7 @@ void size_arrays(Elements& e) {
   e.face_count.assign(n, 0);
   e.pose.assign(n * kernels::kPoseStride, 0.0);
   e.twist.assign(n * kernels::kTwistStride, 0.0);
-  e.watched.assign(n / kernels::kBunch, 0);
+  e.active.assign(n / kernels::kBatch, 0);
   e.wrench.assign(n * kernels::kWrenchStride, 0.0);
   e.dashpot.assign(n * kernels::kDashpotStride, 0.0);
 }
@@ -46,14 +46,14 @@ void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
   e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);
 }
 
-/// What bunches have in common. Call when all elements are there.
-void set_up_bunches(Elements& e) {
-  e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBunch), 1);
+/// What batches have in common. Call when all elements are there.
+void set_up_batches(Elements& e) {
+  e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBatch), 1);
   e.largest_radius.assign(e.principal.size(), 0.0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.rows); ++i) {
-    double& largest = e.largest_radius[i / kernels::kBunch];
+    double& largest = e.largest_radius[i / kernels::kBatch];
     largest = std::max(largest, e.radius[i]);
-    if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBunch] = 0;
+    if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBatch] = 0;
   }
 }
 
@@ -86,9 +86,9 @@ void set_up_elements(World& w, const cases::Case& c) {
   Elements& e = w.elements;
   e.count = static_cast<std::int32_t>(m.blocks.size());
   e.base = e.count;
-  e.rows = round_up(e.count + 1, kernels::kBunch);
+  e.rows = round_up(e.count + 1, kernels::kBatch);
   size_arrays(e);
-  if (w.options.gather) std::ranges::fill(e.watched, 1);  // several threads may look at an element at a time: none may make its row then
+  if (w.options.gather) std::ranges::fill(e.active, 1);  // several threads may look at an element at a time: none may make its row then
   const double alpha = mass_damping(c.damping);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Block& b = m.blocks[i];
@@ -104,7 +104,7 @@ void set_up_elements(World& w, const cases::Case& c) {
     e.alpha[i] = alpha;
     set_inverse_inertia(e, i, density * g.mass.inertia);
   }
-  set_up_bunches(e);
+  set_up_batches(e);
   const auto base = static_cast<std::size_t>(e.base);
   e.body[base].ref.z = c.base ? c.base->z : 0.0;
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());

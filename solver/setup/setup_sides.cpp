@@ -127,7 +127,7 @@ void size_side_arrays(Sides& s, std::size_t blocks) {
   for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
   s.parts.assign(n, {});
   s.faces.assign(n, 1);
-  s.quick.assign(n, kernels::Quick::segments);
+  s.side_state.assign(n, kernels::SideState::segments);
   s.retired.assign(n, 1);
   s.held.assign(n, 0);
 }
@@ -209,7 +209,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.faces[id] = static_cast<std::uint8_t>(side.faces);
   s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
   s.retired[id] = 0;
-  s.quick[id] = dry ? kernels::Quick::segments : kernels::Quick::whole;
+  s.side_state[id] = dry ? kernels::SideState::segments : kernels::SideState::whole;
   s.parts[id] = {
       .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
@@ -234,8 +234,8 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   }
   std::vector<Vec3> centroids;
   for (const geometry::Element& e : w.model.assembly.elements) centroids.push_back(e.mass.centroid);
-  const double cell = w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids, w.far);
-  Decomposition d = decompose(writes, kinds, centroids, cell, w.far);
+  const double cell = w.options.cell > 0.0 ? w.options.cell : choose_cell(writes, centroids, w.out_of_cache);
+  Decomposition d = decompose(writes, kinds, centroids, cell, w.out_of_cache);
   Sides& s = w.sides;
   if (!d.overflow.empty()) {
     s.overflow_colour = static_cast<std::int32_t>(d.colours.size());

@@ -81,7 +81,7 @@ void add_elements(Table& t, Elements& e) {
                      field("vz", "m/s", shape, e.vz), field("lx", "kg m2/s", shape, e.lx), field("ly", "kg m2/s", shape, e.ly),
                      field("lz", "kg m2/s", shape, e.lz), field("wx", "rad/s", shape, e.wx), field("wy", "rad/s", shape, e.wy),
                      field("wz", "rad/s", shape, e.wz), field("alpha", "1/s", shape, e.alpha), field("bonds", "-", shape, e.bonds)});
-  t.push_back(rows<double>("books", "J", "bunch of elements", e.books, kernels::kBooks));
+  t.push_back(rows<double>("books", "J", "batch of elements", e.tally, kernels::kTallies));
   // These rows could be made from the columns, but only by the drift of a step are they the same to the last bit.
   t.push_back(rows<double>("pose", "m, -", shape, e.pose, kernels::kPoseStride));
 }
@@ -90,7 +90,7 @@ void add_sides(Table& t, Sides& s) {
   kernels::SegmentSprings none;
   kernels::SegmentSprings& first = s.springs.size() == 0 ? none : s.springs[0];
   const auto of_segments = [&](const char* name, double* at) { return member(name, "m", "segment", s.springs, at, kernels::kWidth); };
-  t.insert(t.end(), {field("side_quick", "-", "side", s.quick, 0, 3), field("side_retired", "-", "side", s.retired, 0, 1),
+  t.insert(t.end(), {field("side_quick", "-", "side", s.side_state, 0, 3), field("side_retired", "-", "side", s.retired, 0, 1),
                      field("side_held", "-", "side", s.held), field("side_friction", "J", "side", s.friction),
                      field("side_impact", "J", "side", s.impact), field("side_fracture", "J", "side", s.fracture),
                      field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),

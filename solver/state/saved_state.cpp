@@ -74,7 +74,7 @@ void size_search(World& w, const SavedState& from) {
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
   c.element.assign(slots, 0);
-  for (auto* column : {&c.path, &c.until, &c.bunch_path, &c.bunch_until}) std::ranges::fill(*column, 0.0);
+  for (auto* column : {&c.path, &c.until, &c.batch_path, &c.batch_until}) std::ranges::fill(*column, 0.0);
   c.gather_stale = true;
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
   w.overlaps.pairs.clear();

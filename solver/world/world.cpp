@@ -21,7 +21,7 @@ kernels::ElementsView Elements::view() noexcept {
           .wx = wx.data(),
           .wy = wy.data(),
           .wz = wz.data(),
-          .books = books.data(),
+          .tally = tally.data(),
           .mass = mass.data(),
           .inv_mass = inv_mass.data(),
           .alpha = alpha.data(),
@@ -34,8 +34,8 @@ kernels::ElementsView Elements::view() noexcept {
           .principal = principal.data()};
 }
 
-kernels::ElementRows Elements::row_view(bool far) noexcept {
-  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), watched.data(), far};
+kernels::ElementRows Elements::row_view(bool out_of_cache) noexcept {
+  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), active.data(), out_of_cache};
 }
 
 kernels::Bodies World::bodies() const noexcept {

@@ -26,38 +26,38 @@ struct Options {
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
   bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
-  std::size_t far_from = 25'000;  // elements from which a model is far, see World::far; a number of its own, or bits would depend on caches
+  std::size_t out_of_cache_from = 25'000;  // elements from which a model is far, see World::out_of_cache; a number of its own, or bits would depend on caches
   int threads = 0;                // 0: OpenMP's default
   std::optional<double> step;     // s; overrides the case
 };
 
-/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole bunches
-/// (kernels::kBunch) and is inert.
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole batches
+/// (kernels::kBatch) and is inert.
 struct Elements {
   std::int32_t count = 0, base = 0;
   std::int64_t rows = 0;
   // State.
   Array<double> ux, uy, uz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz, wx, wy, wz;
-  Array<double> books;        // J, see kernels::Book
+  Array<double> tally;        // J, see kernels::Tally
   Array<double> alpha;        // 1/s (changes where debris loses its damping)
   Array<std::int32_t> bonds;  // bonded segment sides left
   // Constants.
   Array<double> mass, inv_mass;                // kg, 1/kg
   Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
-  std::vector<std::uint8_t> principal;         // by bunch, see kernels::ElementsView
+  std::vector<std::uint8_t> principal;         // by batch, see kernels::ElementsView
   std::vector<kernels::BodyConstants> body;
-  Array<double> radius, largest_radius;              // m, round the centroid; by bunch
+  Array<double> radius, largest_radius;              // m, round the centroid; by batch
   Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Rows, see kernels/rows.h; those of twists are kept of watched bunches alone (solver/world/twists.h).
+  // Rows, see kernels/rows.h; those of twists are kept of active batches alone (solver/world/twists.h).
   Array<double> pose, twist, wrench, dashpot;
-  std::vector<std::uint8_t> watched;  // by bunch
+  std::vector<std::uint8_t> active;  // by batch
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
-  /// \param far  see kernels::ElementRows
-  [[nodiscard]] kernels::ElementRows row_view(bool far = false) noexcept;
+  /// \param out_of_cache  see kernels::ElementRows
+  [[nodiscard]] kernels::ElementRows row_view(bool out_of_cache = false) noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
@@ -91,7 +91,7 @@ struct Sides {
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
   ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
   // State by side.
-  Array<kernels::Quick> quick;
+  Array<kernels::SideState> side_state;
   Array<std::uint8_t> retired;               // lives on as free patches
   Array<std::int32_t> held;                  // bonded segments
   Array<double> friction, impact, fracture;  // J, lost so far
@@ -137,7 +137,7 @@ struct Contacts {
   std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
   bool gather_stale = false;                                      // slots were added since the gather lists were made
   Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
-  Array<double> path, until, bunch_path, bunch_until;             // m, see kernels::Moves (derived)
+  Array<double> path, until, batch_path, batch_until;             // m, see kernels::Moves (derived)
   [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
   std::vector<std::int32_t> active;                                      // patches with candidates
   std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries
@@ -204,7 +204,7 @@ struct World {
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
   bool has_base = false;
-  bool far = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
+  bool out_of_cache = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
   bool drop_debris_damping = false;
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19

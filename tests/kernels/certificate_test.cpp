@@ -16,7 +16,7 @@ constexpr kernels::FailureOptions kNoBound{.in_tension = kernels::ShearInTension
 
 SideStep closed_form(SideUnderTest u, const TwoBodies& b, kernels::FailureOptions o = {}) {
   std::vector<kernels::SegmentEvent> events;
-  return advance(kernels::advance_sides, u, b, 5e-5, 0.0, o, events, kernels::Quick::whole);
+  return advance(kernels::advance_sides, u, b, 5e-5, 0.0, o, events, kernels::SideState::whole);
 }
 
 SideStep by_segments(SideUnderTest u, const TwoBodies& b, kernels::FailureOptions o = {}) {
@@ -155,7 +155,7 @@ TEST_CASE("an open side is passed over only where no segment touches") {
     const TwoBodies b = random_pose(u, noise, 1e-5);
     std::vector<kernels::SegmentEvent> events;
     SideUnderTest copy = u;
-    const SideStep c = advance(kernels::advance_sides, copy, b, 5e-5, 0.0, {}, events, kernels::Quick::open);
+    const SideStep c = advance(kernels::advance_sides, copy, b, 5e-5, 0.0, {}, events, kernels::SideState::open);
     const bool passed = !c.looked_at;
     const bool touches = by_segments(u, b).result.touching;
     CHECK(passed == !touches);

@@ -12,23 +12,23 @@
 
 namespace voussoir::testing {
 
-inline constexpr std::size_t kCount = 3 * kernels::kBunch;
+inline constexpr std::size_t kCount = 3 * kernels::kBatch;
 inline constexpr double kStep = 5e-5;  // s
 
 /// Free elements that fly and spin.
 struct Flying {
   std::array<std::vector<double>, 25> columns;
-  std::vector<double> books, radius, pose, twist, wrench, dashpot, path;
+  std::vector<double> tally, radius, pose, twist, wrench, dashpot, path;
   std::vector<std::uint8_t> principal;
 
   Flying()
-      : books(kCount / kernels::kBunch * kernels::kBooks),
+      : tally(kCount / kernels::kBatch * kernels::kTallies),
         pose(kCount * kernels::kPoseStride),
         twist(kCount * kernels::kTwistStride),
         wrench(kCount * kernels::kWrenchStride),
         dashpot(kCount * kernels::kDashpotStride),
         path(kCount),
-        principal(kCount / kernels::kBunch, 1) {
+        principal(kCount / kernels::kBatch, 1) {
     Noise noise(7);
     for (auto& c : columns) c.assign(kCount, 0.0);
     for (int c = 0; c < 25; ++c) {
@@ -44,7 +44,7 @@ struct Flying {
   kernels::ElementsView view() {
     const auto c = [this](std::size_t k) { return columns[k].data(); };
     return {c(0),  c(1),  c(2),         c(3),  c(4),  c(5),  c(6),  c(7),  c(8),  c(9),  c(10), c(11), c(12),           c(13),
-            c(14), c(15), books.data(), c(16), c(17), c(18), c(19), c(20), c(21), c(22), c(23), c(24), principal.data()};
+            c(14), c(15), tally.data(), c(16), c(17), c(18), c(19), c(20), c(21), c(22), c(23), c(24), principal.data()};
   }
   kernels::ElementRows rows() { return {pose.data(), twist.data(), wrench.data(), dashpot.data()}; }
   void step() { kernels::drift(view(), rows(), kStep, 0, kCount); }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "kernels/fetch.h"
+#include "kernels/prefetch.h"
 #include "tests/kernels/flying_fixture.h"
 
 using namespace voussoir;
@@ -33,14 +33,14 @@ Mat3 orientation(const Flying& f, std::size_t i) { return rotation({f.columns[3]
 
 }  // namespace
 
-// The plain twin: (24) of THEORY.md in space axes, with matrices, iterated until nothing changes. The second bunch is along its principal
+// The plain twin: (24) of THEORY.md in space axes, with matrices, iterated until nothing changes. The second batch is along its principal
 // axes.
 TEST_CASE("the angular velocity is that of the implicit midpoint, and turns the element") {
   Flying f;
   Noise noise(5);
   for (std::size_t i = 0; i < kCount; ++i) {
     for (std::size_t c = 19; c < 25; ++c)
-      f.columns[c][i] = c < 22 ? 10.0 * static_cast<double>(c - 18) : i < kernels::kBunch ? 3.0 * noise() : 0.0;
+      f.columns[c][i] = c < 22 ? 10.0 * static_cast<double>(c - 18) : i < kernels::kBatch ? 3.0 * noise() : 0.0;
   }
   f.principal[0] = 0;
   const auto drift = [&f](double dt) { kernels::drift(f.view(), f.rows(), dt, 0, kCount); };
@@ -79,7 +79,7 @@ TEST_CASE("poses stored past the caches are the same") {
   alignas(64) static double poses[kCount * kernels::kPoseStride];
   Flying near, far;
   kernels::ElementRows rows = far.rows();
-  rows.pose = poses, rows.far = true;
+  rows.pose = poses, rows.out_of_cache = true;
   for (int k = 0; k < 3; ++k) {
     near.step();
     kernels::drift(far.view(), rows, kStep, 0, kCount);
@@ -90,24 +90,24 @@ TEST_CASE("poses stored past the caches are the same") {
   }
 }
 
-TEST_CASE("twists of bunches that nobody watches are not written; nothing else depends on it") {
+TEST_CASE("twists of batches that nobody watches are not written; nothing else depends on it") {
   Flying all, some;
-  const std::uint8_t watched[kCount / kernels::kBunch] = {0, 1, 0};
+  const std::uint8_t active[kCount / kernels::kBatch] = {0, 1, 0};
   kernels::ElementRows rows = some.rows();
-  rows.watched = watched;
+  rows.active = active;
   for (int k = 0; k < 3; ++k) {
     all.step();
     kernels::drift(some.view(), rows, kStep, 0, kCount);
   }
   CHECK(all.columns == some.columns);
   CHECK(all.pose == some.pose);
-  constexpr std::ptrdiff_t kOfBunch = kernels::kBunch * kernels::kTwistStride;
-  for (std::ptrdiff_t bunch = 0; bunch < std::ssize(watched); ++bunch) {
-    const auto *written = all.twist.data() + bunch * kOfBunch, *row = some.twist.data() + bunch * kOfBunch;
-    if (bunch == 1) {
-      CHECK(std::equal(row, row + kOfBunch, written));
+  constexpr std::ptrdiff_t kOfBatch = kernels::kBatch * kernels::kTwistStride;
+  for (std::ptrdiff_t batch = 0; batch < std::ssize(active); ++batch) {
+    const auto *written = all.twist.data() + batch * kOfBatch, *row = some.twist.data() + batch * kOfBatch;
+    if (batch == 1) {
+      CHECK(std::equal(row, row + kOfBatch, written));
     } else {
-      CHECK(std::all_of(row, row + kOfBunch, [](double x) { return x == 0.0; }));
+      CHECK(std::all_of(row, row + kOfBatch, [](double x) { return x == 0.0; }));
     }
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("what is said of elements along their principal axes is what their ine
 }
 
 // The plain twin: (27) of THEORY.md for gravity, ground and damping, element by element.
-TEST_CASE("a bunch's books are the sums over its elements") {
+TEST_CASE("a batch's books are the sums over its elements") {
   Flying f;
   Noise noise(9);
   for (std::size_t i = 0; i < kCount; ++i) {
@@ -135,19 +135,19 @@ TEST_CASE("a bunch's books are the sums over its elements") {
   const Flying before = f;
   const kernels::BodyForces bodies{kStep, {0.1, 0.2, -9.81}, {1.0, -2.0, 0.5}, {0.1, 0.3, -9.7}, {0.9, -2.1, 0.4}};
   kernels::kick(f.view(), f.rows(), bodies, 0, kCount);
-  for (std::size_t bunch = 0; bunch < kCount / kernels::kBunch; ++bunch) {
+  for (std::size_t batch = 0; batch < kCount / kernels::kBatch; ++batch) {
     double ground = 0.0, gravity = 0.0, damping = 0.0;
-    for (std::size_t i = bunch * kernels::kBunch; i < (bunch + 1) * kernels::kBunch; ++i) {
+    for (std::size_t i = batch * kernels::kBatch; i < (batch + 1) * kernels::kBatch; ++i) {
       const Vec3 v = at(before, 7, i), mean = 0.5 * (v + at(f, 7, i));
       ground -= kStep * f.columns[16][i] * dot(bodies.mean_ground, v);
       gravity += kStep * f.columns[16][i] * dot(bodies.mean_gravity, v);
       damping += kStep * f.columns[18][i] * f.columns[16][i] * dot(mean, mean);
     }
-    const double* books = f.books.data() + bunch * kernels::kBooks;
-    CHECK(books[0] == doctest::Approx(ground).epsilon(1e-12));
-    CHECK(books[1] == doctest::Approx(gravity).epsilon(1e-12));
-    CHECK(books[2] == doctest::Approx(damping).epsilon(1e-12));
-    CHECK(books[3] == 0.0);
+    const double* tally = f.tally.data() + batch * kernels::kTallies;
+    CHECK(tally[0] == doctest::Approx(ground).epsilon(1e-12));
+    CHECK(tally[1] == doctest::Approx(gravity).epsilon(1e-12));
+    CHECK(tally[2] == doctest::Approx(damping).epsilon(1e-12));
+    CHECK(tally[3] == 0.0);
   }
 }
 
@@ -169,15 +169,15 @@ TEST_CASE("what dashpots took is booked where they did something, and nothing of
   bodies.dt = kStep;
   kernels::kick(f.view(), rows, bodies, 0, kCount);
   f.step();
-  double loss[kCount / kernels::kBunch] = {};
+  double loss[kCount / kernels::kBatch] = {};
   for (const std::size_t i : kThree) {
     const Vec3 v = 0.5 * (at(before, 7, i) + at(f, 7, i)), w = 0.5 * (at(before, 13, i) + at(f, 13, i));
-    loss[i / kernels::kBunch] -= kStep * (dot(force[i], v) + dot(torque[i], w));
+    loss[i / kernels::kBatch] -= kStep * (dot(force[i], v) + dot(torque[i], w));
   }
-  for (std::size_t bunch = 0; bunch < std::size(loss); ++bunch) {
-    CAPTURE(bunch);
-    CHECK(f.books[bunch * kernels::kBooks + 3] == doctest::Approx(loss[bunch]).epsilon(1e-12));
-    CHECK((loss[bunch] != 0.0) == (bunch < 2));
+  for (std::size_t batch = 0; batch < std::size(loss); ++batch) {
+    CAPTURE(batch);
+    CHECK(f.tally[batch * kernels::kTallies + 3] == doctest::Approx(loss[batch]).epsilon(1e-12));
+    CHECK((loss[batch] != 0.0) == (batch < 2));
   }
   CHECK(std::ranges::all_of(f.wrench, [](double x) { return x == 0.0; }));
   CHECK(std::ranges::all_of(f.dashpot, [](double x) { return x == 0.0; }));

@@ -132,19 +132,19 @@ struct SideStep {
 
 inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const TwoBodies& b, double step, double time,
                         kernels::FailureOptions o, std::vector<kernels::SegmentEvent>& events,
-                        kernels::Quick state = kernels::Quick::segments) {
+                        kernels::SideState state = kernels::SideState::segments) {
   SideStep s;
   alignas(64) double wrench[3 * kernels::kWrenchStride] = {}, dashpot[3 * kernels::kDashpotStride] = {};
   kernels::SideParts parts[kernels::kLanes];
   parts[kLane] = u.parts();
   kernels::DamagedSide result[kernels::kLanes];
-  kernels::Quick quick[kernels::kLanes] = {};
-  quick[kLane] = state;
+  kernels::SideState states[kernels::kLanes] = {};
+  states[kLane] = state;
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
   const kernels::BlockState block{
-      .quick = quick, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
+      .side_state = states, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, dashpot, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));

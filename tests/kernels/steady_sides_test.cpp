@@ -56,7 +56,7 @@ TwoBodies place(const SideUnderTest& side, Vec3 together, Vec3 turned, const Pos
 }
 
 SideStep step(kernels::AdvanceSides& kernel, SideUnderTest& u, const TwoBodies& b, kernels::FailureOptions o,
-              kernels::Quick state = kernels::Quick::segments) {
+              kernels::SideState state = kernels::SideState::segments) {
   std::vector<kernels::SegmentEvent> events;
   return advance(kernel, u, b, kStep, 0.0, o, events, state);
 }
@@ -85,7 +85,7 @@ TEST_CASE("a side said to be steady is one in which no segment changes, and has 
     ++steady;
     const TwoBodies b = place(u, together, turned, first.and_also(noise, 3e-5 * std::pow(10.0, noise() - 0.5)));
     SideUnderTest copy = u;
-    const SideStep fast = step(kernels::advance_sides, u, b, o, kernels::Quick::steady);
+    const SideStep fast = step(kernels::advance_sides, u, b, o, kernels::SideState::steady);
     const SideStep plain = step(kernels::advance_sides_reference, copy, b, o);
     const bool changes = !same_history(u, copy) || plain.result.touching;
     changed += changes, unchanged += !changes;
@@ -131,8 +131,8 @@ TEST_CASE("a steady side is looked at before it has slid as far as it may") {
   u.bond[5] = kernels::Bond::contact;
   const SideStep s = step(kernels::advance_sides, u, place(u, {}, {}, {{1e-5, 0.0, 0.0}, {}}), {});
   REQUIRE(make_steady(u, s, 1e-3, {}));
-  CHECK_FALSE(step(kernels::advance_sides, u, place(u, {}, {}, {{1e-5, 0.9e-3, 0.0}, {}}), {}, kernels::Quick::steady).looked_at);
-  CHECK(step(kernels::advance_sides, u, place(u, {}, {}, {{1e-5, 1.1e-3, 0.0}, {}}), {}, kernels::Quick::steady).looked_at);
+  CHECK_FALSE(step(kernels::advance_sides, u, place(u, {}, {}, {{1e-5, 0.9e-3, 0.0}, {}}), {}, kernels::SideState::steady).looked_at);
+  CHECK(step(kernels::advance_sides, u, place(u, {}, {}, {{1e-5, 1.1e-3, 0.0}, {}}), {}, kernels::SideState::steady).looked_at);
 }
 
 TEST_CASE("a side that cracks and is steady in between goes the way of one whose segments are looked at in every step") {
@@ -141,7 +141,7 @@ TEST_CASE("a side that cracks and is steady in between goes the way of one whose
     const kernels::FailureOptions o = options(static_cast<int>(seed));
     Noise noise(seed);
     SideUnderTest fast(5, 3, 0.5), plain(5, 3, 0.5);
-    kernels::Quick state = kernels::Quick::segments;
+    kernels::SideState state = kernels::SideState::segments;
     std::vector<kernels::SegmentEvent> fast_events, plain_events;
     Vec3 u{3e-5, 0.0, 0.0}, turn{}, v{}, w{};
     double unit = 1.0;
@@ -160,7 +160,7 @@ TEST_CASE("a side that cracks and is steady in between goes the way of one whose
       a.looked_at ? ++looked_at : ++passed;
       if (!a.looked_at) continue;
       const bool steady = i % 8 == 0 && a.result.held > 0 && !a.result.touching && make_steady(fast, a, kAnywhere, o);
-      state = steady ? kernels::Quick::steady : kernels::Quick::segments;
+      state = steady ? kernels::SideState::steady : kernels::SideState::segments;
       found += steady;
     }
     REQUIRE(fast_events.size() == plain_events.size());

@@ -113,7 +113,7 @@ struct Tally {
 bool certified(SideUnderTest u, const TwoBodies& b) {
   std::vector<kernels::SegmentEvent> events;
   const kernels::FailureOptions o{.in_tension = kernels::ShearInTension::coulomb};
-  return !advance(kernels::advance_sides, u, b, 5e-5, 0.0, o, events, kernels::Quick::whole).looked_at;
+  return !advance(kernels::advance_sides, u, b, 5e-5, 0.0, o, events, kernels::SideState::whole).looked_at;
 }
 
 }  // namespace
@@ -322,7 +322,7 @@ TEST_CASE("a side that is not certain leaves its neighbours in the block as they
   };
   copy_lane(whole, kLane, 1);  // in lane 5 a side whose bound never passes: its limits are 0, and d is not
   block.master[kLane] = block.master[1], block.slave[kLane] = block.slave[1];
-  for (auto* column : {&whole.ahead, &whole.back, &whole.slide2}) (*column)[kLane] = -1.0;
+  for (auto* column : {&whole.forward, &whole.backward, &whole.slide2}) (*column)[kLane] = -1.0;
   kernels::set_whole(block, whole);
   std::array<double, 3 * kernels::kWrenchStride> wrench{};
   const std::uint8_t live[] = {1U << 1 | 1U << kLane};

@@ -158,7 +158,7 @@ inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
   // No way that bodies have gone tells of this.
   solver::World& w = run.sim().world();
   solver::list_candidates(w);
-  for (auto* until : {&w.contacts.until, &w.contacts.bunch_until}) std::ranges::fill(*until, -1.0);
+  for (auto* until : {&w.contacts.until, &w.contacts.batch_until}) std::ranges::fill(*until, -1.0);
 }
 
 /// Stores of a row: what contact may take from, never add to.

@@ -45,7 +45,7 @@ TEST_CASE("a step is split among its parts for every team; the run goes on and t
         sum += t;
       }
       CHECK(s.step() == doctest::Approx(sum));
-      for (const io::StepPart p : {io::StepPart::whole_joints, io::StepPart::scatter, io::StepPart::update, io::StepPart::output}) {
+      for (const io::StepPart p : {io::StepPart::whole_joints, io::StepPart::assembly, io::StepPart::update, io::StepPart::output}) {
         CHECK(part(p) > 0.0);
       }
       CHECK(part(io::StepPart::contacts) < 0.1 * s.step());
@@ -71,7 +71,7 @@ TEST_CASE("the parts of a step add up to its stages; handing out is taken off th
   CHECK(at(parts, Part::whole_joints) == 4.0 - 1.5);
   CHECK(at(parts, Part::damaged_joints) == 2.0 - 0.5);
   CHECK(at(parts, Part::contacts) == 1.0);
-  CHECK(at(parts, Part::scatter) == 0.5 + 2.0);
+  CHECK(at(parts, Part::assembly) == 0.5 + 2.0);
   CHECK(at(parts, Part::waiting) == 10.0 - 7.5);
   CHECK(at(parts, Part::search) == 0.5);
   CHECK(at(parts, Part::damage) == 0.25);

@@ -268,7 +268,7 @@ TEST_CASE("SIGTERM stops a run after its step, with the results so far and exit 
 }
 
 #if defined(__x86_64__)
-TEST_CASE("memory is asked for ahead of its use: compilers may take that for nothing and leave it out (kernels/fetch.h)") {
+TEST_CASE("memory is asked for ahead of its use: compilers may take that for nothing and leave it out (kernels/prefetch.h)") {
   const Outcome o = shell::run("objdump -d --no-show-raw-insn " + shell::kProgram + " | awk '/>:$/{ours = /voussoir/} ours && /prefetch/'");
   CHECK(o.code == 0);
   CHECK(o.text.find("prefetch") != std::string::npos);

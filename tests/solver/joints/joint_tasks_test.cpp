@@ -88,12 +88,12 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
   const cases::Model m = cases::build_model(c);
   struct Form {
     double cell;
-    std::size_t far_from;
+    std::size_t out_of_cache_from;
   };
   for (const Form form :
        {Form{0.21, 1000}, Form{0.06, 1000}, Form{0.21, 1}, Form{0.06, 1}}) {  // sides span more than two of the small cells
     solver::Options o;
-    o.cell = form.cell, o.far_from = form.far_from;
+    o.cell = form.cell, o.out_of_cache_from = form.out_of_cache_from;
     const auto w = solver::build_world(c, m, o);
     const auto pairs = neighbours(*w);
     const std::size_t count = w->sides.task_first.size() - 1;
@@ -109,7 +109,7 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
   }
 }
 
-TEST_CASE("tasks of a far model run along the plan, those at borders of shares and all that they wait for first") {
+TEST_CASE("tasks of a out-of-cache model run along the plan, those at borders of shares and all that they wait for first") {
   cases::Case c = small_wall(40, 6);
   std::ranges::stable_sort(c.blocks, {},
                            [](const cases::BlockSpec& b) { return (*b.box)[0].x; });  // elements that lie together, as in a house
@@ -140,7 +140,7 @@ TEST_CASE("tasks of a far model run along the plan, those at borders of shares a
   solver::Options o;
   o.cell = 0.21;
   const auto near = solver::build_world(c, m, o);
-  o.far_from = 1;
+  o.out_of_cache_from = 1;
   const auto far = solver::build_world(c, m, o);
   solver::JointTasks near_tasks(*near), far_tasks(*far);
   const auto in_near = order_of(near_tasks, 1), in_far = order_of(far_tasks, 1);

@@ -111,28 +111,28 @@ TEST_CASE("the bits of joints of two sides and of timber depend neither on the n
   CHECK(w.contacts.searches > 10);
 }
 
-TEST_CASE("a far model gives the same bits with any number of threads and however forces are scattered") {
+TEST_CASE("a out-of-cache model gives the same bits with any number of threads and however forces are scattered") {
   const cases::Case c = small_wall(8, 6);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
   solver::Options far, gather;
-  far.far_from = gather.far_from = 1;
+  far.out_of_cache_from = gather.out_of_cache_from = 1;
   far.cell = gather.cell = 0.45;
   gather.gather = true;
   std::vector<std::unique_ptr<Run>> runs;
   for (const int threads : {1, 2, 3, 8}) runs.push_back(std::make_unique<Run>(c, m, g, threads, far));
   runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
   const solver::World& w = runs[0]->sim.world();
-  CHECK(w.far);
+  CHECK(w.out_of_cache);
   CHECK(w.sides.task_first.size() > 5);
   step_side_by_side(runs, 60);
-  CHECK(std::ranges::count(w.sides.quick, kernels::Quick::whole) > 50);
+  CHECK(std::ranges::count(w.sides.side_state, kernels::SideState::whole) > 50);
   step_side_by_side(runs, 2340);
   CHECK(runs[0]->sim.damage().tension > 500);
   CHECK(w.contacts.searches > 10);
   // Near, sums have another order: the same response but for round-off, up to first damage.
   Run near(c, m, g, 2), again(c, m, g, 2, far);
-  CHECK(!near.sim.world().far);
+  CHECK(!near.sim.world().out_of_cache);
   for (int i = 0; i < 60; ++i) near.step(false), again.step(false);
   const auto &a = near.sim.world().elements.uz, &b = again.sim.world().elements.uz;
   CHECK(std::ranges::any_of(a, [](double u) { return std::abs(u) > 1e-9; }));

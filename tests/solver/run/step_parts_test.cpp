@@ -45,12 +45,12 @@ TEST_CASE("parts of the forces are timed when asked for, and looking at clocks a
       timed.sim.step({});
       const solver::Elements& e = timed.sim.world().elements;
       const auto before = e.wrench, dashpots_before = e.dashpot;
-      if (!gather) CHECK(solver::scatter_again(timed.sim.world(), tasks) > 0.0);
+      if (!gather) CHECK(solver::assemble_again(timed.sim.world(), tasks) > 0.0);
       CHECK(std::ranges::equal(e.wrench, before));
       CHECK(std::ranges::equal(e.dashpot, dashpots_before));
     }
     CHECK(solver::state_hash(plain.sim.world()) == solver::state_hash(timed.sim.world()));
-    for (const solver::ForcePart p : {solver::ForcePart::damaged_joints, solver::ForcePart::contacts, solver::ForcePart::scatter}) {
+    for (const solver::ForcePart p : {solver::ForcePart::damaged_joints, solver::ForcePart::contacts, solver::ForcePart::assembly}) {
       CHECK(part(timed.sim, p) > 0.0);
     }
     // No part is timed twice: the mean thread cannot have more than the stage has.
@@ -72,7 +72,7 @@ TEST_CASE("all time of whole joints goes to them") {
   for (int i = 0; i < 100; ++i) sim.step({});
   CHECK(part(sim, solver::ForcePart::whole_joints) > 0.0);
   CHECK(part(sim, solver::ForcePart::damaged_joints) == 0.0);
-  CHECK(part(sim, solver::ForcePart::scatter) == 0.0);  // no contacts
+  CHECK(part(sim, solver::ForcePart::assembly) == 0.0);  // no contacts
 }
 
 TEST_CASE("an intact wall has whole joints and the update to do, twice the wall twice as much") {
@@ -87,14 +87,14 @@ TEST_CASE("an intact wall has whole joints and the update to do, twice the wall 
     CHECK(w.damaged_joints.operations == 0.0);
     CHECK(w.damaged_joints.bytes == 0.0);
     CHECK(w.contacts.bytes == 0.0);
-    CHECK(w.scatter.bytes > 0.0);
+    CHECK(w.assembly.bytes > 0.0);
     return w;
   };
   const solver::StepWork one = work_of(40), two = work_of(80);
   CHECK(two.whole_joints.operations / one.whole_joints.operations == doctest::Approx(2.0).epsilon(0.02));
   CHECK(two.update.operations / one.update.operations == doctest::Approx(2.0).epsilon(0.02));
   CHECK(two.update.bytes / one.update.bytes == doctest::Approx(2.0).epsilon(0.02));
-  CHECK(two.scatter.bytes / one.scatter.bytes == doctest::Approx(2.0).epsilon(0.02));
+  CHECK(two.assembly.bytes / one.assembly.bytes == doctest::Approx(2.0).epsilon(0.02));
 }
 
 TEST_CASE("in a ruin, contacts and damaged joints have work; by gather, elements fetch what sides left") {
@@ -105,5 +105,5 @@ TEST_CASE("in a ruin, contacts and damaged joints have work; by gather, elements
   CHECK(a.contacts.operations > 0.0);
   CHECK(a.contacts.bytes > 0.0);
   const double sides = a.whole_sides + a.damaged_sides;
-  CHECK(b.scatter.bytes - a.scatter.bytes >= sides * kernels::kPairStride * sizeof(double));
+  CHECK(b.assembly.bytes - a.assembly.bytes >= sides * kernels::kPairStride * sizeof(double));
 }

@@ -55,8 +55,8 @@ TEST_CASE("decomposition: no two tasks of a colour share an element, every side 
   for (int x = 0; x < 20; ++x) sides.push_back({beam, 6 * x + 5});
   std::vector<std::int32_t> kinds(sides.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = static_cast<std::int32_t>(i % 3);
-  for (const bool far : {false, true}) {
-    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 0.25, far);
+  for (const bool out_of_cache : {false, true}) {
+    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 0.25, out_of_cache);
     CHECK(d.colours.size() == 4);
     std::vector<int> placed(sides.size(), 0);
     for (const std::int32_t i : d.overflow) ++placed[static_cast<std::size_t>(i)];
@@ -82,7 +82,7 @@ TEST_CASE("decomposition: no two tasks of a colour share an element, every side 
 }
 
 TEST_CASE("decomposition: cells of a large model are larger, so that most elements lie within one") {
-  const auto cell_of_a_floor = [](int edge, bool far = false) {  // of edge × edge slabs, 0.2 m each
+  const auto cell_of_a_floor = [](int edge, bool out_of_cache = false) {  // of edge × edge slabs, 0.2 m each
     std::vector<Vec3> centroids;
     std::vector<solver::Writes> sides;
     for (int x = 0; x < edge; ++x) {
@@ -91,14 +91,14 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
         if (y > 0) sides.push_back({x * edge + y, x * edge + y - 1});
       }
     }
-    return solver::choose_cell(sides, centroids, far);
+    return solver::choose_cell(sides, centroids, out_of_cache);
   };
   CHECK(cell_of_a_floor(70) == doctest::Approx(std::sqrt(32.0) * 0.2).epsilon(0.02));         // thirty-two slabs of 4,900
   CHECK(cell_of_a_floor(71) == doctest::Approx(8 * 0.2).epsilon(0.02));                       // sixty-four of 5,041
   CHECK(cell_of_a_floor(71, true) == doctest::Approx(std::sqrt(512.0) * 0.2).epsilon(0.02));  // five hundred and twelve
 }
 
-TEST_CASE("decomposition: in a task of a far model full blocks of one kind come first") {
+TEST_CASE("decomposition: in a task of a out-of-cache model full blocks of one kind come first") {
   // Columns of two bricks in one cell: sides of three kinds, twenty-one of each.
   std::vector<Vec3> centroids;
   std::vector<solver::Writes> sides;
@@ -107,8 +107,8 @@ TEST_CASE("decomposition: in a task of a far model full blocks of one kind come 
     centroids.insert(centroids.end(), {{0.01 * k, 0.0, 0.0}, {0.01 * k, 0.0, 0.1}});
     sides.push_back({2 * k, 2 * k + 1}), kinds.push_back(k % 3);
   }
-  const auto kinds_in_order = [&](bool far) {
-    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 10.0, far);
+  const auto kinds_in_order = [&](bool out_of_cache) {
+    const solver::Decomposition d = solver::decompose(sides, kinds, centroids, 10.0, out_of_cache);
     std::vector<std::int32_t> order;
     for (const std::int32_t i : d.colours.at(0).at(0)) order.push_back(kinds[static_cast<std::size_t>(i)]);
     return order;

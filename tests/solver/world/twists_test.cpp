@@ -13,8 +13,8 @@
 using namespace voussoir;
 using namespace voussoir::testing;
 
-// Bricks come loose one after the other and fall on others: bunches are watched from many different steps on.
-TEST_CASE("whoever looks at the twist of an element finds that of this step, whether it was watched or not") {
+// Bricks come loose one after the other and fall on others: batches are active from many different steps on.
+TEST_CASE("whoever looks at the twist of an element finds that of this step, whether it was active or not") {
   const cases::Case c = small_wall(60, 4, 4.0);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion shaking = strong_shaking();
@@ -22,16 +22,16 @@ TEST_CASE("whoever looks at the twist of an element finds that of this step, whe
     solver::Options o;
     o.reference_kernels = reference;
     solver::Simulation when_looked_at(c, m, shaking, o), always(c, m, shaking, o);
-    std::ranges::fill(always.world().elements.watched, 1);
-    const auto watched = [&] { return std::ranges::count(when_looked_at.world().elements.watched, 1); };
+    std::ranges::fill(always.world().elements.active, 1);
+    const auto active = [&] { return std::ranges::count(when_looked_at.world().elements.active, 1); };
     int unlike = 0, times = 0;
-    auto before = watched();
+    auto before = active();
     for (int i = 0; i < 1500; ++i) {
       const solver::Due due{false, i % 10 == 0};
       when_looked_at.step(due), always.step(due);
       unlike += when_looked_at.energy().strain != always.energy().strain || when_looked_at.energy().contact != always.energy().contact;
-      times += watched() != before;
-      before = watched();
+      times += active() != before;
+      before = active();
     }
     CHECK(unlike == 0);
     CHECK(solver::state_hash(when_looked_at.world()) == solver::state_hash(always.world()));
@@ -46,20 +46,20 @@ TEST_CASE("while a wall is whole nobody watches it") {
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
   for (int i = 0; i < 100; ++i) sim.step({});
-  CHECK(std::ranges::count(sim.world().elements.watched, 0) == std::ssize(sim.world().elements.watched));
+  CHECK(std::ranges::count(sim.world().elements.active, 0) == std::ssize(sim.world().elements.active));
 }
 
-TEST_CASE("a bunch that is watched has the rows of all its elements at once") {
+TEST_CASE("a batch that is active has the rows of all its elements at once") {
   const cases::Case c = small_wall(60, 4, 1000.0);
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, strong_shaking(), {});
   for (int i = 0; i < 50; ++i) sim.step({});
   solver::Elements& e = sim.world().elements;
-  constexpr std::int32_t kOne = kernels::kBunch + 3;
-  REQUIRE(!solver::is_watched(e, kOne));
-  solver::watch(sim.world(), kOne);
-  CHECK(solver::is_watched(e, kOne));
-  for (std::int32_t i = kernels::kBunch; i < 2 * kernels::kBunch; ++i) {
+  constexpr std::int32_t kOne = kernels::kBatch + 3;
+  REQUIRE(!solver::is_active(e, kOne));
+  solver::activate(sim.world(), kOne);
+  CHECK(solver::is_active(e, kOne));
+  for (std::int32_t i = kernels::kBatch; i < 2 * kernels::kBatch; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const kernels::Twist row = kernels::load_twist(e.twist.data(), i);
     CHECK(row.v == Vec3{e.vx[k], e.vy[k], e.vz[k]});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/moves.h"
+#include "kernels/travel.h"
 
 #include <cmath>
 
@@ -44,11 +44,11 @@ VOUSSOIR_INLINE double largest(Lanes x) noexcept {
   return most;
 }
 
-/// Each element of a bunch has its own way. \return moves of those that had to be looked at
+/// Each element of a batch has its own way. \return moves of those that had to be looked at
 VOUSSOIR_INLINE Lanes measure_each(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
   Lanes farthest{};
-  for (std::int64_t i = first; i < first + kBunch; i += kWidth) {
+  for (std::int64_t i = first; i < first + kBatch; i += kWidth) {
     const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
     const Lanes path = load_lanes(m.element.path + i) + step * (speed + spin * load_lanes(m.at.radius + i));
     store_lanes(m.element.path + i, path);
@@ -62,18 +62,18 @@ VOUSSOIR_INLINE Lanes measure_each(const ElementsView& e, const Moves& m, Lanes 
 
 /// All of them have one: as long as that of the fastest, with the radius of the largest.
 VOUSSOIR_INLINE Lanes measure_together(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
-  const std::int64_t bunch = first / kBunch;
-  const Lanes radius = lanes(m.largest_radius[bunch]);
+  const std::int64_t batch = first / kBatch;
+  const Lanes radius = lanes(m.largest_radius[batch]);
   Lanes way{};
-  for (std::int64_t i = first; i < first + kBunch; i += kWidth) {
+  for (std::int64_t i = first; i < first + kBatch; i += kWidth) {
     way = max(way, step * (length(e.vx, e.vy, e.vz, i) + length(e.wx, e.wy, e.wz, i) * radius));
   }
-  double& path = m.bunch.path[bunch];
+  double& path = m.batch.path[batch];
   path += largest(way);
-  if (path <= m.bunch.until[bunch]) return Lanes{};
+  if (path <= m.batch.until[batch]) return Lanes{};
   Lanes farthest{};
-  for (std::int64_t i = first; i < first + kBunch; i += kWidth) farthest = max(farthest, moves_of_group(e, m.at, i));
-  m.bunch.until[bunch] = path + (m.limit - largest(farthest)) / kMoveOfWay;
+  for (std::int64_t i = first; i < first + kBatch; i += kWidth) farthest = max(farthest, moves_of_group(e, m.at, i));
+  m.batch.until[batch] = path + (m.limit - largest(farthest)) / kMoveOfWay;
   return farthest;
 }
 
@@ -87,8 +87,8 @@ double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) n
 double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept {
   const Lanes step = lanes(1.001 * m.dt);  // a little more for round-off and what `drift` cuts off
   Lanes farthest{};
-  for (std::int64_t i = first; i < last; i += kBunch) {
-    const bool each = m.watched == nullptr || m.watched[i / kBunch] != 0;
+  for (std::int64_t i = first; i < last; i += kBatch) {
+    const bool each = m.active == nullptr || m.active[i / kBatch] != 0;
     farthest = max(farthest, each ? measure_each(e, m, step, i) : measure_together(e, m, step, i));
   }
   const double most = largest(farthest);

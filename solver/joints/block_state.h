@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernels/quick_bits.h"
+#include "kernels/side_state.h"
 #include "solver/world/world.h"
 
 namespace voussoir::solver {
 
 /// What is known of the live sides of a block from the last step, one bit each.
-inline kernels::QuickBits quick_of(const Sides& s, std::size_t block) {
-  const kernels::QuickBits all = kernels::quick_bits(&s.quick[block * kernels::kLanes]);
+inline kernels::StateBits states_of(const Sides& s, std::size_t block) {
+  const kernels::StateBits all = kernels::state_bits(&s.side_state[block * kernels::kLanes]);
   const unsigned live = s.live_lanes[block];
   return {all.segments & live, all.whole & live, all.open & live, all.steady & live};
 }
 
 /// True if nothing has happened in a block: then its constants are all there is to it.
-inline bool is_whole(const Sides& s, std::size_t block) { return quick_of(s, block).whole == s.live_lanes[block]; }
+inline bool is_whole(const Sides& s, std::size_t block) { return states_of(s, block).whole == s.live_lanes[block]; }
 
 }  // namespace voussoir::solver

@@ -12,14 +12,14 @@ namespace voussoir::kernels {
 
 /// Asks for memory some time before it is needed: rows of elements, patches and points lie all over it, where no hardware foresees them.
 /// The empty asm says that this has an effect: g++ 12 takes a function that only prefetches for one without, and leaves out its calls.
-inline void fetch(const void* from, std::size_t bytes) noexcept {
+inline void prefetch(const void* from, std::size_t bytes) noexcept {
   const char* at = static_cast<const char*>(from);
   for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(at + line);
   asm volatile("");
 }
 
 /// The same of what is needed only after much else: into the second cache, the first one is small.
-inline void fetch_for_later(const void* from, std::size_t bytes) noexcept {
+inline void prefetch_to_second_cache(const void* from, std::size_t bytes) noexcept {
   const char* at = static_cast<const char*>(from);
   for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(at + line, 0, 2);
   asm volatile("");

@@ -25,18 +25,18 @@ struct Ways {
   double* until;  // m, as long as the path is no longer than this, `move_of` is at most the limit
 };
 
-/// What elements have moved. Of bunches that nobody watches (ElementRows::watched) all elements share one way: fewer numbers to go through.
+/// What elements have moved. Of batches that nobody watches (ElementRows::active) all elements share one way: fewer numbers to go through.
 struct Moves {
   SearchedPoses at;
   double dt;                               // s
   double limit;                            // m, that nobody asks about less; always the same
-  Ways element;                            // by element, of watched bunches; paths begin when an element is searched
-  const std::uint8_t* watched = nullptr;   // by bunch; nullptr: all are
-  Ways bunch{};                            // by bunch, of the others
-  const double* largest_radius = nullptr;  // m, by bunch
+  Ways element;                            // by element, of active batches; paths begin when an element is searched
+  const std::uint8_t* active = nullptr;   // by batch; nullptr: all are
+  Ways batch{};                            // by batch, of the others
+  const double* largest_radius = nullptr;  // m, by batch
 };
 
-/// Adds to the paths of the elements [first, last), whole bunches, what they go in a step with the velocities they have.
+/// Adds to the paths of the elements [first, last), whole batches, what they go in a step with the velocities they have.
 /// \return the largest `move_of` over the limit, 0 if none is: most elements need no look at where they were
 double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept;
 

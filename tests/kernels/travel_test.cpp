@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/moves.h"
+#include "kernels/travel.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ using namespace voussoir::testing;
 
 namespace {
 
-/// \param together  elements of a bunch have one way
+/// \param together  elements of a batch have one way
 void check_ways(bool together) {
   CAPTURE(together);
   Flying f;
@@ -26,31 +26,31 @@ void check_ways(bool together) {
   const kernels::SearchedPoses at{before[0].data(), before[1].data(), before[2].data(), before[3].data(),
                                   before[4].data(), before[5].data(), before[6].data(), f.radius.data()};
   constexpr double kLimit = 2e-2;  // m
-  std::vector<double> until(kCount), bunch_path(f.principal.size()), bunch_until(f.principal.size()), largest(f.principal.size());
+  std::vector<double> until(kCount), batch_path(f.principal.size()), batch_until(f.principal.size()), largest(f.principal.size());
   for (std::size_t i = 0; i < kCount; ++i) {
-    double& radius = largest[i / kernels::kBunch];
+    double& radius = largest[i / kernels::kBatch];
     radius = std::max(radius, f.radius[i]);
   }
-  const std::vector<std::uint8_t> watched(f.principal.size(), together ? 0 : 1);
+  const std::vector<std::uint8_t> active(f.principal.size(), together ? 0 : 1);
   const kernels::Moves moves{.at = at,
                              .dt = kStep,
                              .limit = kLimit,
                              .element = {f.path.data(), until.data()},
-                             .watched = watched.data(),
-                             .bunch = {bunch_path.data(), bunch_until.data()},
+                             .active = active.data(),
+                             .batch = {batch_path.data(), batch_until.data()},
                              .largest_radius = largest.data()};
   double most = 0.0, tightest = 1e300;
   int looks = 0, within = 0;
   for (int k = 0; k < 400; ++k) {
     f.step();
-    const std::vector<double> known = together ? bunch_until : until;
+    const std::vector<double> known = together ? batch_until : until;
     most = kernels::measure_moves(f.view(), moves, 0, kCount);
     double plain = 0.0;
     for (std::size_t i = 0; i < kCount; ++i) plain = std::max(plain, kernels::move_of(f.view(), at, static_cast<std::int64_t>(i)));
     REQUIRE(most == doctest::Approx(plain > kLimit ? plain : 0.0).epsilon(1e-14));
     if (plain > kLimit) continue;
     ++within;
-    looks += (together ? bunch_until : until) != known;
+    looks += (together ? batch_until : until) != known;
   }
   CHECK(within > 50);
   CHECK(looks < within / 2);
@@ -63,7 +63,7 @@ void check_ways(bool together) {
       arm = (f.radius[i] / norm(arm)) * arm;
       const double moved = norm(turn(f.columns, arm) - turn(before, arm));
       CHECK(moved <= kernels::move_of(f.view(), at, static_cast<std::int64_t>(i)));
-      const double path = together ? bunch_path[i / kernels::kBunch] : f.path[i];
+      const double path = together ? batch_path[i / kernels::kBatch] : f.path[i];
       CHECK(moved <= path);
       tightest = std::min(tightest, path / moved);
     }

@@ -10,7 +10,7 @@
 namespace voussoir::kernels {
 
 /// Which sides of a block are what, one bit each.
-struct QuickBits {
+struct StateBits {
   unsigned segments, whole, open, steady;
 };
 
@@ -22,12 +22,12 @@ inline unsigned lowest_bits(std::uint64_t bytes) noexcept {
 }  // namespace detail
 
 /// Of kLanes sides.
-inline QuickBits quick_bits(const Quick* quick) noexcept {
-  static_assert(static_cast<int>(Quick::segments) == 0 && static_cast<int>(Quick::whole) == 1 && static_cast<int>(Quick::open) == 2 &&
-                static_cast<int>(Quick::steady) == 3);
+inline StateBits state_bits(const SideState* side_state) noexcept {
+  static_assert(static_cast<int>(SideState::segments) == 0 && static_cast<int>(SideState::whole) == 1 && static_cast<int>(SideState::open) == 2 &&
+                static_cast<int>(SideState::steady) == 3);
   std::uint64_t bytes;
-  static_assert(sizeof bytes == kLanes * sizeof(Quick));
-  std::memcpy(&bytes, quick, sizeof bytes);
+  static_assert(sizeof bytes == kLanes * sizeof(SideState));
+  std::memcpy(&bytes, side_state, sizeof bytes);
   const unsigned low = detail::lowest_bits(bytes), high = detail::lowest_bits(bytes >> 1);
   constexpr unsigned kAll = (1U << kLanes) - 1U;
   return {kAll & ~(low | high), low & ~high, high & ~low, low & high};
