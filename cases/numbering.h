@@ -10,7 +10,7 @@ namespace voussoir::cases {
 
 /// Puts the blocks of houses into the order in which elements are numbered: house by house, then cell by cell of the plan along a Morton
 /// curve, from the bottom up in each. What touches then lies close in memory: course by course round the house, a step over an intact
-/// house takes up to a tenth longer (perf/README.md).
+/// house takes up to a tenth longer (perf/LOG.md).
 /// \param cell  edge of the cells [m]
 void number_along_plan(std::vector<Block>& blocks, double cell);
 

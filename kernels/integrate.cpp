@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "kernels/prefetch.h"
 #include "kernels/lanes.h"
 #include "kernels/prefetch.h"
 #include "kernels/rows.h"
@@ -216,8 +217,7 @@ struct Pushes {
 };
 
 /// The kick of kWidth elements.
-VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i,
-                                StepTally& booked) noexcept {
+VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, StepTally& booked) noexcept {
   if (rows.out_of_cache) prefetch(rows.wrench + (i + kPrefetchDistance) * kWrenchStride, kWidth * kWrenchStride * sizeof(double));
   prefetch_columns(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
   const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };

@@ -31,7 +31,7 @@ struct Moves {
   double dt;                               // s
   double limit;                            // m, that nobody asks about less; always the same
   Ways element;                            // by element, of active batches; paths begin when an element is searched
-  const std::uint8_t* active = nullptr;    // by batch; nullptr: all are
+  const std::uint8_t* active = nullptr;   // by batch; nullptr: all are
   Ways batch{};                            // by batch, of the others
   const double* largest_radius = nullptr;  // m, by batch
 };

@@ -4,6 +4,7 @@
 """Draws the tables of perf/run: speed-up over threads, time per joint over the number of houses, and where the time of a step goes.
 
 usage: scripts/plot_bench.py FOLDER [-o PICTURE]      (needs python3-matplotlib)
+       scripts/plot_bench.py perf/stages.csv          the figure of perf/README.md: perf/stages.svg
 """
 import argparse
 import csv
@@ -83,11 +84,35 @@ def stages(axes, tables):
     axes.legend(fontsize=7, ncols=5, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
+def by_state(path, picture):
+    """From a table of state, threads, part and ms: where a step goes, a panel a state, a bar for each number of threads."""
+    plt.rcParams.update({"font.size": 8, "svg.fonttype": "none", "svg.hashsalt": "voussoir"})
+    table = rows(path)
+    parts = [p for p in dict.fromkeys(r["part"] for r in table) if any(float(r["ms"]) > 0.0 for r in table if r["part"] == p)]
+    colours = dict(zip(parts, plt.get_cmap("tab10").colors))
+    states = list(dict.fromkeys(r["state"] for r in table))
+    figure, panels = plt.subplots(1, len(states), figsize=(7.5, 1.9), constrained_layout=True)
+    for axes, state in zip(panels, states):
+        left = dict.fromkeys((r["threads"] for r in table if r["state"] == state), 0.0)
+        for r in (r for r in table if r["state"] == state):
+            axes.barh(r["threads"], float(r["ms"]), left=left[r["threads"]], color=colours[r["part"]], height=0.6)
+            left[r["threads"]] += float(r["ms"])
+        axes.set(title=f"Flat20N, {state}", xlabel="ms a step", ylabel="threads")
+        axes.invert_yaxis()
+    figure.legend([plt.Rectangle((0, 0), 1, 1, color=colours[p]) for p in parts], parts, loc="lower center",
+                  ncols=len(parts), frameon=False, bbox_to_anchor=(0.5, -0.14))
+    figure.savefig(picture, bbox_inches="tight", metadata={"Date": None} if picture.suffix == ".svg" else None)
+    print(picture)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("-o", "--output", type=pathlib.Path, help="default: FOLDER/bench.png")
     words = parser.parse_args()
+    if words.folder.is_file():
+        by_state(words.folder, words.output or words.folder.with_suffix(".svg"))
+        return
     by_stage = sorted(words.folder.glob("*-stages.csv"))
     tables = sorted(set(words.folder.glob("*.csv")) - set(by_stage))
     if not tables or not by_stage:

@@ -126,8 +126,8 @@ void add_assembly(const World& w, StepWork& work) {
 
 /// kick, drift, measure_moves.
 void add_update(const World& w, StepWork& work) {
-  constexpr double kState = 16, kConstants = 6;          // numbers read and written; read: masses, inertia along principal axes, damping
-  constexpr double kOffDiagonal = 3;                     // read beside, where elements do not lie along these
+  constexpr double kState = 16, kConstants = 6;       // numbers read and written; read: masses, inertia along principal axes, damping
+  constexpr double kOffDiagonal = 3;                  // read beside, where elements do not lie along these
   constexpr double kWay = kTwice + 2, kBatchTravel = 4;  // path, until and radius: of a active element; of a batch
   const auto of_batches = [](const auto& flags, int value) {
     return static_cast<double>(std::ranges::count(flags, value)) * kernels::kBatch;

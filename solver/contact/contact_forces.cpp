@@ -14,7 +14,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;           // patches that a thread takes at a time
+constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;   // patches that a thread takes at a time
 constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, when their memory is asked for
 constexpr std::int32_t kPrefetchElements = 8;
 

@@ -259,8 +259,7 @@ double mark_moved(World& w, double farther_than, ReSearch& re_search) {
     re_search.element[e] = m > farther_than ? 1 : 0;
     if (re_search.element[e] == 0) moved = std::max(moved, m);
   }
-  for (std::size_t p = 0; p < re_search.patch.size(); ++p)
-    re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
+  for (std::size_t p = 0; p < re_search.patch.size(); ++p) re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
   return moved;
 }
 
@@ -297,7 +296,7 @@ void search_all(World& w) {
     column->resize(w.elements.ux.size());
   for (std::size_t e = 0; e < w.elements.ux.size(); ++e) remember_pose(w, e);
   ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
-                     std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
+            std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
   search(w, re_search, 0.0);
   c.stale = false;
 }
@@ -306,7 +305,7 @@ void search_contacts(World& w) {
   Contacts& c = w.contacts;
   if (c.stale || patches_lie_apart(w)) return search_all(w);
   ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
-                     std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
+            std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
   mark_new_patches(c, re_search);
   // Not only those for which it is time: others would be due a few steps later.
   const double moved = mark_moved(w, 0.25 * c.skin, re_search);

@@ -20,8 +20,8 @@ namespace {
 // that bends but still holds (a lintel's wood yields by a tenth of a radian) stays one: its bonds are cut by nothing but their limits.
 constexpr double kTilt = 0.15;               // rad, relative rotation
 constexpr double kSlideShare = 0.5;          // of a segment
-constexpr std::int32_t kPrefetchBlocks = 2;  // blocks, when their memory is asked for
-constexpr std::size_t kPrefetchWhole = 2;    // whole blocks of a out-of-cache model, when their constants are asked for
+constexpr std::int32_t kPrefetchBlocks = 2;      // blocks, when their memory is asked for
+constexpr std::size_t kPrefetchWhole = 2;       // whole blocks of a out-of-cache model, when their constants are asked for
 constexpr std::size_t kAtATime = 4;          // whole blocks, between two requests for elements of the next task
 constexpr std::int64_t kOpenInterval = 16;   // steps between two looks at sides that are open all over
 constexpr std::int64_t kSteadyInterval = 8;  // steps between two attempts to find a side steady
@@ -163,8 +163,8 @@ class RowPrefetch {
 
 /// Blocks in which nothing has happened. Those that a bound does not prove to stay so are looked at like any other.
 /// \param prefetch  blocks whose constants are asked for meanwhile
-void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers,
-                          std::span<const std::int32_t> prefetch, kernels::StepClock clock, std::int64_t step, JointFindings& found) {
+void advance_whole_blocks(World& w, const kernels::Rows& rows, std::span<const std::int32_t> numbers, std::span<const std::int32_t> prefetch,
+                          kernels::StepClock clock, std::int64_t step, JointFindings& found) {
   kernels::WholeRun run{.blocks = w.sides.blocks.data(), .live_lanes = w.sides.live_lanes.data(), .numbers = numbers, .prefetch = prefetch};
   while (!run.numbers.empty()) {
     unsigned lanes = 0;

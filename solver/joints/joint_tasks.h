@@ -23,9 +23,9 @@ namespace voussoir::solver {
 /// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task waits for tasks of
 /// lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest colour never waits.
 ///
-/// Of a model that is far (World::out_of_cache) a thread would fetch its share once for each colour. There only tasks at the borders of
-/// shares, and those that they wait for, come first, colour by colour; then the others along the plan, each right after those that it waits
-/// for. So again what a task waits for stands before it in its queue, or comes first in another.
+/// Of a model that is far (World::out_of_cache) a thread would fetch its share once for each colour. There only tasks at the borders of shares, and
+/// those that they wait for, come first, colour by colour; then the others along the plan, each right after those that it waits for. So
+/// again what a task waits for stands before it in its queue, or comes first in another.
 class JointTasks {
  public:
   JointTasks() = default;

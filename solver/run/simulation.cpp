@@ -271,24 +271,24 @@ void Simulation::kick(const kernels::BodyForces& f) {
 
 void Simulation::drift(double dt) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first,
-                                                                                                                        std::int64_t last) {
-                           kernels::drift(view, rows, dt, first, last);
-                           return kernels::measure_moves(view, moves, first, last);
-                         });
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::drift(view, rows, dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first,
-                                                                                                                        std::int64_t last) {
-                           kernels::kick(view, rows, f, first, last);
-                           kernels::drift(view, rows, f.dt, first, last);
-                           return kernels::measure_moves(view, moves, first, last);
-                         });
+  moved_ = over_elements(
+      w, update_shares_,
+      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
+        kernels::kick(view, rows, f, first, last);
+        kernels::drift(view, rows, f.dt, first, last);
+        return kernels::measure_moves(view, moves, first, last);
+      });
 }
 
 void Simulation::step(Due due) {
