@@ -137,7 +137,7 @@ void list_partners(Work& w) noexcept {
       const auto found = std::find_if(w.candidates.begin(), w.candidates.end(), is_partner);
       if (found == w.candidates.end()) continue;  // only a forged checkpoint has such a point
       Candidate& c = *found;
-      if (c.last == 0) c.first = i, c.until = kLookNow;
+      if (c.last == 0) c.first = i, c.safe = kLookNow;
       c.last = i + kWidth;
       if (w.q.face[k] == kNoFace || c.face == w.q.face[k]) continue;
       c.face = c.face == kNoFace ? w.q.face[k] : kSeveralFaces;
@@ -188,19 +188,19 @@ VOUSSOIR_INLINE Distances distances_of_held(const PlaneFields& planes, std::int3
   return d;
 }
 
-// A point that stands out of its face may lie beyond the radius of its partner that ways are about, by less than the rest.
+// A point that stands out of its face may lie beyond the radius of its partner that travel bounds are about, by less than the rest.
 constexpr double kHeldRoom = 0.95;
 
 /// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on which it still stands.
 VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
-/// Points of the patch against candidate k: few have come in or left. Returns the way [m] that the others have to go until one can, but for
-/// those that leave through the face they touch.
+/// Points of the patch against candidate k: few have come in or left. Returns the travel [m] of both bodies before one of the others can,
+/// but for those that leave through the face they touch.
 double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c);
   const Lanes far = lanes(1e300);
-  Lanes way = far;
+  Lanes spare = far;
   for (int i = 0; i < w.points.n; i += kWidth) {
     const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i), distance = distances(planes, s, t);
     const LaneMask free = equal(w.q.partner + i, kNobody), held = equal(w.q.partner + i, c.element);
@@ -216,18 +216,18 @@ double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
       rest &= (1U << (w.points.n - i)) - 1U;
       for (int l = w.points.n - i; l < kWidth; ++l) room[l] = 1e300;
     }
-    way = min(way, room);
+    spare = min(spare, room);
     for (; rest != 0; rest &= rest - 1) {
       const int l = std::countr_zero(rest);
       look_at_point(w, k, y, planes, i + l, (bits(in) >> l & 1U) != 0);
     }
   }
-  double least = way[0];
-  for (int l = 1; l < kWidth; ++l) least = std::min(least, way[l]);
+  double least = spare[0];
+  for (int l = 1; l < kWidth; ++l) least = std::min(least, spare[l]);
   return least;
 }
 
-/// True if some point that touches candidate c may have left it through its face. The bound on all other ways is Candidate::until.
+/// True if some point that touches candidate c may have left it through its face. The bound on all other ways out is Candidate::safe.
 bool leaves(const Work& w, const Candidate& c) noexcept {
   if (c.face == kNoFace) return false;
   if (c.face == kSeveralFaces) return true;
@@ -246,12 +246,12 @@ bool leaves(const Work& w, const Candidate& c) noexcept {
 /// Looks at candidate k where something may have changed: most steps nothing can.
 void look_if_due(Work& w, std::int32_t k) noexcept {
   Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  const double paths = w.bodies.path[w.patch.element] + w.bodies.path[c.element];
-  if (paths < c.until && !w.changed && !leaves(w, c)) return;  // a point that another partner has let go is a new one for this
+  const double travel = w.bodies.travel[w.patch.element] + w.bodies.travel[c.element];
+  if (travel < c.safe && !w.changed && !leaves(w, c)) return;  // a point that another partner has let go is a new one for this
   const InSlave y = slave_frame(w, c);
   const double apart = c.first < c.last ? -1.0 : separation(w.patch, y, w.faces, c);
   if (apart < 0.0 && !w.looked) std::fill_n(w.scratch.candidate, w.points.n, -1), w.looked = true;
-  c.until = paths + (apart >= 0.0 ? apart : look_at(w, k, y)) - kRoundOff;
+  c.safe = travel + (apart >= 0.0 ? apart : look_at(w, k, y)) - kRoundOff;
 }
 
 }  // namespace
@@ -275,7 +275,7 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
   if (w.noted) take_partners(w);
   if (w.changed) {
     list_partners(w);
-    for (Candidate& c : candidates) c.until = kLookNow;
+    for (Candidate& c : candidates) c.safe = kLookNow;
   }
   for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, candidates[static_cast<std::size_t>(k)], wrench[k]) ? 1 : 0;
   return w.r;

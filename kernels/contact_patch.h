@@ -28,7 +28,7 @@ inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 inline constexpr std::int32_t kSeveralFaces = -2;
 inline constexpr std::int32_t kUnknownFace = -3;
-inline constexpr double kLookNow = -1e300;  // m, a path that every path exceeds
+inline constexpr double kLookNow = -1e300;  // m, below every travel bound: the pair is looked at in the next step
 inline constexpr double kRoundOff = 1e-9;   // m, far more than that of any distance between a point and a face
 
 /// A face of an element in its body frame, centred at the centroid; the base has one (the plane z = 0 of its row). One cache line.
@@ -86,7 +86,7 @@ struct Candidate {
   // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace, for all of a
   // patch or none: partners are to be listed).
   std::int32_t face = kUnknownFace, first = 0, last = 0;
-  double until = kLookNow;  // m, sum of both bodies' paths below which no point can come in, or leave through another face than `face`
+  double safe = kLookNow;  // m, sum of both travel bounds below which no point can come in, or leave through another face than `face`
 };
 
 struct ContactOptions {
@@ -109,7 +109,7 @@ struct Bodies {
   const double* pose = nullptr;   // rows
   const double* twist = nullptr;  // rows
   const BodyConstants* constants = nullptr;
-  const double* path = nullptr;  // m, bound on the way that any point of each body has gone since it was searched last
+  const double* travel = nullptr;  // m, by body: upper bound on the path of any of its points since it was searched
 };
 
 struct PatchScratch {
@@ -130,7 +130,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
 
 /// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
 /// \param touching  points that have a partner from the last step
-/// \pre  there is a candidate, and since it was new no path has become shorter
+/// \pre  there is a candidate, and since it was new no travel bound has become smaller
 /// \pre  histories of the points are padded to kLanes with points that have no partner
 using AdvancePatch = PatchResult(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
                                  const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
@@ -139,8 +139,8 @@ AdvancePatch advance_patch;            // several points at a time, and no look 
 AdvancePatch advance_patch_reference;  // the plain twin: looks at every point, and leaves what candidates know alone
 
 /// True if nothing of the pair can have changed and it pushes nowhere: a patch of which this holds for all candidates needs no step.
-inline bool quiet(const Candidate& c, double path_of_patch, double path_of_candidate) noexcept {
-  return c.face == kNoFace && path_of_patch + path_of_candidate < c.until;
+inline bool quiet(const Candidate& c, double travel_of_patch, double travel_of_candidate) noexcept {
+  return c.face == kNoFace && travel_of_patch + travel_of_candidate < c.safe;
 }
 
 }  // namespace voussoir::kernels

@@ -13,7 +13,7 @@ namespace {
 /// A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares. 1.1: what lies beyond first
 /// order, for turns that a search waits for.
 template <class Real>
-VOUSSOIR_INLINE Real squared_move(Real dx, Real dy, Real dz, Real dw, Real da, Real db, Real dc, Real radius) noexcept {
+VOUSSOIR_INLINE Real squared_displacement(Real dx, Real dy, Real dz, Real dw, Real da, Real db, Real dc, Real radius) noexcept {
   const Real turn2 = 4.0 * radius * radius * (dw * dw + da * da + db * db + dc * dc);
   return 2.0 * (dx * dx + dy * dy + dz * dz + 1.1 * turn2);
 }
@@ -30,12 +30,14 @@ VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, 
   return __builtin_convertvector(f, Lanes);
 }
 
-// `move_of` of a sum is at most the sum of those of its parts, and that of a part at most sqrt(2.2) of its way.
-constexpr double kMoveOfWay = 1.5;
+// What `squared_displacement` makes of a sum of small motions is at most the sum of what it makes of each, and of one at most sqrt(2.2) of
+// its travel.
+constexpr double kDisplacementOfTravel = 1.5;
 
-VOUSSOIR_INLINE Lanes moves_of_group(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
-  return sqrt(squared_move(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i), difference(e.qw, at.qw, i),
-                           difference(e.qx, at.qx, i), difference(e.qy, at.qy, i), difference(e.qz, at.qz, i), load_lanes(at.radius + i)));
+VOUSSOIR_INLINE Lanes displacements_of_group(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
+  return sqrt(squared_displacement(difference(e.ux, at.ux, i), difference(e.uy, at.uy, i), difference(e.uz, at.uz, i),
+                                   difference(e.qw, at.qw, i), difference(e.qx, at.qx, i), difference(e.qy, at.qy, i),
+                                   difference(e.qz, at.qz, i), load_lanes(at.radius + i)));
 }
 
 VOUSSOIR_INLINE double largest(Lanes x) noexcept {
@@ -44,55 +46,55 @@ VOUSSOIR_INLINE double largest(Lanes x) noexcept {
   return most;
 }
 
-/// Each element of a batch has its own way. \return moves of those that had to be looked at
-VOUSSOIR_INLINE Lanes measure_each(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
+/// Each element of the batch has its own bound. \return displacements of those that had to be computed
+VOUSSOIR_INLINE Lanes advance_each(const ElementsView& e, const TravelView& t, Lanes step, std::int64_t first) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
   Lanes farthest{};
   for (std::int64_t i = first; i < first + kBatch; i += kWidth) {
     const Lanes speed = length(e.vx, e.vy, e.vz, i), spin = length(e.wx, e.wy, e.wz, i);
-    const Lanes path = load_lanes(m.element.path + i) + step * (speed + spin * load_lanes(m.at.radius + i));
-    store_lanes(m.element.path + i, path);
-    if (bits(path <= load_lanes(m.element.until + i)) == kAll) continue;
-    const Lanes move = moves_of_group(e, m.at, i);
-    store_lanes(m.element.until + i, path + (m.limit - move) * (1.0 / kMoveOfWay));
-    farthest = max(farthest, move);
+    const Lanes bound = load_lanes(t.element.bound + i) + step * (speed + spin * load_lanes(t.at.radius + i));
+    store_lanes(t.element.bound + i, bound);
+    if (bits(bound <= load_lanes(t.element.safe + i)) == kAll) continue;
+    const Lanes moved = displacements_of_group(e, t.at, i);
+    store_lanes(t.element.safe + i, bound + (t.limit - moved) * (1.0 / kDisplacementOfTravel));
+    farthest = max(farthest, moved);
   }
   return farthest;
 }
 
-/// All of them have one: as long as that of the fastest, with the radius of the largest.
-VOUSSOIR_INLINE Lanes measure_together(const ElementsView& e, const Moves& m, Lanes step, std::int64_t first) noexcept {
+/// The batch has one bound: it grows by the travel of the fastest element, with the radius of the largest.
+VOUSSOIR_INLINE Lanes advance_together(const ElementsView& e, const TravelView& t, Lanes step, std::int64_t first) noexcept {
   const std::int64_t batch = first / kBatch;
-  const Lanes radius = lanes(m.largest_radius[batch]);
-  Lanes way{};
+  const Lanes radius = lanes(t.largest_radius[batch]);
+  Lanes travel{};
   for (std::int64_t i = first; i < first + kBatch; i += kWidth) {
-    way = max(way, step * (length(e.vx, e.vy, e.vz, i) + length(e.wx, e.wy, e.wz, i) * radius));
+    travel = max(travel, step * (length(e.vx, e.vy, e.vz, i) + length(e.wx, e.wy, e.wz, i) * radius));
   }
-  double& path = m.batch.path[batch];
-  path += largest(way);
-  if (path <= m.batch.until[batch]) return Lanes{};
+  double& bound = t.batch.bound[batch];
+  bound += largest(travel);
+  if (bound <= t.batch.safe[batch]) return Lanes{};
   Lanes farthest{};
-  for (std::int64_t i = first; i < first + kBatch; i += kWidth) farthest = max(farthest, moves_of_group(e, m.at, i));
-  m.batch.until[batch] = path + (m.limit - largest(farthest)) / kMoveOfWay;
+  for (std::int64_t i = first; i < first + kBatch; i += kWidth) farthest = max(farthest, displacements_of_group(e, t.at, i));
+  t.batch.safe[batch] = bound + (t.limit - largest(farthest)) / kDisplacementOfTravel;
   return farthest;
 }
 
 }  // namespace
 
-double move_of(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
-  return std::sqrt(squared_move(e.ux[i] - at.ux[i], e.uy[i] - at.uy[i], e.uz[i] - at.uz[i], e.qw[i] - at.qw[i], e.qx[i] - at.qx[i],
-                                e.qy[i] - at.qy[i], e.qz[i] - at.qz[i], at.radius[i]));
+double displacement_since_search(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
+  return std::sqrt(squared_displacement(e.ux[i] - at.ux[i], e.uy[i] - at.uy[i], e.uz[i] - at.uz[i], e.qw[i] - at.qw[i], e.qx[i] - at.qx[i],
+                                        e.qy[i] - at.qy[i], e.qz[i] - at.qz[i], at.radius[i]));
 }
 
-double measure_moves(const ElementsView& e, const Moves& m, std::int64_t first, std::int64_t last) noexcept {
-  const Lanes step = lanes(1.001 * m.dt);  // a little more for round-off and what `drift` cuts off
+double advance_travel(const ElementsView& e, const TravelView& t, std::int64_t first, std::int64_t last) noexcept {
+  const Lanes step = lanes(1.001 * t.dt);  // a little more for round-off and what `drift` cuts off
   Lanes farthest{};
   for (std::int64_t i = first; i < last; i += kBatch) {
-    const bool each = m.active == nullptr || m.active[i / kBatch] != 0;
-    farthest = max(farthest, each ? measure_each(e, m, step, i) : measure_together(e, m, step, i));
+    const bool each = t.active == nullptr || t.active[i / kBatch] != 0;
+    farthest = max(farthest, each ? advance_each(e, t, step, i) : advance_together(e, t, step, i));
   }
   const double most = largest(farthest);
-  return most > m.limit ? most : 0.0;
+  return most > t.limit ? most : 0.0;
 }
 
 }  // namespace voussoir::kernels

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/bench/assembly_time.h"
+
 namespace voussoir::io {
 
 namespace {
@@ -40,7 +42,7 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
   int scatters = 0;
   solver::run(sim, run.plan, endless, kNever, run.results, [&](const solver::RunStatus& at) {
     if (!sim.world().options.gather && at.step > first) {  // not of a step that another team has done
-      scatter += solver::assemble_again(sim.world(), tasks), ++scatters;
+      scatter += solver::assembly_time(sim.world(), tasks), ++scatters;
     }
     return at.step < first + steps;
   });
@@ -112,7 +114,7 @@ StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& f
 }
 
 std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> counts, std::span<const int> steps, int batches) {
-  const int before = omp_get_max_threads();
+  const int before = run.sim.threads();
   cases::Case endless = run.value;
   endless.time.after_collapse.reset();
   solver::JointTasks tasks(run.sim.world());
@@ -121,13 +123,13 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   run.sim.time_parts(true);
   for (int b = 0; b < batches; ++b) {
     for (Team& team : teams) {
-      omp_set_num_threads(team.threads);
+      run.sim.set_threads(team.threads);
       take_batch(run, endless, 1, tasks);  // another team has other shares, and other rows in its caches
       team.batches.push_back(take_batch(run, endless, team.steps_in_a_batch, tasks));
     }
   }
   run.sim.time_parts(false);
-  omp_set_num_threads(before);
+  run.sim.set_threads(before);
   // A run writes its rows to the disk every so often.
   const double start = omp_get_wtime();
   run.results.flush();

@@ -16,7 +16,7 @@
 namespace voussoir::io {
 
 /// `scatter`: what elements take from the slots of contacts, and by gather from those of sides; by colour also what handing out the forces
-/// of all joints takes alone (solver::assemble_again), which is taken off the joints' parts. `waiting`: what is left of the stage of forces.
+/// of all joints takes alone (solver::assembly_time), which is taken off the joints' parts. `waiting`: what is left of the stage of forces.
 /// `ledger`, `output`: at the intervals of the case, as in a run.
 enum class StepPart : std::size_t { whole_joints, damaged_joints, contacts, assembly, waiting, search, damage, update, ledger, output };
 inline constexpr std::array<const char*, 10> kStepPartNames = {"joints whole", "joints damaged", "contacts", "scatter", "waiting",

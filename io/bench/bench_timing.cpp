@@ -31,7 +31,7 @@ struct Team {
 };
 
 Sample take_sample(solver::Simulation& sim, int steps) {
-  const int threads = omp_get_max_threads();
+  const int threads = sim.threads();
   Sample s{.steps = steps, .time = 0.0, .cores = solver::core_times(threads)};
   const double start = omp_get_wtime();
   for (int i = 0; i < steps; ++i) sim.step({});
@@ -49,7 +49,7 @@ Batch take_batch(solver::Simulation& sim, int steps) {
   for (int i = 0; i < steps; ++i) sim.step({});  // another team has other shares, and other rows in its caches
   const int samples = std::min(kSamples, steps);
   for (int k = 0; k < samples; ++k) b.samples.push_back(take_sample(sim, steps * (k + 1) / samples - steps * k / samples));
-  b.handover = solver::handover_now(omp_get_max_threads());
+  b.handover = solver::handover_now(sim.threads());
   return b;
 }
 
@@ -157,19 +157,19 @@ std::vector<bool> quiet(std::span<const Sample> samples) {
 }
 
 std::vector<Timing> time_steps(solver::Simulation& sim, std::span<const int> counts, const TimingOptions& o) {
-  const int before = omp_get_max_threads();
+  const int before = sim.threads();
   std::vector<Team> teams;
   for (const int threads : counts) {
-    omp_set_num_threads(threads);
+    sim.set_threads(threads);
     teams.push_back({threads, steps_in_a_batch(sim, o), {}});
   }
   while (!enough(teams, o)) {
     for (Team& team : teams) {
-      omp_set_num_threads(team.threads);
+      sim.set_threads(team.threads);
       team.batches.push_back(take_batch(sim, team.steps));
     }
   }
-  omp_set_num_threads(before);
+  sim.set_threads(before);
   std::vector<Timing> timings;
   for (const Team& team : teams) timings.push_back(timing_of(team, teams.front()));
   return timings;

@@ -38,8 +38,8 @@ struct TimingOptions {
   int steps = 0;              // in a batch; 0: as many as take 0.1 s
 };
 
-/// The numbers of threads take turns, batch by batch, so that whatever else the machine does meets them all. They are set with
-/// omp_set_num_threads, and back.
+/// The numbers of threads take turns, batch by batch, so that whatever else the machine does meets them all. The simulation has its own
+/// number of threads again afterwards.
 /// \param counts  numbers of threads, the first of them 1
 std::vector<Timing> time_steps(solver::Simulation& sim, std::span<const int> counts, const TimingOptions& o);
 

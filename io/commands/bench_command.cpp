@@ -134,9 +134,9 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   timing.steps = o.steps;
   std::vector<Limits> best;
   for (const bool gather : {false, true}) {
-    omp_set_num_threads(counts.back());
     auto holder = build(gather);
     solver::Simulation& sim = *holder->sim;
+    sim.set_threads(counts.back());
     advance_to(sim, o.after);
     holder->plan.shaking |= sim.phase() == solver::Phase::shaking;
     if (!gather) {

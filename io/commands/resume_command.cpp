@@ -119,7 +119,7 @@ int resume_command(const ResumeOptions& o) {
   folder.write_case(resolved);
   ResultsOptions keep;
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
-  ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(omp_get_max_threads()), keep);
+  ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);

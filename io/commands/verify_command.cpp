@@ -51,15 +51,17 @@ void advance(solver::Simulation& sim, solver::RunState& plan, const Setting& s, 
 
 /// The state after all steps; stopped at some, and gone on with from a checkpoint by a new simulation.
 solver::SavedState outcome(const Setting& s, int threads, const std::set<std::int64_t>& stops) {
-  omp_set_num_threads(threads);
-  auto sim = std::make_unique<solver::Simulation>(s.value, s.model, s.motion, s.options);
+  solver::Options options = s.options;
+  options.threads = threads;
+  const auto build = [&] { return std::make_unique<solver::Simulation>(s.value, s.model, s.motion, options); };
+  std::unique_ptr<solver::Simulation> sim = build();
   solver::RunState plan;
   const ScratchFolder scratch;
   const std::string checkpoint = scratch.path() + "/checkpoint.h5";
   for (const std::int64_t stop : stops) {
     advance(*sim, plan, s, stop);
     write_checkpoint(checkpoint, facts_of(*sim, "", s.motion, s.options.reference_kernels), solver::fields(*sim, plan));
-    sim = std::make_unique<solver::Simulation>(s.value, s.model, s.motion, s.options);
+    sim = build();
     plan = {};
     solver::restore(*sim, plan, read_checkpoint(checkpoint).state);
   }
@@ -69,8 +71,9 @@ solver::SavedState outcome(const Setting& s, int threads, const std::set<std::in
 
 /// Even, and so many that one run takes about kSeconds.
 std::int64_t choose_steps(const Setting& s) {
-  omp_set_num_threads(1);
-  solver::Simulation sim(s.value, s.model, s.motion, s.options);
+  solver::Options options = s.options;
+  options.threads = 1;
+  solver::Simulation sim(s.value, s.model, s.motion, options);
   const auto start = Clock::now();
   for (std::int64_t i = 0; i < kTrial; ++i) sim.step({});
   const double each = std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(kTrial);

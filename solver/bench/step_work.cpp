@@ -124,17 +124,17 @@ void add_assembly(const World& w, StepWork& work) {
   }
 }
 
-/// kick, drift, measure_moves.
+/// kick, drift, advance_travel.
 void add_update(const World& w, StepWork& work) {
-  constexpr double kState = 16, kConstants = 6;       // numbers read and written; read: masses, inertia along principal axes, damping
-  constexpr double kOffDiagonal = 3;                  // read beside, where elements do not lie along these
-  constexpr double kWay = kTwice + 2, kBatchTravel = 4;  // path, until and radius: of a active element; of a batch
+  constexpr double kState = 16, kConstants = 6;          // numbers read and written; read: masses, inertia along principal axes, damping
+  constexpr double kOffDiagonal = 3;                     // read beside, where elements do not lie along these
+  constexpr double kWay = kTwice + 2, kBatchTravel = 4;  // bound, safe and radius: of an active element; of a batch
   const auto of_batches = [](const auto& flags, int value) {
     return static_cast<double>(std::ranges::count(flags, value)) * kernels::kBatch;
   };
   const Elements& e = w.elements;
   const auto rows = static_cast<double>(e.rows);
-  const double active = of_batches(e.active, 1);
+  const double active = of_batches(w.travel.active(), 1);
   const double numbers = rows * (kTwice * kState + kConstants) + kOffDiagonal * of_batches(e.principal, 0) + kWay * active +
                          rows / kernels::kBatch * (kTwice * kernels::kTallies + kBatchTravel);
   work.update.operations = rows * kUpdate;

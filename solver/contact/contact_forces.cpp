@@ -14,7 +14,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;   // patches that a thread takes at a time
+constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;           // patches that a thread takes at a time
 constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, when their memory is asked for
 constexpr std::int32_t kPrefetchElements = 8;
 
@@ -23,8 +23,8 @@ constexpr std::int32_t kPrefetchElements = 8;
 bool is_quiet(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
   if (w.options.reference_kernels) return false;
-  const double path = c.path[static_cast<std::size_t>(c.master[a])];
-  const auto quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, path, c.path[static_cast<std::size_t>(k.element)]); };
+  const double travel = w.travel.bound(c.master[a]);
+  const auto quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, travel, w.travel.bound(k.element)); };
   return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
 }
 

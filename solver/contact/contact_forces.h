@@ -2,20 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernels/travel.h"
 #include "solver/world/world.h"
 
 /// Stages 2 and 3b of the step: which free patches may touch which elements, and the forces of those that do.
 namespace voussoir::solver {
-
-/// For kernels::measure_moves, once a step: how far an element may move before it is searched again is the limit.
-kernels::Moves moves_of(World& w);
-/// What that returns, of an element that has been put elsewhere.
-double measure_move(World& w, std::int32_t element);
-
-/// True if some element has moved too far since it was searched; `moved`: the largest of kernels::measure_moves.
-/// Call once a step: it also counts down to the search that retired sides ask for, of their own patches.
-bool search_due(World& w, double moved);
 
 /// Broad phase on the uniform grid, then patch against element by separating planes: finds again the candidates of elements that have moved
 /// by more than a quarter of the skin since they were searched last, as patches and as partners, and of patches that came since. Others

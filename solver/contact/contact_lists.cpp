@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "solver/world/twists.h"
-
 namespace voussoir::solver {
 
 namespace {
@@ -15,12 +13,11 @@ struct Pair {
   kernels::Candidate candidate;
 };
 
-/// With the way that both bodies have to go before they can touch.
+/// With the travel of both bodies before they can touch.
 kernels::Candidate candidate_found(const World& w, const Found& f, std::size_t i) {
-  const Contacts& c = w.contacts;
   kernels::Candidate k = candidate_of(w, f.element[i]);
-  const auto master = static_cast<std::size_t>(w.patches.patch[static_cast<std::size_t>(f.patch[i])].element);
-  k.until = c.path[master] + c.path[static_cast<std::size_t>(f.element[i])] + f.gap[i] - kernels::kRoundOff;
+  const std::int32_t master = w.patches.patch[static_cast<std::size_t>(f.patch[i])].element;
+  k.safe = w.travel.bound(master) + w.travel.bound(f.element[i]) + f.gap[i] - kernels::kRoundOff;
   return k;
 }
 
@@ -100,7 +97,7 @@ void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
     const bool released = w.patches.patch[p].touching < touching;
     for (std::size_t slot = first; slot < last; ++slot) {
       c.candidate[slot].face = touching == 0 ? kernels::kNoFace : kernels::kUnknownFace;
-      if (released) c.candidate[slot].until = kernels::kLookNow;  // a point that is free now is a new one for all
+      if (released) c.candidate[slot].safe = kernels::kLookNow;  // a point that is free now is a new one for all
     }
   }
 }
@@ -140,7 +137,7 @@ void build_gather(World& w) {
   c.first_gather.assign(n + 1, 0);
   each([&](std::size_t e, std::int64_t) {
     ++c.first_gather[e + 1];
-    activate(w, static_cast<std::int32_t>(e));
+    w.travel.activate(w.elements, static_cast<std::int32_t>(e));
   });
   for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
   c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
@@ -169,7 +166,7 @@ void replace_candidates(World& w, const ReSearch& re_search, std::span<const Fou
   fill_slots(c, w.patches.patch.size(), pairs);
   settle_partners(w, changed);
   c.searched = static_cast<std::int64_t>(c.active.size());
-  c.countdown = 0;
+  w.travel.answer_search();
   c.gather_stale = true;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/travel.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
@@ -28,9 +27,8 @@ Body body(const World& w, std::int32_t e) {
 
 /// As it stood when it was searched last.
 Body body_then(const World& w, std::int32_t e) {
-  const auto i = static_cast<std::size_t>(e);
-  const Contacts& c = w.contacts;
-  return {w.elements.body[i].ref + Vec3{c.at_ux[i], c.at_uy[i], c.at_uz[i]}, rotation({c.at_qw[i], c.at_qx[i], c.at_qy[i], c.at_qz[i]})};
+  const Travel::Pose p = w.travel.searched_pose(e);
+  return {w.elements.body[static_cast<std::size_t>(e)].ref + p.u, p.r};
 }
 
 Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
@@ -215,10 +213,10 @@ void place_grid(World& w) {
 void search(World& w, const ReSearch& re_search, double moved) {
   place_grid(w);
   const PatchesOfElements patches = patches_of_elements(w);
-  const SearchPass pass{w, re_search, patches, w.contacts.skin, moved};
+  const SearchPass pass{w, re_search, patches, w.travel.skin(), moved};
   const std::vector<std::int32_t> elements = elements_of(w, re_search);
   std::vector<Found> found(elements.size());
-#pragma omp parallel
+#pragma omp parallel num_threads(w.threads)
   {
     Neighbours near;
 #pragma omp for schedule(dynamic, 64)
@@ -229,21 +227,6 @@ void search(World& w, const ReSearch& re_search, double moved) {
   ++w.contacts.searches;
 }
 
-/// From here on the element counts as searched where it stands.
-void remember_pose(World& w, std::size_t e) {
-  Contacts& c = w.contacts;
-  const Elements& el = w.elements;
-  c.at_ux[e] = el.ux[e], c.at_uy[e] = el.uy[e], c.at_uz[e] = el.uz[e];
-  c.at_qw[e] = el.qw[e], c.at_qx[e] = el.qx[e], c.at_qy[e] = el.qy[e], c.at_qz[e] = el.qz[e];
-  c.path[e] = c.until[e] = 0.0;
-}
-
-kernels::SearchedPoses searched_poses(const World& w) {
-  const Contacts& c = w.contacts;
-  return {c.at_ux.data(), c.at_uy.data(), c.at_uz.data(), c.at_qw.data(),
-          c.at_qx.data(), c.at_qy.data(), c.at_qz.data(), w.elements.radius.data()};
-}
-
 /// Patches that came after the last search.
 void mark_new_patches(const Contacts& c, ReSearch& re_search) {
   for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) re_search.patch[static_cast<std::size_t>(c.active[a])] = 1;
@@ -251,66 +234,40 @@ void mark_new_patches(const Contacts& c, ReSearch& re_search) {
 
 /// Elements that have moved farther than that, and their patches. Returns how far the others have moved at most [m].
 double mark_moved(World& w, double farther_than, ReSearch& re_search) {
-  const kernels::ElementsView now = w.elements.view();
-  const kernels::SearchedPoses then = searched_poses(w);
   double moved = 0.0;
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    const double m = kernels::move_of(now, then, static_cast<std::int64_t>(e));
+    const double m = w.travel.displacement(w.elements, static_cast<std::int32_t>(e));
     re_search.element[e] = m > farther_than ? 1 : 0;
     if (re_search.element[e] == 0) moved = std::max(moved, m);
   }
-  for (std::size_t p = 0; p < re_search.patch.size(); ++p) re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
+  for (std::size_t p = 0; p < re_search.patch.size(); ++p)
+    re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
   return moved;
 }
 
 }  // namespace
 
-kernels::Moves moves_of(World& w) {
-  Contacts& c = w.contacts;
-  return {.at = searched_poses(w),
-          .dt = w.dt,
-          .limit = c.farthest(),
-          .element = {c.path.data(), c.until.data()},
-          .active = w.elements.active.data(),
-          .batch = {c.batch_path.data(), c.batch_until.data()},
-          .largest_radius = w.elements.largest_radius.data()};
-}
-
-double measure_move(World& w, std::int32_t element) {
-  if (w.contacts.stale) return 0.0;  // nobody has searched yet
-  const double moved = kernels::move_of(w.elements.view(), searched_poses(w), element);
-  return moved > w.contacts.farthest() ? moved : 0.0;
-}
-
-bool search_due(World& w, double moved) {
-  Contacts& c = w.contacts;
-  const bool new_patches = c.countdown > 0 && --c.countdown == 0;
-  return c.stale || new_patches || moved > c.farthest();
-}
-
 void search_all(World& w) {
   Contacts& c = w.contacts;
   c.active.clear(), c.first_slot.clear();  // nothing of them stays, and sorting gives the patches other numbers
   if (patches_lie_apart(w)) sort_patches(w);
-  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz, &c.path, &c.until})
-    column->resize(w.elements.ux.size());
-  for (std::size_t e = 0; e < w.elements.ux.size(); ++e) remember_pose(w, e);
+  w.travel.remember_all(w.elements);
   ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
-            std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
+                     std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
   search(w, re_search, 0.0);
-  c.stale = false;
+  w.travel.set_searched();
 }
 
 void search_contacts(World& w) {
   Contacts& c = w.contacts;
-  if (c.stale || patches_lie_apart(w)) return search_all(w);
+  if (!w.travel.is_searched() || patches_lie_apart(w)) return search_all(w);
   ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
-            std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
+                     std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
   mark_new_patches(c, re_search);
   // Not only those for which it is time: others would be due a few steps later.
-  const double moved = mark_moved(w, 0.25 * c.skin, re_search);
-  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    if (re_search.element[e] != 0) remember_pose(w, e);
+  const double moved = mark_moved(w, 0.25 * w.travel.skin(), re_search);
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    if (re_search.element[static_cast<std::size_t>(e)] != 0) w.travel.remember(w.elements, e);
   }
   search(w, re_search, moved);
 }

@@ -118,19 +118,18 @@ kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, doub
 
 void find_overlaps(World& w, std::vector<OverlapFound>& found) {
   const auto count = static_cast<std::int64_t>(w.overlaps.pairs.size());
-  const double* path = w.contacts.path.data();
 #pragma omp for schedule(static) nowait
   for (std::int64_t i = 0; i < count; ++i) {
     OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
-    const double paths = path[p.a] + path[p.b];
-    if (paths < p.until && !w.options.reference_kernels) continue;
+    const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
+    if (travel < p.safe && !w.options.reference_kernels) continue;
     const double allowed = allowed_overlap(w, p.a, p.b);
     const kernels::Overlap at = overlap_of(w, p.a, p.b, allowed);
     if (at.depth > allowed) {
-      p.until = kernels::kLookNow;
+      p.safe = kernels::kLookNow;
       found.push_back({static_cast<std::size_t>(i), at});
     } else {
-      p.until = paths + (allowed - at.depth) - kernels::kRoundOff;
+      p.safe = travel + (allowed - at.depth) - kernels::kRoundOff;
     }
   }
 }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "solver/contact/overlap_contact.h"
-#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 
@@ -31,22 +30,20 @@ struct Listing {
   const World& w;
   const std::vector<std::uint8_t>& re_search;
   const geometry::UniformGrid& grid;
-  double way = 0.0;    // m, of both together
-  double reach = 0.0;  // m, from where a body stands to where the grid has another one
+  double travel = 0.0;  // m, of both together before one of them is listed again
+  double reach = 0.0;   // m, from where a body stands to where the grid has another one
   [[nodiscard]] bool is_re_searched(std::int32_t e) const { return re_search[static_cast<std::size_t>(e)] != 0; }
   [[nodiscard]] bool is_fixed(std::int32_t e) const { return w.elements.fixed[static_cast<std::size_t>(e)] != 0; }
 };
 
-double sum_of_paths(const World& w, std::int32_t a, std::int32_t b) {
-  return w.contacts.path[static_cast<std::size_t>(a)] + w.contacts.path[static_cast<std::size_t>(b)];
-}
+double sum_of_travel(const World& w, std::int32_t a, std::int32_t b) { return w.travel.bound(a) + w.travel.bound(b); }
 
 /// Adds the pair unless its bodies cannot come to overlap by more than is allowed before one of them is listed again.
 void consider(const Listing& l, std::int32_t a, std::int32_t b, std::vector<OverlapPair>& pairs) {
-  const double allowed = allowed_overlap(l.w, a, b), spare = allowed - l.way;
+  const double allowed = allowed_overlap(l.w, a, b), spare = allowed - l.travel;
   const double depth = overlap_of(l.w, a, b, spare).depth;
   if (depth <= spare) return;
-  pairs.push_back({a, b, sum_of_paths(l.w, a, b) + (allowed - depth) - kernels::kRoundOff});
+  pairs.push_back({a, b, sum_of_travel(l.w, a, b) + (allowed - depth) - kernels::kRoundOff});
 }
 
 void list_pairs_of(const Listing& l, std::int32_t e, std::vector<std::int32_t>& near, std::vector<OverlapPair>& pairs) {
@@ -63,7 +60,7 @@ void list_pairs_of(const Listing& l, std::int32_t e, std::vector<std::int32_t>& 
 
 std::vector<OverlapPair> list_pairs(const Listing& l) {
   std::vector<OverlapPair> pairs;
-#pragma omp parallel
+#pragma omp parallel num_threads(l.w.threads)
   {
     std::vector<OverlapPair> mine;
     std::vector<std::int32_t> near;
@@ -77,12 +74,12 @@ std::vector<OverlapPair> list_pairs(const Listing& l) {
   return pairs;
 }
 
-/// What is said of a pair needs the paths of both, and the rows of their twists.
+/// A pair needs the travel bounds and the velocity rows of both elements.
 void take_pairs(World& w, std::vector<OverlapPair> pairs) {
   std::ranges::sort(pairs, {}, [](const OverlapPair& p) { return std::pair(p.a, p.b); });
   for (const OverlapPair& p : pairs) {
-    activate(w, p.a);
-    if (p.b != w.elements.base) activate(w, p.b);
+    w.travel.activate(w.elements, p.a);
+    if (p.b != w.elements.base) w.travel.activate(w.elements, p.b);
   }
   w.overlaps.pairs = std::move(pairs);
   w.overlaps.stale = false;
@@ -91,8 +88,8 @@ void take_pairs(World& w, std::vector<OverlapPair> pairs) {
 }  // namespace
 
 void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, double moved) {
-  const double way = w.contacts.skin + moved;
-  std::vector<OverlapPair> pairs = list_pairs({w, re_search, w.contacts.grid, way, way + moved});
+  const double travel = w.travel.skin() + moved;
+  std::vector<OverlapPair> pairs = list_pairs({w, re_search, w.contacts.grid, travel, travel + moved});
   for (const OverlapPair& p : w.overlaps.pairs) {
     if (re_search[static_cast<std::size_t>(p.a)] == 0 && re_search[static_cast<std::size_t>(p.b)] == 0) pairs.push_back(p);
   }
@@ -107,8 +104,8 @@ void list_all_overlap_pairs(World& w) {
   for (std::int32_t e = 0; e < w.elements.count; ++e) box[static_cast<std::size_t>(e)] = box_of(w, e);
   geometry::UniformGrid grid;
   grid.build(box);
-  const double way = 2.0 * w.contacts.skin;
-  take_pairs(w, list_pairs({w, all, grid, way, way}));
+  const double travel = 2.0 * w.travel.skin();
+  take_pairs(w, list_pairs({w, all, grid, travel, travel}));
 }
 
 }  // namespace voussoir::solver

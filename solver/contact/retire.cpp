@@ -121,7 +121,7 @@ void retire_side(World& w, std::int32_t side) {
   sides.retired[i] = 1;
   if (w.options.gather) sides.pair_on[i] = 0;
   sides.side_state[i] = kernels::SideState::segments;
-  if (w.contacts.countdown == 0) w.contacts.countdown = kStepsToSearch;
+  w.travel.ask_for_search(kStepsToSearch);
 }
 
 void list_live_blocks(World& w) {

@@ -17,7 +17,7 @@ namespace voussoir::solver {
 struct JointFindings {
   std::vector<kernels::SegmentEvent> events;
   std::vector<std::int32_t> coming_apart;
-  std::vector<std::int32_t> looked_at;  // elements whose twists were, and which were not active
+  std::vector<std::int32_t> looked_at;  // elements whose velocities were read, in batches that were not active
   // For the block in hand.
   std::vector<kernels::SegmentEvent> room;
   std::array<kernels::DamagedSide, kernels::kLanes> sides;
@@ -41,19 +41,7 @@ void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& cloc
 /// Then: what other threads have left of theirs, if they are late.
 void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock);
 
-/// After a step: hands out the forces of all joints by colour once more, as zeros, in the same order and by a team of the same size. So it
-/// changes nothing, and takes what handing out takes alone: within the kernels it cannot be timed apart.
-/// \param tasks  of its own, or the shares of the step would follow what this takes
-/// \return s, of the mean thread, without its waiting
-double assemble_again(World& w, JointTasks& tasks);
-
 /// Merges the threads' findings; sorting makes their order a property of the model, not of the scheduling. Empties them.
 void collect(std::span<JointFindings*> found, JointEvents& out);
-
-struct StoredEnergy {
-  double bonds = 0.0, contact = 0.0;
-};
-/// Of all joints as they are after this stage.
-StoredEnergy joint_energy(World& w);
 
 }  // namespace voussoir::solver

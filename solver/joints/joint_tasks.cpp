@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "solver/joints/out_of_cache.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -45,23 +47,7 @@ JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), f
     place_.push_back(sum / static_cast<double>(elements.size()) / static_cast<double>(w.elements.rows));
     if (w.out_of_cache) elements_.push_back(std::move(elements));
   }
-  if (!w.out_of_cache) return;
-  rank_.assign(flag_.size(), -1);
-  std::vector<std::int32_t> along(flag_.size());
-  std::iota(along.begin(), along.end(), 0);
-  std::ranges::stable_sort(along, {}, [&](std::int32_t t) { return place_[static_cast<std::size_t>(t)]; });
-  std::int32_t next = 0;
-  for (const std::int32_t task : along) rank_after_those_before(task, next);
-}
-
-/// These lie beside it. A chain of them has one task of each colour at most.
-void JointTasks::rank_after_those_before(std::int32_t task, std::int32_t& next) {
-  const auto t = static_cast<std::size_t>(task);
-  if (rank_[t] >= 0) return;
-  for (std::int32_t k = first_before_[t]; k < first_before_[t + 1]; ++k) {
-    rank_after_those_before(before_[static_cast<std::size_t>(k)], next);
-  }
-  rank_[t] = next++;
+  if (w.out_of_cache) rank_ = ranks_along_plan({first_before_, before_}, place_);
 }
 
 void JointTasks::begin(int threads) {
@@ -91,7 +77,8 @@ void JointTasks::queue_up() {
       if (owner[task] != owner[other]) inside[task] = inside[other] = 0;
     }
   }
-  const std::vector<std::uint8_t> by_colour = rank_.empty() ? std::vector<std::uint8_t>(tasks, 1) : tasks_before_borders(inside);
+  const std::vector<std::uint8_t> by_colour =
+      rank_.empty() ? std::vector<std::uint8_t>(tasks, 1) : tasks_before_borders({first_before_, before_}, inside);
   queues_.resize(tasks);
   std::iota(queues_.begin(), queues_.end(), 0);
   std::ranges::sort(queues_, {}, [&](std::int32_t t) {
@@ -103,19 +90,6 @@ void JointTasks::queue_up() {
   for (std::size_t task = 0; task < tasks; ++task) ++ends_[owner[task]];
   std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
   place_flags(owner, inside);
-}
-
-/// Those that are not inside a share, all that these wait for, and so on.
-std::vector<std::uint8_t> JointTasks::tasks_before_borders(const std::vector<std::uint8_t>& inside) const {
-  std::vector<std::uint8_t> first(inside.size());
-  for (std::size_t task = inside.size(); task-- > 0;) {  // from the highest colour down: what a task waits for is of a lower one
-    if (inside[task] == 0) first[task] = 1;
-    if (first[task] == 0) continue;
-    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
-      first[static_cast<std::size_t>(before_[static_cast<std::size_t>(k)])] = 1;
-    }
-  }
-  return first;
 }
 
 /// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would

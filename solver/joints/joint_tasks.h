@@ -23,9 +23,9 @@ namespace voussoir::solver {
 /// Each thread has a queue, colour by colour, of tasks that lie together, so their rows stay in its own cache. A task waits for tasks of
 /// lower colours only, which stand before it in any queue, or are at work: of those at work, the one of the lowest colour never waits.
 ///
-/// Of a model that is far (World::out_of_cache) a thread would fetch its share once for each colour. There only tasks at the borders of shares, and
-/// those that they wait for, come first, colour by colour; then the others along the plan, each right after those that it waits for. So
-/// again what a task waits for stands before it in its queue, or comes first in another.
+/// In an out-of-cache model a thread would fetch its share from memory once for each colour. There (out_of_cache.h) only tasks at the
+/// borders of shares, and those that they wait for, come first, colour by colour; then the others along the plan, each right after those
+/// that it waits for. So again what a task waits for stands before it in its queue, or comes first in another.
 class JointTasks {
  public:
   JointTasks() = default;
@@ -34,8 +34,8 @@ class JointTasks {
   /// Once a step, before a team of so many threads begins.
   void begin(int threads);
 
-  /// Then, by every thread of the team: calls `work(task, ahead)` for each task of its own queue. Others may be at work still.
-  /// `ahead`: elements that the task after it writes to, to be asked for meanwhile; none if the model is near.
+  /// Then, by every thread of the team: calls `work(task, next)` for each task of its own queue. Others may be at work still.
+  /// `next`: elements that the task after it writes to, to be prefetched meanwhile; none if the model is not out of cache.
   template <class Work>
   void run_own(Work work) {
     if (omp_get_num_threads() != expected_) {  // the system gave fewer
@@ -57,8 +57,6 @@ class JointTasks {
 
   void deal(int threads);
   void queue_up();
-  void rank_after_those_before(std::int32_t task, std::int32_t& next);
-  [[nodiscard]] std::vector<std::uint8_t> tasks_before_borders(const std::vector<std::uint8_t>& inside) const;
   void place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside);
 
   /// The task at place i of all queues.
@@ -94,8 +92,8 @@ class JointTasks {
   std::vector<std::size_t> flag_;                    // by task: its place among these
   std::vector<std::int32_t> first_before_, before_;  // by task: those that it waits for
   std::vector<std::int32_t> colour_;                 // by task
-  std::vector<std::int32_t> rank_;                   // by task of a out-of-cache model: along the plan, after those that it waits for
-  std::vector<std::vector<std::int32_t>> elements_;  // by task of a out-of-cache model: those that it writes to, ascending
+  std::vector<std::int32_t> rank_;                   // by task of an out-of-cache model: along the plan, after those that it waits for
+  std::vector<std::vector<std::int32_t>> elements_;  // by task of an out-of-cache model: those that it writes to, ascending
   std::vector<double> place_;                        // by task: where its elements lie among all, from 0 to 1
 };
 

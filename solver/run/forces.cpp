@@ -4,8 +4,6 @@
 
 #include <omp.h>
 
-#include "solver/world/twists.h"
-
 namespace voussoir::solver {
 
 namespace {
@@ -33,11 +31,11 @@ void gather(World& w, LapClock& clock) {
 }  // namespace
 
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
-  stage.by_thread.resize(static_cast<std::size_t>(omp_get_max_threads()));
-  if (!w.options.gather) stage.tasks.begin(omp_get_max_threads());
+  stage.by_thread.resize(static_cast<std::size_t>(w.threads));
+  if (!w.options.gather) stage.tasks.begin(w.threads);
   const JointStep joints{w, time, step, stage.tasks};
   int team = 0;  // the system may give fewer
-#pragma omp parallel reduction(+ : team)
+#pragma omp parallel num_threads(w.threads) reduction(+ : team)
   {
     team = 1;
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
@@ -54,7 +52,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   std::vector<OverlapFound> overlaps;
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
     ThreadRoom& r = stage.by_thread[thread];
-    for (const std::int32_t e : r.joints.looked_at) activate_next_drift(w, e);
+    for (const std::int32_t e : r.joints.looked_at) w.travel.activate_at_next_drift(e);
     r.joints.looked_at.clear();
     found.push_back(&r.joints);
     overlaps.insert(overlaps.end(), r.overlaps.begin(), r.overlaps.end());

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/joints/joint_forces.h"
+#include "solver/joints/joint_energy.h"
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 

@@ -34,10 +34,10 @@ constexpr std::int64_t kElementsAtATime = 2 * kernels::kBatch;  // elements that
 template <class Work>
 double over_elements(const World& w, TaskShares& shares, Work work) {
   const std::int64_t rows = w.elements.rows;
-  shares.begin(omp_get_max_threads());
+  shares.begin(w.threads);
   shares.deal((rows + kElementsAtATime - 1) / kElementsAtATime);
   double most = 0.0;
-#pragma omp parallel reduction(max : most)
+#pragma omp parallel num_threads(w.threads) reduction(max : most)
   {
     const auto do_run = [&](std::int32_t run) {
       const std::int64_t last = std::min((run + 1) * kElementsAtATime, rows);
@@ -86,7 +86,6 @@ Vec3 displacement_at(const cases::SupportHistory& h, double t) {
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
     : case_(c), motion_(motion), world_(build_world(c, m, o)) {
-  if (o.threads > 0) omp_set_num_threads(o.threads);
   World& w = *world_;
   list_live_blocks(w);
   forces_stage_.tasks = JointTasks(w);
@@ -112,7 +111,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
     set_initial_velocities(w);
   }
   // Rows follow from the state: a drift of no time writes them.
-  kernels::drift(w.elements.view(), w.elements.row_view(), 0.0, 0, w.elements.rows);
+  kernels::drift(w.elements.view(), w.element_rows(), 0.0, 0, w.elements.rows);
 }
 
 double Simulation::time_of(std::int64_t step) const {
@@ -144,10 +143,10 @@ void Simulation::place_supports() {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 u = displacement_at(*s.history, t);
     const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
-    world_->contacts.path[i] += jump;
+    world_->travel.add(s.element, jump);
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
     kernels::store_displacement(e.pose.data(), s.element, u);
-    moved_ = std::max(moved_, measure_move(*world_, s.element));
+    moved_ = std::max(moved_, world_->travel.displacement_over_limit(e, s.element));
   }
 }
 
@@ -263,7 +262,7 @@ void Simulation::note_velocities() {
 
 void Simulation::kick(const kernels::BodyForces& f) {
   World& w = *world_;
-  over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.elements.row_view()](std::int64_t first, std::int64_t last) {
+  over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.element_rows()](std::int64_t first, std::int64_t last) {
     kernels::kick(view, rows, f, first, last);
     return 0.0;
   });
@@ -271,24 +270,24 @@ void Simulation::kick(const kernels::BodyForces& f) {
 
 void Simulation::drift(double dt) {
   World& w = *world_;
-  moved_ = over_elements(
-      w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
-        kernels::drift(view, rows, dt, first, last);
-        return kernels::measure_moves(view, moves, first, last);
-      });
+  moved_ = over_elements(w, update_shares_,
+                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
+                             std::int64_t first, std::int64_t last) {
+                           kernels::drift(view, rows, dt, first, last);
+                           return kernels::advance_travel(view, travel, first, last);
+                         });
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
-  moved_ = over_elements(
-      w, update_shares_,
-      [&, view = w.elements.view(), rows = w.elements.row_view(w.out_of_cache), moves = moves_of(w)](std::int64_t first, std::int64_t last) {
-        kernels::kick(view, rows, f, first, last);
-        kernels::drift(view, rows, f.dt, first, last);
-        return kernels::measure_moves(view, moves, first, last);
-      });
+  moved_ = over_elements(w, update_shares_,
+                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
+                             std::int64_t first, std::int64_t last) {
+                           kernels::kick(view, rows, f, first, last);
+                           kernels::drift(view, rows, f.dt, first, last);
+                           return kernels::advance_travel(view, travel, first, last);
+                         });
 }
 
 void Simulation::step(Due due) {
@@ -297,7 +296,7 @@ void Simulation::step(Due due) {
   place_supports();
   {
     const StageTimer timer(times_, Stage::search);
-    if (search_due(w, moved_)) search_contacts(w);
+    if (w.travel.search_due(moved_)) search_contacts(w);
     if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.gather_stale) build_gather(w);
   }

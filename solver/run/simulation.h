@@ -44,6 +44,9 @@ class Simulation {
   [[nodiscard]] double dt() const { return world_->dt; }
   [[nodiscard]] const World& world() const { return *world_; }
   [[nodiscard]] World& world() { return *world_; }
+  /// Of the teams that compute the next steps. No bit depends on it.
+  void set_threads(int threads) { world_->threads = threads; }
+  [[nodiscard]] int threads() const { return world_->threads; }
 
   /// While settling: gravity is up and (nearly) nothing moves any more. Told only by a step that had a ledger row.
   [[nodiscard]] bool at_rest() const;

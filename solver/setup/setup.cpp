@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/setup/setup.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -91,6 +93,7 @@ double choose_skin(const cases::Model& m) {
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) {
   auto w = std::make_unique<World>(m);
   w->options = o;
+  w->threads = o.threads > 0 ? o.threads : omp_get_max_threads();
   w->out_of_cache = m.blocks.size() >= o.out_of_cache_from;
   w->failure = failure_options(c.failure);
   w->has_base = c.base.has_value();
@@ -109,9 +112,8 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_side_views(*w);
   set_up_side_gather(*w);
   set_up_loads(*w, c);
-  w->contacts.skin = choose_skin(m);
-  for (auto* column : {&w->contacts.path, &w->contacts.until}) column->assign(w->elements.ux.size(), 0.0);
-  for (auto* column : {&w->contacts.batch_path, &w->contacts.batch_until}) column->assign(w->elements.active.size(), 0.0);
+  // By gather all batches are active: several threads may look at an element at a time, and none may write its velocity row then.
+  w->travel = Travel(w->elements, choose_skin(m), o.gather);
   return w;
 }
 

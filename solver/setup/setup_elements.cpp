@@ -7,7 +7,6 @@
 #include <string>
 
 #include "solver/setup/setup.h"
-#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 
@@ -32,7 +31,6 @@ void size_arrays(Elements& e) {
   e.face_count.assign(n, 0);
   e.pose.assign(n * kernels::kPoseStride, 0.0);
   e.twist.assign(n * kernels::kTwistStride, 0.0);
-  e.active.assign(n / kernels::kBatch, 0);
   e.wrench.assign(n * kernels::kWrenchStride, 0.0);
   e.dashpot.assign(n * kernels::kDashpotStride, 0.0);
 }
@@ -49,10 +47,7 @@ void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
 /// What batches have in common. Call when all elements are there.
 void set_up_batches(Elements& e) {
   e.principal.assign(static_cast<std::size_t>(e.rows / kernels::kBatch), 1);
-  e.largest_radius.assign(e.principal.size(), 0.0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.rows); ++i) {
-    double& largest = e.largest_radius[i / kernels::kBatch];
-    largest = std::max(largest, e.radius[i]);
     if (e.ixy[i] != 0.0 || e.ixz[i] != 0.0 || e.iyz[i] != 0.0) e.principal[i / kernels::kBatch] = 0;
   }
 }
@@ -88,7 +83,6 @@ void set_up_elements(World& w, const cases::Case& c) {
   e.base = e.count;
   e.rows = round_up(e.count + 1, kernels::kBatch);
   size_arrays(e);
-  if (w.options.gather) std::ranges::fill(e.active, 1);  // several threads may look at an element at a time: none may make its row then
   const double alpha = mass_damping(c.damping);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Block& b = m.blocks[i];
@@ -123,7 +117,7 @@ void set_initial_velocities(World& w) {
     e.wx[i] = spin.x, e.wy[i] = spin.y, e.wz[i] = spin.z;
     e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
   }
-  make_twists(e);
+  e.store_velocity_rows();
 }
 
 void set_up_faces(World& w) {

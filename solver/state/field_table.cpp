@@ -134,14 +134,16 @@ void add_overlaps(Table& t, World& w) {
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
 void add_search(Table& t, World& w) {
   Contacts& c = w.contacts;
+  const Travel::State travel = w.travel.state();
+  const auto [ux, uy, uz, qw, qx, qy, qz] = travel.poses;
   const char* shape = "element";
   const auto patches = static_cast<std::int64_t>(w.patches.patch.size()), slots = static_cast<std::int64_t>(c.element.size()),
              elements = std::int64_t{w.elements.base} + 1;
   t.insert(t.end(),
-           {field("searched_ux", "m", shape, c.at_ux), field("searched_uy", "m", shape, c.at_uy), field("searched_uz", "m", shape, c.at_uz),
-            field("searched_qw", "-", shape, c.at_qw), field("searched_qx", "-", shape, c.at_qx), field("searched_qy", "-", shape, c.at_qy),
-            field("searched_qz", "-", shape, c.at_qz), value("search_due", c.stale, 0, 1),
-            value("search_countdown", c.countdown, 0, std::numeric_limits<std::int32_t>::max()), value("searches", "-", c.searches),
+           {field("searched_ux", "m", shape, *ux), field("searched_uy", "m", shape, *uy), field("searched_uz", "m", shape, *uz),
+            field("searched_qw", "-", shape, *qw), field("searched_qx", "-", shape, *qx), field("searched_qy", "-", shape, *qy),
+            field("searched_qz", "-", shape, *qz), value("search_due", *travel.due_at_once, 0, 1),
+            value("search_countdown", *travel.countdown, 0, std::numeric_limits<std::int32_t>::max()), value("searches", "-", c.searches),
             value("searched_patches", c.searched, 0, static_cast<std::int64_t>(c.active.size())),
             field("active_patch", "-", "active patch", c.active, 0, patches - 1),
             field("active_first_slot", "-", "active patch", c.first_slot, 0, slots)});

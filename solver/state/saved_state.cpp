@@ -15,7 +15,6 @@
 #include "solver/setup/setup.h"
 #include "solver/state/hash.h"
 #include "solver/world/errors.h"
-#include "solver/world/twists.h"
 
 namespace voussoir::solver {
 
@@ -69,12 +68,11 @@ void size_search(World& w, const SavedState& from) {
   Contacts& c = w.contacts;
   const std::uint64_t poses = find(from, "searched_ux").count;
   if (poses != 0 && poses != w.elements.ux.size()) throw StateError("field searched_ux has the elements of another model");
-  for (auto* column : {&c.at_ux, &c.at_uy, &c.at_uz, &c.at_qw, &c.at_qx, &c.at_qy, &c.at_qz}) column->assign(poses, 0.0);
+  w.travel.restart(poses);
   c.active.assign(integers(from, "active_patch").size(), 0);
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
   c.element.assign(slots, 0);
-  for (auto* column : {&c.path, &c.until, &c.batch_path, &c.batch_until}) std::ranges::fill(*column, 0.0);
   c.gather_stale = true;
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
   w.overlaps.pairs.clear();
@@ -122,7 +120,7 @@ bool is_face_of(const World& w, std::int32_t face, std::int32_t element) {
 }
 
 /// What one field promises to another.
-void check_contacts(const World& w) {
+void check_contacts(World& w) {
   const Contacts& c = w.contacts;
   const bool filled = !c.first_slot.empty();
   if (c.first_slot.size() != (filled ? c.active.size() + 1 : 0) || (!filled && !c.active.empty()))
@@ -142,7 +140,8 @@ void check_contacts(const World& w) {
     if (springs[i].a >= springs[i].b || (i > 0 && order(springs[i - 1]) >= order(springs[i])))
       throw StateError("field overlap_a has entry " + std::to_string(i) + " out of order with overlap_b");
   }
-  if (!c.stale && c.at_ux.empty()) throw StateError("field searched_ux is empty though a search is not due");
+  if (w.travel.is_searched() && w.travel.state().poses[0]->empty())
+    throw StateError("field searched_ux is empty though a search is not due");
 }
 
 }  // namespace
@@ -161,7 +160,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   size_search(w, from);
   for (const Field& f : fields(sim, plan)) copy_in(f, from);
   check_contacts(w);
-  make_twists(w.elements);
+  w.elements.store_velocity_rows();
   list_candidates(w);
   list_live_blocks(w);
 }

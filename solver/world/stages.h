@@ -28,7 +28,7 @@ class StageTimer {
 };
 
 /// What the threads of a team do in the stage of forces, each at its own pace. By colour `scatter` is what elements take from the slots of
-/// their contacts: joints hand their forces out as they go (see assemble_again).
+/// their contacts: joints add their forces as they go (see assembly_time).
 enum class ForcePart : std::size_t { whole_joints, damaged_joints, contacts, assembly };
 inline constexpr std::size_t kForceParts = 4;
 using ForceTimes = std::array<double, kForceParts>;  // s

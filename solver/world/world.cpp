@@ -34,12 +34,22 @@ kernels::ElementsView Elements::view() noexcept {
           .principal = principal.data()};
 }
 
-kernels::ElementRows Elements::row_view(bool out_of_cache) noexcept {
-  return {pose.data(), twist.data(), wrench.data(), dashpot.data(), active.data(), out_of_cache};
+void Elements::store_velocity_row(std::int32_t element) noexcept {
+  const auto i = static_cast<std::size_t>(element);
+  kernels::store_twist(twist.data(), element, {{vx[i], vy[i], vz[i]}, {wx[i], wy[i], wz[i]}});
+}
+
+void Elements::store_velocity_rows() noexcept {
+  for (std::int32_t i = 0; i < count; ++i) store_velocity_row(i);
+}
+
+kernels::ElementRows World::element_rows() noexcept {
+  Elements& e = elements;
+  return {e.pose.data(), e.twist.data(), e.wrench.data(), e.dashpot.data(), travel.active().data(), out_of_cache};
 }
 
 kernels::Bodies World::bodies() const noexcept {
-  return {elements.pose.data(), elements.twist.data(), elements.body.data(), contacts.path.data()};
+  return {elements.pose.data(), elements.twist.data(), elements.body.data(), travel.bounds()};
 }
 
 kernels::PointsView PointSets::view(std::int32_t set) const noexcept {

@@ -15,6 +15,7 @@
 #include "kernels/side.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
+#include "solver/world/travel.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
 /// by setup.h, or rebuilt from the state (candidates, the grid).
@@ -26,9 +27,10 @@ struct Options {
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
   bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
-  std::size_t out_of_cache_from = 25'000;  // elements from which a model is far, see World::out_of_cache; a number of its own, or bits would depend on caches
-  int threads = 0;                // 0: OpenMP's default
-  std::optional<double> step;     // s; overrides the case
+  std::size_t out_of_cache_from =
+      25'000;       // elements from which a model is far, see World::out_of_cache; a number of its own, or bits would depend on caches
+  int threads = 0;  // 0: OpenMP's default
+  std::optional<double> step;  // s; overrides the case
 };
 
 /// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole batches
@@ -46,18 +48,19 @@ struct Elements {
   Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
   std::vector<std::uint8_t> principal;         // by batch, see kernels::ElementsView
   std::vector<kernels::BodyConstants> body;
-  Array<double> radius, largest_radius;              // m, round the centroid; by batch
+  Array<double> radius;                              // m, round the centroid
   Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
   std::vector<std::int32_t> first_face, face_count;  // into World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Rows, see kernels/rows.h; those of twists are kept of active batches alone (solver/world/twists.h).
+  // Rows, see kernels/rows.h; those of velocities are kept up to date for active batches alone (travel.h).
   Array<double> pose, twist, wrench, dashpot;
-  std::vector<std::uint8_t> active;  // by batch
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
-  /// \param out_of_cache  see kernels::ElementRows
-  [[nodiscard]] kernels::ElementRows row_view(bool out_of_cache = false) noexcept;
+  /// Writes the velocity row of an element from its state.
+  void store_velocity_row(std::int32_t element) noexcept;
+  /// Of all elements.
+  void store_velocity_rows() noexcept;
 };
 
 /// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
@@ -132,18 +135,12 @@ struct Patches {
 /// its slots in a fixed order, so no two threads ever add to one row.
 struct Contacts {
   geometry::UniformGrid grid;
-  double skin = 0.0;                                              // m
-  bool stale = true;                                              // a search is due at once
-  std::int32_t countdown = 0;                                     // steps to the search that retired sides asked for, 0: none (state)
-  bool gather_stale = false;                                      // slots were added since the gather lists were made
-  Array<double> at_ux, at_uy, at_uz, at_qw, at_qx, at_qy, at_qz;  // poses when each element was searched last (state)
-  Array<double> path, until, batch_path, batch_until;             // m, see kernels::Moves (derived)
-  [[nodiscard]] double farthest() const noexcept { return 0.5 * skin; }  // m, that an element may move before it is searched again
-  std::vector<std::int32_t> active;                                      // patches with candidates
-  std::vector<std::int64_t> first_slot;                                  // by active patch, count + 1 entries
-  std::vector<std::int32_t> master;                                      // by active patch: its element (derived)
-  Array<std::int32_t> element;                                           // by slot: who may be touched (state)
-  Array<kernels::Candidate> candidate;                                   // by slot: the same, and what is known of the pair (derived)
+  bool gather_stale = false;             // slots were added since the gather lists were made
+  std::vector<std::int32_t> active;      // patches with candidates
+  std::vector<std::int64_t> first_slot;  // by active patch, count + 1 entries
+  std::vector<std::int32_t> master;      // by active patch: its element (derived)
+  Array<std::int32_t> element;           // by slot: who may be touched (state)
+  Array<kernels::Candidate> candidate;   // by slot: the same, and what is known of the pair (derived)
   Array<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
@@ -156,8 +153,8 @@ struct Contacts {
 
 /// Two elements that may come to overlap by more than contact points can see.
 struct OverlapPair {
-  std::int32_t a = 0, b = 0;         // a < b; b may be the base
-  double until = kernels::kLookNow;  // m, sum of both bodies' paths up to which they overlap by no more than is allowed
+  std::int32_t a = 0, b = 0;        // a < b; b may be the base
+  double safe = kernels::kLookNow;  // m, sum of both travel bounds up to which they overlap by no more than is allowed
 };
 
 /// The spring between two elements that overlap by more than is allowed (all of it state).
@@ -208,15 +205,18 @@ struct World {
   bool drop_debris_damping = false;
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19
+  int threads = 1;     // of the teams that work on it
   Elements elements;
   std::vector<kernels::Face> faces;  // of all elements, one more for the base
   PointSets points;
   Sides sides;
   Patches patches;
+  Travel travel;
   Contacts contacts;
   Overlaps overlaps;
   [[nodiscard]] kernels::Bodies bodies() const noexcept;
   [[nodiscard]] kernels::Rows rows() noexcept;
+  [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
   std::vector<PointLoad> loads;
   std::vector<Support> supports;

@@ -55,11 +55,11 @@ struct Twin {
     std::swap(s, t);
     patch.s_low = -0.04, patch.s_high = 0.04, patch.t_low = -0.09, patch.t_high = 0.07;
   }
-  double path[3] = {0.0, 0.0, 0.0};  // m
-  double base = -0.0515;             // m, height
+  double travel[3] = {0.0, 0.0, 0.0};  // m
+  double base = -0.0515;               // m, height
   void step(const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o) {
     const kernels::BodyConstants constants[3] = {{{0, 0, 0.1}, 50.0}, {{0, 0, 0}, 80.0}, {{0, 0, base}, 0.0}};
-    const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, path};
+    const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, travel};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, {partner.data(), face.data(), springs.data()}, last.touching,
@@ -102,14 +102,14 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
       TwoBodies b;
       b.place(0, u, turn), b.move(0, v, w);
       const int before = plain.last.touching;
-      const double until = fast.candidates[0].until;
-      fast.path[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
+      const double safe = fast.candidates[0].safe;
+      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
       fast.step(b, bricks, o), plain.step(b, bricks, o);
       unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
       compare(fast, plain, unit);
       lost_fast += fast.last.friction + fast.last.impact, lost_plain += plain.last.friction + plain.last.impact;
       touching += plain.last.touching > 0, letting_go += plain.last.touching < before, on_base += plain.on[1];
-      not_looked += fast.candidates[0].until == until && until != kernels::kLookNow;
+      not_looked += fast.candidates[0].safe == safe && safe != kernels::kLookNow;
     }
     CHECK(lost_fast == doctest::Approx(lost_plain).epsilon(1e-7).scale(1e-4));
   }
@@ -149,7 +149,7 @@ TEST_CASE("points that one partner lets go find the next in the same step") {
   for (int i = 0; i <= 250; ++i) {                   // pressed 0.2 mm into the other brick, pushed over its edge
     TwoBodies b;
     b.place(0, {1e-3 * i, 0.0, -2e-4}, {}), b.move(0, {1e-3 / kStep, 0.0, 0.0}, {});
-    fast.path[0] += 1.001e-3;
+    fast.travel[0] += 1.001e-3;
     for (Twin* t : {&fast, &plain}) t->step(b, bricks, {kStep, 1.0, 0.6, false, 2});
     compare(fast, plain, std::max({1.0, norm(plain.wrench[0].force), norm(plain.wrench[1].force)}));
     CHECK(fast.last.touching == kPoints);
@@ -168,19 +168,19 @@ TEST_CASE("a pair that has parted when a search comes lets its points go") {
   CHECK(t.last.touching > 0);
   b.place(0, {0.195, 0.0, -2e-4}, {});  // beyond the other brick's end, not up from its top
   t.candidates = {{1, 6, 6}, {2, 12, 1}};
-  t.candidates[0].until = 5e-3;  // the gap that the search finds
+  t.candidates[0].safe = 5e-3;  // the gap that the search finds
   t.step(b, bricks, o);
   CHECK(t.last.touching == 0);
 }
 
-TEST_CASE("points are not looked at only while both bodies together cannot have gone the way that was found") {
+TEST_CASE("points are not looked at only while both bodies together have travelled less than what was found safe") {
   const Bricks bricks;
   TwoBodies b;
   b.place(0, {0.0, 0.0, -2e-4}, {});  // pressed 0.2 mm into the other brick
-  const auto touches = [&](double path_of_patch, double path_of_other) {
+  const auto touches = [&](double travel_of_patch, double travel_of_other) {
     Twin t(kernels::advance_patch);
-    for (kernels::Candidate& c : t.candidates) c.face = kernels::kNoFace, c.until = 5e-4;
-    t.path[0] = path_of_patch, t.path[1] = path_of_other;
+    for (kernels::Candidate& c : t.candidates) c.face = kernels::kNoFace, c.safe = 5e-4;
+    t.travel[0] = travel_of_patch, t.travel[1] = travel_of_other;
     t.step(b, bricks, {kStep, 1.0, 0.6, false, 2});
     return t.last.touching > 0;
   };

@@ -18,7 +18,7 @@ inline constexpr double kStep = 5e-5;  // s
 /// Free elements that fly and spin.
 struct Flying {
   std::array<std::vector<double>, 25> columns;
-  std::vector<double> tally, radius, pose, twist, wrench, dashpot, path;
+  std::vector<double> tally, radius, pose, twist, wrench, dashpot, travel;
   std::vector<std::uint8_t> principal;
 
   Flying()
@@ -27,7 +27,7 @@ struct Flying {
         twist(kCount * kernels::kTwistStride),
         wrench(kCount * kernels::kWrenchStride),
         dashpot(kCount * kernels::kDashpotStride),
-        path(kCount),
+        travel(kCount),
         principal(kCount / kernels::kBatch, 1) {
     Noise noise(7);
     for (auto& c : columns) c.assign(kCount, 0.0);

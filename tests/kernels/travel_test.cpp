@@ -16,8 +16,8 @@ using namespace voussoir::testing;
 
 namespace {
 
-/// \param together  elements of a batch have one way
-void check_ways(bool together) {
+/// \param together  elements of a batch have one bound
+void check_travel(bool together) {
   CAPTURE(together);
   Flying f;
   Noise noise(11);
@@ -26,31 +26,32 @@ void check_ways(bool together) {
   const kernels::SearchedPoses at{before[0].data(), before[1].data(), before[2].data(), before[3].data(),
                                   before[4].data(), before[5].data(), before[6].data(), f.radius.data()};
   constexpr double kLimit = 2e-2;  // m
-  std::vector<double> until(kCount), batch_path(f.principal.size()), batch_until(f.principal.size()), largest(f.principal.size());
+  std::vector<double> safe(kCount), batch_bound(f.principal.size()), batch_safe(f.principal.size()), largest(f.principal.size());
   for (std::size_t i = 0; i < kCount; ++i) {
     double& radius = largest[i / kernels::kBatch];
     radius = std::max(radius, f.radius[i]);
   }
   const std::vector<std::uint8_t> active(f.principal.size(), together ? 0 : 1);
-  const kernels::Moves moves{.at = at,
-                             .dt = kStep,
-                             .limit = kLimit,
-                             .element = {f.path.data(), until.data()},
-                             .active = active.data(),
-                             .batch = {batch_path.data(), batch_until.data()},
-                             .largest_radius = largest.data()};
+  const kernels::TravelView travel{.at = at,
+                                   .dt = kStep,
+                                   .limit = kLimit,
+                                   .element = {f.travel.data(), safe.data()},
+                                   .active = active.data(),
+                                   .batch = {batch_bound.data(), batch_safe.data()},
+                                   .largest_radius = largest.data()};
   double most = 0.0, tightest = 1e300;
   int looks = 0, within = 0;
   for (int k = 0; k < 400; ++k) {
     f.step();
-    const std::vector<double> known = together ? batch_until : until;
-    most = kernels::measure_moves(f.view(), moves, 0, kCount);
+    const std::vector<double> known = together ? batch_safe : safe;
+    most = kernels::advance_travel(f.view(), travel, 0, kCount);
     double plain = 0.0;
-    for (std::size_t i = 0; i < kCount; ++i) plain = std::max(plain, kernels::move_of(f.view(), at, static_cast<std::int64_t>(i)));
+    for (std::size_t i = 0; i < kCount; ++i)
+      plain = std::max(plain, kernels::displacement_since_search(f.view(), at, static_cast<std::int64_t>(i)));
     REQUIRE(most == doctest::Approx(plain > kLimit ? plain : 0.0).epsilon(1e-14));
     if (plain > kLimit) continue;
     ++within;
-    looks += (together ? batch_until : until) != known;
+    looks += (together ? batch_safe : safe) != known;
   }
   CHECK(within > 50);
   CHECK(looks < within / 2);
@@ -62,10 +63,10 @@ void check_ways(bool together) {
       Vec3 arm = noise.vector(1.0);
       arm = (f.radius[i] / norm(arm)) * arm;
       const double moved = norm(turn(f.columns, arm) - turn(before, arm));
-      CHECK(moved <= kernels::move_of(f.view(), at, static_cast<std::int64_t>(i)));
-      const double path = together ? batch_path[i / kernels::kBatch] : f.path[i];
-      CHECK(moved <= path);
-      tightest = std::min(tightest, path / moved);
+      CHECK(moved <= kernels::displacement_since_search(f.view(), at, static_cast<std::int64_t>(i)));
+      const double bound = together ? batch_bound[i / kernels::kBatch] : f.travel[i];
+      CHECK(moved <= bound);
+      tightest = std::min(tightest, bound / moved);
     }
   }
   CHECK(most > 5e-3);     // as far as what a search waits for
@@ -74,7 +75,7 @@ void check_ways(bool together) {
 
 }  // namespace
 
-TEST_CASE("no point of an element moves farther than what is said of its move and of its way; lanes agree with the plain form") {
-  check_ways(false);
-  check_ways(true);
+TEST_CASE("no point of an element moves farther than its displacement and its travel bound say; lanes agree with the plain form") {
+  check_travel(false);
+  check_travel(true);
 }

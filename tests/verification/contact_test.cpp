@@ -135,7 +135,7 @@ std::optional<Jump> largest_jump(bool on_brick, double tilt, double depth) {
     const Vec3 u{half_segment + 0.05 * std::sin(tilt) - 0.5 * steps * part + i * part, 0.0, lift};
     place(run, moved, u, {part / run.sim().dt(), 0.0, 0.0});
     e.qw[moved] = std::cos(0.5 * tilt), e.qy[moved] = std::sin(0.5 * tilt);
-    kernels::drift(e.view(), e.row_view(), 0.0, 0, e.rows);
+    kernels::drift(e.view(), run.sim().world().element_rows(), 0.0, 0, e.rows);
     const Vec3 x = run.position(moved);
     run.sim().step({true, false});
     const solver::ForcesRow& now = run.sim().forces();

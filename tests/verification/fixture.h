@@ -154,11 +154,11 @@ inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
   e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   e.qw[i] = 1.0, e.qx[i] = e.qy[i] = e.qz[i] = 0.0;
   for (auto* column : {&e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) (*column)[i] = 0.0;
-  kernels::drift(e.view(), e.row_view(), 0.0, 0, e.rows);  // rows follow from the state
+  kernels::drift(e.view(), run.sim().world().element_rows(), 0.0, 0, e.rows);  // rows follow from the state
   // No way that bodies have gone tells of this.
   solver::World& w = run.sim().world();
   solver::list_candidates(w);
-  for (auto* until : {&w.contacts.until, &w.contacts.batch_until}) std::ranges::fill(*until, -1.0);
+  w.travel.distrust_bounds();
 }
 
 /// Stores of a row: what contact may take from, never add to.

@@ -23,11 +23,11 @@ TEST_CASE("a step is split among its parts for every team; the run goes on and t
   const cases::Model model = cases::build_model(c);
   const io::test::TempFolder folder;
   const std::array counts{1, 2}, steps{40, 40};
-  const int threads_before = omp_get_max_threads();
   for (const bool gather : {false, true}) {
     solver::Options options;
     options.gather = gather;
     solver::Simulation sim(c, model, {}, options);
+    const int threads_before = sim.threads();
     solver::RunState plan;
     plan.shaking = true;
     const std::string results_folder = folder.file(gather ? "gather" : "colour");
@@ -50,6 +50,7 @@ TEST_CASE("a step is split among its parts for every team; the run goes on and t
       }
       CHECK(part(io::StepPart::contacts) < 0.1 * s.step());
     }
+    CHECK(sim.threads() == threads_before);
     CHECK(sim.steps() == plan.steps);
     CHECK(plan.steps >= 2 * 3 * 40);
     CHECK(results.rows()[static_cast<std::size_t>(io::RowTable::frames)] > 10);
@@ -58,7 +59,6 @@ TEST_CASE("a step is split among its parts for every team; the run goes on and t
     sim.step({});
     CHECK(sim.part_times() == then);
   }
-  CHECK(omp_get_max_threads() == threads_before);
 }
 
 TEST_CASE("the parts of a step add up to its stages; handing out is taken off the joints that do it, no more than they have") {

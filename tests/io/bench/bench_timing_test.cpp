@@ -40,7 +40,7 @@ TEST_CASE("every team is timed as often, and more threads than cores are never q
   const cases::Model model = cases::build_model(c);
   solver::Simulation sim(c, model, {}, {});
   const std::array counts{1, 2, 2 * omp_get_num_procs()};
-  const int threads_before = omp_get_max_threads();
+  const int threads_before = sim.threads();
   for (const int steps : {3, 27}) {
     const std::int64_t steps_before = sim.steps();
     const std::vector<io::Timing> timings = io::time_steps(sim, counts, {.least = 2, .most = 3, .steps = steps});
@@ -63,5 +63,5 @@ TEST_CASE("every team is timed as often, and more threads than cores are never q
     CHECK(timings[2].quiet == 0);
     CHECK(timings[2].quiet_speedup == 0.0);
   }
-  CHECK(omp_get_max_threads() == threads_before);
+  CHECK(sim.threads() == threads_before);
 }

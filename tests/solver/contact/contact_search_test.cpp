@@ -50,7 +50,7 @@ TEST_CASE("at every moment the candidates of searched patches hold all that is n
     solver::RunState plan, plan_again;
     solver::Simulation again(c, m, g, {});
     solver::restore(again, plan_again, solver::save(sim, plan));
-    again.world().contacts.skin = 1e-5;
+    again.world().travel.set_skin(1e-5);
     solver::search_all(again.world());
     const std::set<Pair> listed = pairs(w), only_origin = pairs(w, contacts.searched);  // of sides that came apart ten steps ago at most
     const auto is_new = [&](const Pair& p) {
@@ -71,7 +71,7 @@ TEST_CASE("at every moment the candidates of searched patches hold all that is n
 
 TEST_CASE("a search lists whoever can come near before one of the two is searched again") {
   cases::Case c = small_wall(1, 1);
-  const double skin = solver::Simulation(c, cases::build_model(c), {}, {}).world().contacts.skin;
+  const double skin = solver::Simulation(c, cases::build_model(c), {}, {}).world().travel.skin();
   c.blocks.push_back(brick(0, 1, 0.2 + 0.99 * skin, 0.4));
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
@@ -87,7 +87,7 @@ TEST_CASE("a search lists whoever can come near before one of the two is searche
     }
   };
   solver::search_all(w);
-  w.contacts.stale = false;
+  w.travel.set_searched();
   REQUIRE(between() == 2);
   place(0.17 * skin);       // counts as 0.24, for it may have turned too
   w.contacts.searched = 0;  // as if their sides had just retired

@@ -23,7 +23,7 @@ struct Run {
   Run(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g, int threads_, solver::Options o = {})
       : threads(threads_), sim(c, m, g, o) {}
   void step(bool ledger) {
-    omp_set_num_threads(threads);
+    sim.set_threads(threads);
     sim.step({ledger, ledger});
   }
   int threads;
@@ -151,7 +151,7 @@ TEST_CASE("what is known of pairs saves looks at points and changes no bit, thro
     INFO("step " << i);
     REQUIRE(difference(knows.sim.world(), forgets.sim.world()) == "");
     for (const kernels::Candidate& k : knows.sim.world().contacts.candidate) {
-      waiting += k.until > 0.0;
+      waiting += k.safe > 0.0;
       touching += k.face >= 0;
     }
   }

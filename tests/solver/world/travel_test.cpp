@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/world/twists.h"
+#include "solver/world/travel.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ using namespace voussoir;
 using namespace voussoir::testing;
 
 // Bricks come loose one after the other and fall on others: batches are active from many different steps on.
-TEST_CASE("whoever looks at the twist of an element finds that of this step, whether it was active or not") {
+TEST_CASE("velocity rows that are read are those of this step, whether their batch was active or not") {
   const cases::Case c = small_wall(60, 4, 4.0);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion shaking = strong_shaking();
@@ -22,8 +22,8 @@ TEST_CASE("whoever looks at the twist of an element finds that of this step, whe
     solver::Options o;
     o.reference_kernels = reference;
     solver::Simulation when_looked_at(c, m, shaking, o), always(c, m, shaking, o);
-    std::ranges::fill(always.world().elements.active, 1);
-    const auto active = [&] { return std::ranges::count(when_looked_at.world().elements.active, 1); };
+    always.world().travel.activate_all();
+    const auto active = [&] { return std::ranges::count(when_looked_at.world().travel.active(), 1); };
     int unlike = 0, times = 0;
     auto before = active();
     for (int i = 0; i < 1500; ++i) {
@@ -41,24 +41,25 @@ TEST_CASE("whoever looks at the twist of an element finds that of this step, whe
   }
 }
 
-TEST_CASE("while a wall is whole nobody watches it") {
+TEST_CASE("no batch of a whole wall is active") {
   const cases::Case c = small_wall(4, 8, 1000.0);
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
   for (int i = 0; i < 100; ++i) sim.step({});
-  CHECK(std::ranges::count(sim.world().elements.active, 0) == std::ssize(sim.world().elements.active));
+  CHECK(std::ranges::count(sim.world().travel.active(), 0) == std::ssize(sim.world().travel.active()));
 }
 
-TEST_CASE("a batch that is active has the rows of all its elements at once") {
+TEST_CASE("a batch that is activated has the velocity rows of all its elements at once") {
   const cases::Case c = small_wall(60, 4, 1000.0);
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, strong_shaking(), {});
   for (int i = 0; i < 50; ++i) sim.step({});
   solver::Elements& e = sim.world().elements;
   constexpr std::int32_t kOne = kernels::kBatch + 3;
-  REQUIRE(!solver::is_active(e, kOne));
-  solver::activate(sim.world(), kOne);
-  CHECK(solver::is_active(e, kOne));
+  solver::Travel& travel = sim.world().travel;
+  REQUIRE(!travel.is_active(kOne));
+  travel.activate(e, kOne);
+  CHECK(travel.is_active(kOne));
   for (std::int32_t i = kernels::kBatch; i < 2 * kernels::kBatch; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const kernels::Twist row = kernels::load_twist(e.twist.data(), i);

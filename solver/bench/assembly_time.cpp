@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/bench/assembly_time.h"
+
+#include "kernels/side.h"
+#include "solver/joints/block_state.h"
+#include "solver/world/stages.h"
+
+namespace voussoir::solver {
+
+double assembly_time(World& w, JointTasks& tasks) {
+  const Sides& s = w.sides;
+  const kernels::Rows rows = w.rows();
+  tasks.begin(w.threads);
+  double time = 0.0;
+  int team = 0;
+#pragma omp parallel num_threads(w.threads) reduction(+ : time, team)
+  {
+    LapClock clock(true);
+    const auto hand_out = [&](std::size_t task, std::span<const std::int32_t> /*next*/) {
+      clock.begin();
+      for (auto i = static_cast<std::size_t>(s.live_first[task]); i < static_cast<std::size_t>(s.live_first[task + 1]); ++i) {
+        const auto block = static_cast<std::size_t>(s.live[i]);
+        kernels::assemble_zeros(s.blocks[block], s.live_lanes[block] & ~states_of(s, block).open, rows);
+      }
+      clock.lap(ForcePart::assembly);
+    };
+    tasks.run_own(hand_out);
+    tasks.help(hand_out);
+    time = clock.time(ForcePart::assembly), team = 1;
+  }
+  return time / team;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/world/world.h"
+
+namespace voussoir::solver {
+
+struct StoredEnergy {
+  double bonds = 0.0, contact = 0.0;  // J
+};
+
+/// What the springs of all joints hold as they stand after the stage of forces.
+StoredEnergy joint_energy(World& w);
+
+}  // namespace voussoir::solver
