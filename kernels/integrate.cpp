@@ -4,7 +4,6 @@
 
 #include <bit>
 
-#include "kernels/prefetch.h"
 #include "kernels/lanes.h"
 #include "kernels/prefetch.h"
 #include "kernels/rows.h"
@@ -13,8 +12,9 @@ namespace voussoir::kernels {
 
 namespace {
 
-/// Models that are far: elements ahead, whose numbers are asked for. The columns are more than hardware follows; a few lines at a time, in
-/// between the arithmetic, since all at once they would wait for each other. Beyond the last element there is nothing to have.
+/// Out-of-cache models prefetch the columns of the elements so many places further on. These columns are more than hardware follows. A few
+/// lines are prefetched at a time, between the arithmetic: all at once, they would wait for each other. Past the last element a prefetch
+/// does nothing.
 constexpr std::int64_t kPrefetchDistance = 2 * kBatch;
 
 template <class... Columns>
@@ -119,8 +119,8 @@ VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLane
     store_columns(pose_row, 8, d.r2.x, d.r2.y, d.r2.z, u.z);
   }
   if (rows.active != nullptr && rows.active[i / kBatch] == 0) return;
-  const SixColumns twists = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
-  for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, twists, l);
+  const SixColumns velocities = rows_of({v.x, v.y, v.z, w.x, w.y, w.z});
+  for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, velocities, l);
 }
 
 /// Rows of kWidth elements, all of kWrenchStride or kDashpotStride numbers.
@@ -140,7 +140,7 @@ VOUSSOIR_INLINE double* tally_of(const ElementsView& e, std::int64_t i, Tally co
   return e.tally + i / kBatch * kTallies + static_cast<int>(column);
 }
 
-/// Books the work of the dashpots' torques with the mean of the angular velocities before and after, clears their rows.
+/// Adds the work of the dashpots' torques to the energy tally, with the mean of the angular velocities before and after; clears their rows.
 VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecLanes after, const ElementRows& rows, double dt) noexcept {
   const VecLanes before = load3(e.wx, e.wy, e.wz, i);
   VecLanes torque;
@@ -217,7 +217,8 @@ struct Pushes {
 };
 
 /// The kick of kWidth elements.
-VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i, StepTally& booked) noexcept {
+VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i,
+                                StepTally& tally) noexcept {
   if (rows.out_of_cache) prefetch(rows.wrench + (i + kPrefetchDistance) * kWrenchStride, kWidth * kWrenchStride * sizeof(double));
   prefetch_columns(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
   const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
@@ -241,13 +242,13 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
     lost = lanes(0.5) * dot(l + turned_on, load3(e.wx, e.wy, e.wz, i));
   }
   store3(e.lx, e.ly, e.lz, i, turned_on);
-  booked.gravity = booked.gravity + m * dot(f.mean_gravity, before);
-  booked.ground = booked.ground - m * dot(f.mean_ground, before);
-  booked.damping = booked.damping + alpha * (m * dot(mean, mean) + lost);
+  tally.gravity = tally.gravity + m * dot(f.mean_gravity, before);
+  tally.ground = tally.ground - m * dot(f.mean_ground, before);
+  tally.damping = tally.damping + alpha * (m * dot(mean, mean) + lost);
   if (bits(dashed != 0.0) != 0) {
     VecLanes dash;
     load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);
-    booked.dashpots = booked.dashpots - dot(dash, mean);
+    tally.dashpots = tally.dashpots - dot(dash, mean);
   }
 }
 
@@ -256,9 +257,9 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
   const Pushes pushes{lanes(f.dt), spread(f.gravity - f.ground), spread(f.mean_gravity), spread(f.mean_ground), f.damps_rotation};
   for (std::int64_t i = first; i < last; i += kBatch) {
-    StepTally booked;
-    for (int k = 0; k < kBatch; k += kWidth) kick_group(e, rows, pushes, i + k, booked);
-    const Quad sums = sums_of(booked.ground, booked.gravity, booked.damping, booked.dashpots);
+    StepTally tally;
+    for (int k = 0; k < kBatch; k += kWidth) kick_group(e, rows, pushes, i + k, tally);
+    const Quad sums = sums_of(tally.ground, tally.gravity, tally.damping, tally.dashpots);
     add_quad(tally_of(e, i, Tally::work_ground), f.dt * sums);
   }
 }

@@ -10,7 +10,7 @@
 /// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
 namespace voussoir::kernels {
 
-/// What is booked of a batch, each a sum over its elements and over all steps so far [J].
+/// The energy tally of a batch: running sums over its elements and over all steps so far [J].
 enum class Tally : std::uint8_t { work_ground, work_gravity, loss_damping, loss_dashpots };
 inline constexpr int kTallies = 4;
 
@@ -36,14 +36,14 @@ struct BodyForces {
   bool damps_rotation = false;     // α on the angular momentum too: while settling, where only the state of rest matters
 };
 
-/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Books the
+/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Adds the
 /// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
 /// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), whole batches.
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
 /// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose rows and
-/// those of twists that are active, books the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
+/// the velocity rows of active batches, adds the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
 /// whole batches.
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept;
 

@@ -163,9 +163,9 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   return f;
 }
 
-/// A point has opened in this step: books what its springs still held (trapezoid rule, as in advance_segment).
+/// A point has opened in this step: counts what its springs still held as lost (trapezoid rule, as in advance_segment).
 inline void record_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
-                         PatchResult& r) noexcept {
+                           PatchResult& r) noexcept {
   const double un = f.depth.at(s, t) - q.closure(i);
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
   const double vn = dot(v, f.n);
@@ -281,7 +281,7 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
     if (in) return;
     if (w.q.face[i] != kNoFace) {
       record_opening(facing(w.patch, w.m, y, c, w.q.face[i], w.bodies, w.faces, w.o), w.m.pose, w.points.s[i], w.points.t[i],
-                   w.points.area[i], w.q, i, w.o.step, w.r);
+                     w.points.area[i], w.q, i, w.o.step, w.r);
     }
     release(w.q, i);
     w.changed = true;

@@ -7,7 +7,7 @@
 #include "geometry/vec3.h"
 
 /// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs a
-/// few vector loads, not twelve of its own. The drift of a step makes those of poses and twists from the state arrays
+/// few vector loads, not twelve of its own. The drift of a step writes those of poses and velocities from the state arrays
 /// (solver/world/world.h).
 namespace voussoir::kernels {
 
@@ -20,14 +20,14 @@ inline constexpr int kWrenchStride = 8;   // force (3) [N], torque about the cen
 inline constexpr int kDashedColumn = 7;   // of a wrench row: not 0 if dashpots have a share in it; else their row is all zeros
 inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (3) [N m], 2 spare
 
-/// Elements that are moved on together, and share what is booked.
+/// A batch: elements that are moved on together and share an energy tally.
 inline constexpr int kBatch = 2 * kLanes;
 
 /// Rows of all elements.
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
-  const std::uint8_t* active = nullptr;  // by batch, 1: somebody looks at its twists; nullptr: at all
-  bool out_of_cache = false;  // far larger than the caches: poses are stored past these (kernels::finish_stores), memory is asked for ahead
+  const std::uint8_t* active = nullptr;  // by batch, 1: its velocity rows are written; nullptr: all are
+  bool out_of_cache = false;             // larger than the caches: poses are written by streaming stores, columns are prefetched
 };
 
 /// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).

@@ -68,7 +68,7 @@ inline Local elongation_before(const SegmentState& q, Local u, Local du) noexcep
 
 inline double stored_energy(Local x, Stiffness k) noexcept { return 0.5 * (k.kn * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2)); }
 
-/// Scales the elastic elongation back to the compression cap (Eq. 7) and books the rest as closure and slip. Returns true if it had to.
+/// Scales the elastic elongation back to the compression cap (Eq. 7) and keeps the rest as closure and slip. Returns true if it had to.
 inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Strength s) noexcept {
   const double sigma = k.kn * x.n;
   const double tau2 = k.ks * k.ks * (x.s1 * x.s1 + x.s2 * x.s2);

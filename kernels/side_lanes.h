@@ -138,7 +138,7 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
 /// Hands the wrenches of the chosen lanes to their elements, or leaves them in the buffer for pairs. `dashpot`: they are the dashpots'
 /// share.
 VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
-                             bool dashpot) noexcept {
+                              bool dashpot) noexcept {
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
   const SixColumns from_b = rows_of({w.force.x, w.force.y, w.force.z, w.torque_b.x, w.torque_b.y, w.torque_b.z});  // on b: the opposite
   if (rows.pairs.on != nullptr) {

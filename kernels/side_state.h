@@ -23,8 +23,8 @@ inline unsigned lowest_bits(std::uint64_t bytes) noexcept {
 
 /// Of kLanes sides.
 inline StateBits state_bits(const SideState* side_state) noexcept {
-  static_assert(static_cast<int>(SideState::segments) == 0 && static_cast<int>(SideState::whole) == 1 && static_cast<int>(SideState::open) == 2 &&
-                static_cast<int>(SideState::steady) == 3);
+  static_assert(static_cast<int>(SideState::segments) == 0 && static_cast<int>(SideState::whole) == 1 &&
+                static_cast<int>(SideState::open) == 2 && static_cast<int>(SideState::steady) == 3);
   std::uint64_t bytes;
   static_assert(sizeof bytes == kLanes * sizeof(SideState));
   std::memcpy(&bytes, side_state, sizeof bytes);

@@ -100,7 +100,7 @@ WholeConstants whole_constants(const SideConstants& c, unsigned on_base) noexcep
   Principal principal[kLanes];
   int axis = -2;  // −2: none yet
   for (int l = 0; l < kLanes; ++l) {
-    if (c.area[l] == 0.0) continue;  // a lane without a side, which is never asked for
+    if (c.area[l] == 0.0) continue;  // a lane without a side, which nobody evaluates
     principal[l] = principal_of(c, l);
     set_lane(c, l, (on_base >> l & 1U) != 0, principal[l], w);
     const int here = c.mean[l] == 0.5 ? axis_of_side(principal[l].es, principal[l].et) : -1;

@@ -41,7 +41,7 @@ struct WholeRun {
   const std::uint8_t* live_lanes = nullptr;  // by block: bit mask of the lanes that take part
   std::span<const std::int32_t> numbers;     // which blocks
   std::int64_t first_side = 0;               // number of the first side of block 0
-  std::span<const std::int32_t> prefetch;     // blocks whose constants are asked for: the i-th with the i-th of the run
+  std::span<const std::int32_t> prefetch;    // blocks whose constants are prefetched: the i-th with the i-th of the run
 };
 
 /// Whether the bound of `advance_whole` is one under these options: it takes c for the least limit in shear under tension.

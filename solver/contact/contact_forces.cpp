@@ -15,7 +15,7 @@ namespace voussoir::solver {
 namespace {
 
 constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;           // patches that a thread takes at a time
-constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, when their memory is asked for
+constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, how early their memory is prefetched
 constexpr std::int32_t kPrefetchElements = 8;
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this

@@ -29,9 +29,9 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   return p;
 }
 
-/// Bonds that still pull when their faces have slid past each other end with the side. Books what their springs held, and by the trapezoid
-/// rule the work of their last force in the step ahead, as advance_segment does for one that breaks (a row of the ledger in this very step
-/// has that work early).
+/// Bonds that still pull when their faces have slid past each other end with the side. Counts as fracture what their springs held, and by
+/// the trapezoid rule the work of their last force in the coming step, as advance_segment does for one that breaks (a row of the ledger in
+/// this very step has that work early).
 void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);

@@ -8,7 +8,7 @@
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
-/// Bookkeeping of broken and slipped segments, in segment sides (a merged spring counts two).
+/// Counts of broken and slipped segments, in segment sides (a merged spring counts two).
 namespace voussoir::solver {
 
 struct Damage {
@@ -18,7 +18,7 @@ struct Damage {
 /// Counts of a world that has not been stepped.
 Damage initial_damage(const World& w);
 
-/// Books the events of a step: counts, bonds of the elements, damping of debris, one crack row a broken segment; then retires the sides
+/// Records the events of a step: counts, bonds of the elements, damping of debris, one crack row a broken segment; then retires the sides
 /// that came apart (breaking what still held them). Rows are appended in a fixed order.
 void record_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks);
 

@@ -45,7 +45,7 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
     };
     shares.take_own(omp_get_thread_num(), do_run);
     shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
-    kernels::finish_stores();  // of poses that went past the caches
+    kernels::finish_stores();  // of poses, where they are streaming
   }
   return most;
 }
@@ -157,7 +157,7 @@ void Simulation::move_supports_on() {
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
     const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
-    // `kick` books the dashpots' loss with the velocity ahead, since that of fixed elements does not change there; (27) asks for the mean.
+    // `kick` has counted the dashpots' loss with the new velocity, since it does not change that of fixed elements; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
     e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=
         0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});

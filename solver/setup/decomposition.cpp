@@ -121,7 +121,8 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const std::int3
   for (const auto& of_colour : tasks) {
     if (of_colour.empty()) continue;
     d.colours.emplace_back();
-    for (const auto& [home, items] : of_colour) d.colours.back().push_back(kind_by_kind(sides, kinds, items, out_of_cache ? kernels::kLanes : 1));
+    for (const auto& [home, items] : of_colour)
+      d.colours.back().push_back(kind_by_kind(sides, kinds, items, out_of_cache ? kernels::kLanes : 1));
   }
   return d;
 }

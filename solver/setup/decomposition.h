@@ -29,9 +29,8 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
 
 /// Within a task, sides of one kind come together (solver/setup/side_kinds.h).
 /// \param kinds  by side
-/// \param out_of_cache  see World::out_of_cache: in a task first as many of each kind as fill blocks, then what is left of all. So there are fewer kinds of
-/// blocks, and their constants take less of the caches
-/// \pre cell > 0
+/// \param out_of_cache  see World::out_of_cache: in a task first as many of each kind as fill blocks, then what is left of all. So there
+/// are fewer kinds of blocks, and their constants take less of the caches \pre cell > 0
 Decomposition decompose(std::span<const Writes> sides, std::span<const std::int32_t> kinds, std::span<const Vec3> centroids, double cell,
                         bool out_of_cache);
 

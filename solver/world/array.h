@@ -13,7 +13,7 @@
 
 namespace voussoir::solver {
 
-/// So far apart lies what different threads write [bytes]. A core fetches ahead what follows what it goes through, some twenty lines of it:
+/// So far apart lies what different threads write [bytes]. A core prefetches what follows what it goes through, some twenty lines of it:
 /// beyond the end of an array that is the next one's begin, taken from the thread that writes it there, which then has to take it back.
 inline constexpr std::size_t kApart = 4096;
 

@@ -201,7 +201,7 @@ struct World {
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
   bool has_base = false;
-  bool out_of_cache = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
+  bool out_of_cache = false;  // the model is larger than the caches, see joints/out_of_cache.h
   bool drop_debris_damping = false;
   double dt = 0.0;     // s
   double bound = 0.0;  // s, Eq. 19

@@ -109,7 +109,7 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
   }
 }
 
-TEST_CASE("tasks of a out-of-cache model run along the plan, those at borders of shares and all that they wait for first") {
+TEST_CASE("tasks of an out-of-cache model run along the plan, those at borders of shares and all that they wait for first") {
   cases::Case c = small_wall(40, 6);
   std::ranges::stable_sort(c.blocks, {},
                            [](const cases::BlockSpec& b) { return (*b.box)[0].x; });  // elements that lie together, as in a house

@@ -111,7 +111,7 @@ TEST_CASE("the bits of joints of two sides and of timber depend neither on the n
   CHECK(w.contacts.searches > 10);
 }
 
-TEST_CASE("a out-of-cache model gives the same bits with any number of threads and however forces are scattered") {
+TEST_CASE("an out-of-cache model gives the same bits with any number of threads and however forces are scattered") {
   const cases::Case c = small_wall(8, 6);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();

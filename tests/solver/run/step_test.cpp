@@ -98,7 +98,7 @@ TEST_CASE("decomposition: cells of a large model are larger, so that most elemen
   CHECK(cell_of_a_floor(71, true) == doctest::Approx(std::sqrt(512.0) * 0.2).epsilon(0.02));  // five hundred and twelve
 }
 
-TEST_CASE("decomposition: in a task of a out-of-cache model full blocks of one kind come first") {
+TEST_CASE("decomposition: in a task of an out-of-cache model full blocks of one kind come first") {
   // Columns of two bricks in one cell: sides of three kinds, twenty-one of each.
   std::vector<Vec3> centroids;
   std::vector<solver::Writes> sides;
