@@ -61,6 +61,21 @@ void print_grade(const Measures& m) {
   line("damage grade", value + (m.damage_grade > 0 ? ")" : ""));
 }
 
+std::string millimetres(double x) { return text("%.3f mm", 1e3 * x); }
+
+/// How deep bodies are in each other, where the contact of the solver should stop them.
+void print_penetration(const Measures& m) {
+  line("deepest in another", millimetres(m.penetration) + " at the end, at most " + millimetres(m.peak_penetration) +
+                                 (m.peak_penetration_time < 0 ? "" : " at " + seconds(m.peak_penetration_time)));
+  if (!m.peak_penetration_pair.empty()) line("", m.peak_penetration_pair);
+  line("deepest in the base", millimetres(m.base_penetration) + " at the end, at most " + millimetres(m.peak_base_penetration));
+  line("over half a segment", m.most_deep_pairs < 0
+                                  ? "-"
+                                  : std::to_string(m.deep_pairs) + " pairs at the end, at most " + std::to_string(m.most_deep_pairs) +
+                                        (m.most_deep_pairs > 0 ? " at " + seconds(m.most_deep_pairs_time) : ""));
+  line("touching", std::to_string(m.touching_pairs) + " pairs at the end");
+}
+
 void print_walls(const Measures& m) {
   if (m.walls.empty()) return;
   std::size_t width = 20;
@@ -88,6 +103,7 @@ void print_table(const Json& s, const Measures& m) {
                      text("%.2f m", m.debris.reach_95));
   line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
   line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  print_penetration(m);
   for (const char* name : {"tension", "shear", "compression"})
     if (s.contains(name)) line(("sides in " + std::string(name)).c_str(), std::to_string(s[name].get<std::int64_t>()));
   if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));

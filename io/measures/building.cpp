@@ -44,6 +44,15 @@ double case_number(const Hdf5File& run, std::string_view table, std::string_view
   }
 }
 
+/// \throw FileError
+bool has_table(const Hdf5File& run, std::string_view table) {
+  try {
+    return find_entry(*parse_document(run.attribute_text("/case", "toml")).as<Node::Table>(), table) != nullptr;
+  } catch (const SyntaxError& e) {
+    throw FileError(run.path(), std::string("/case: ") + e.what());
+  }
+}
+
 std::vector<Box> boxes_of(const Hdf5File& run, std::size_t elements) {
   const auto first = run.read<std::int32_t>("/model/element/first_vertex");
   const auto vertex = run.read<double>("/model/vertex");
@@ -188,6 +197,7 @@ void Box::include(const Box& other) noexcept {
 Building building_of(const Hdf5File& run) {
   Building b;
   b.base = case_number(run, "base", "z");
+  b.has_base = has_table(run, "base");
   b.mass = run.read<double>("/model/element/mass");
   const std::size_t n = b.mass.size();
   const Elements elements{run.read_strings("/model/element/tag"), run.read<std::int32_t>("/model/element/house"),

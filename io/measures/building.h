@@ -47,7 +47,8 @@ struct Room {
 };
 
 struct Building {
-  double base = 0;           // height of the base, m
+  double base = 0;  // height of the base, m; without one 0
+  bool has_base = false;
   std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // into walls; −1: of no wall

@@ -12,6 +12,7 @@
 #include "io/measures/crack_extents.h"
 #include "io/measures/damage_grade.h"
 #include "io/measures/free_volume.h"
+#include "io/measures/penetration.h"
 #include "io/measures/wall_drift.h"
 #include "io/replay/frame_reader.h"
 #include "io/replay/placed_elements.h"
@@ -44,6 +45,8 @@ class Measurer {
         start_(first_poses(frames_)),
         cracks_(run, building_, start_),
         volume_(building_, shapes_, start_),
+        penetration_(run, building_, start_),
+        tags_(run.read_strings("/model/element/tag")),
         fallen_(frames_.elements()),
         walls_(building_.walls.size()) {
     for (const Wall& w : building_.walls) m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone});
@@ -59,6 +62,7 @@ class Measurer {
     for (std::uint64_t f = 0; f < frames_.frames(); ++f) take(frames_.times()[f], poses_of(frames_, f));
     finish_grades();
     finish_walls();
+    finish_penetration();
     m_.fallen_mass_fraction = all_.share();
     m_.first_fallen_time = all_.first_time;
     m_.roof_first_fallen_time = roof_.first_time;
@@ -90,6 +94,7 @@ class Measurer {
     m_.series.damage_grade.push_back(damage.walls.empty() ? -1 : damage_grade(damage));
     m_.series.fallen_mass_fraction.push_back(all_.share());
     m_.series.free_volume.push_back(volume_.initial() > 0 ? volume_.at(poses) / volume_.initial() : kNone);
+    take_penetration(time, poses);
   }
 
   void take_fallen(double time, const std::vector<Pose>& poses) {
@@ -134,6 +139,28 @@ class Measurer {
     }
   }
 
+  [[nodiscard]] std::string name_of(std::int32_t body) const {
+    return body == kBaseBody ? "the base" : "element " + std::to_string(body) + " (" + tags_[static_cast<std::size_t>(body)] + ")";
+  }
+
+  void take_penetration(double time, const std::vector<Pose>& poses) {
+    const Interpenetration now = penetration_.at(poses);
+    m_.penetration = now.deepest, m_.base_penetration = now.deepest_in_base, m_.deep_pairs = now.deep_pairs;
+    m_.series.penetration.push_back(now.deepest);
+    m_.series.deep_pairs.push_back(now.deep_pairs);
+    m_.peak_base_penetration = std::max(m_.peak_base_penetration, now.deepest_in_base);
+    if (now.deepest > m_.peak_penetration) {
+      m_.peak_penetration = now.deepest, m_.peak_penetration_time = time;
+      m_.peak_penetration_pair = name_of(now.a) + " and " + name_of(now.b);
+    }
+    if (now.deep_pairs > std::max<std::int64_t>(m_.most_deep_pairs, 0)) m_.most_deep_pairs_time = time;
+    m_.most_deep_pairs = std::max(m_.most_deep_pairs, now.deep_pairs);
+  }
+
+  void finish_penetration() {
+    if (frames_.frames() > 0) m_.touching_pairs = penetration_.touching_pairs(poses_of(frames_, frames_.frames() - 1));
+  }
+
   void finish_walls() {
     m_.peak_drift = m_.residual_drift = kNone;
     double first = std::numeric_limits<double>::infinity();
@@ -156,6 +183,8 @@ class Measurer {
   std::vector<Pose> start_;
   Cracks cracks_;
   FreeVolume volume_;
+  InterpenetrationCheck penetration_;
+  std::vector<std::string> tags_;
   std::vector<std::uint8_t> fallen_;  // in the frame at hand
   Part all_, roof_;
   std::vector<Part> walls_;

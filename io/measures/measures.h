@@ -33,8 +33,10 @@ struct MeasureSeries {
   std::vector<double> time;  // s
   std::vector<std::int64_t> damage_grade;
   std::vector<double> fallen_mass_fraction;
-  std::vector<double> free_volume;  // of that in the reference configuration; NaN: there is no room
-  std::vector<double> drift;        // an entry a wall in each frame; NaN: it does not stand
+  std::vector<double> free_volume;       // of that in the reference configuration; NaN: there is no room
+  std::vector<double> penetration;       // of the deepest pair of bodies, m
+  std::vector<std::int64_t> deep_pairs;  // deeper than half a segment
+  std::vector<double> drift;             // an entry a wall in each frame; NaN: it does not stand
 };
 
 struct Measures {
@@ -51,6 +53,14 @@ struct Measures {
   double initial_free_volume = 0;                                                    // m3
   double free_volume = 0, least_free_volume = 0;  // of the initial one: in the last frame, in all; NaN: there is no room
   double peak_drift = 0, residual_drift = 0;      // of all walls the largest magnitude; NaN: there is none
+  // How deep bodies are in each other: see Interpenetration. In the last frame, and at the worst over all frames.
+  double penetration = 0, base_penetration = 0;            // m: of any two elements or an element and the base; of elements in the base
+  double peak_penetration = 0, peak_base_penetration = 0;  // m
+  double peak_penetration_time = kNeverReached;            // s
+  std::string peak_penetration_pair;                       // empty: none
+  std::int64_t deep_pairs = -1, most_deep_pairs = -1;      // -1: not known
+  double most_deep_pairs_time = kNeverReached;             // of the first such frame, s
+  std::int64_t touching_pairs = 0;                         // in the last frame
   std::vector<WallMeasures> walls;
   MeasureSeries series;
 };

@@ -35,6 +35,8 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
       {"1", "EMS-98, 0 to 5: the least from here to the end; -1: there are no walls"});
   put(file, "/measures/fallen_mass_fraction", s.fallen_mass_fraction, rows, {"1", "of all mass"});
   put(file, "/measures/free_volume", s.free_volume, rows, {"1", "left between floor and roof, of that at first; NaN: there is no room"});
+  put(file, "/measures/penetration", s.penetration, rows, {"m", "deepest of any two elements, or of an element in the base"});
+  put(file, "/measures/deep_pairs", s.deep_pairs, rows, {"1", "pairs deeper in each other than half a segment; -1: not known"});
   put(file, "/measures/drift", s.drift, {s.time.size(), walls},
       {"1", "out-of-plane drift of each wall of /summary/wall, outward positive; NaN: it does not stand"});
 }
@@ -55,7 +57,17 @@ std::vector<Figure> figures_of(const Measures& m) {
           {"free_volume", m.free_volume, "1 (NaN: there is no room)"},
           {"least_free_volume", m.least_free_volume, "1 (NaN: there is no room)"},
           {"peak_drift", m.peak_drift, "1 (NaN: there is no wall)"},
-          {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"}};
+          {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"},
+          {"penetration", m.penetration, "m"},
+          {"peak_penetration", m.peak_penetration, "m"},
+          {"peak_penetration_time", m.peak_penetration_time, "s (below 0: never)"},
+          {"peak_penetration_pair", m.peak_penetration_pair, "two bodies (empty: none)"},
+          {"base_penetration", m.base_penetration, "m"},
+          {"peak_base_penetration", m.peak_base_penetration, "m"},
+          {"deep_pairs", m.deep_pairs, "pairs (below 0: not known)"},
+          {"most_deep_pairs", m.most_deep_pairs, "pairs (below 0: not known)"},
+          {"most_deep_pairs_time", m.most_deep_pairs_time, "s (below 0: never)"},
+          {"touching_pairs", m.touching_pairs, "pairs"}};
 }
 
 std::string figure_units() {

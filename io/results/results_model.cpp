@@ -65,7 +65,7 @@ std::string numbered_kinds() {
 
 void add_elements(const cases::Model& model, Datasets& out) {
   using cases::Block;
-  std::vector<double> mass, inertia, position;
+  std::vector<double> mass, inertia, position, segment;
   std::vector<std::int32_t> first_vertex, first_face;
   std::vector<std::string> tags;
   std::int32_t vertex = 0;
@@ -76,6 +76,7 @@ void add_elements(const cases::Model& model, Datasets& out) {
     mass.push_back(density * e.mass.volume);
     append(inertia, density * e.mass.principal);
     append(position, e.mass.centroid);
+    segment.push_back(b.segment_size);
     tags.push_back(b.tag.empty() ? b.name : b.tag);
     first_vertex.push_back(vertex);
     first_face.push_back(e.first_face);
@@ -88,6 +89,8 @@ void add_elements(const cases::Model& model, Datasets& out) {
   out.push_back(dataset("/model/element/mass", mass, 1, "kg", "mass"));
   out.push_back(dataset("/model/element/inertia", inertia, 3, "kg m2", "principal moments of inertia about the centroid, ascending"));
   out.push_back(dataset("/model/element/position0", position, 3, "m", "centroid in the reference configuration; global axes"));
+  out.push_back(
+      dataset("/model/element/segment_size", segment, 1, "m", "longest edge of the segments that the element's faces are cut into"));
   out.push_back(dataset("/model/element/fixed", each<std::uint8_t>(model.blocks, &Block::fixed), 1, "1", "1: the element is fixed"));
   out.push_back(
       dataset("/model/element/house", each<std::int32_t>(model.blocks, &Block::house), 1, "1", "copy of the house; -1: a free block"));

@@ -215,3 +215,39 @@ TEST_CASE("a point takes the partner that stops it, then the one it was joined t
     CHECK(partner(-4e-3, 0.0461, 1, other_way_round) == 2);
   }
 }
+
+TEST_CASE("a point that is found deep has no force at first and then carries what it is pressed further") {
+  const Bricks bricks;
+  const double area = 0.5 * 0.0008 * kPoints, stiffness = area / (bricks.faces[4].compliance_n + bricks.faces[11].compliance_n);
+  for (const double depth : {2e-3, 4e-3, 9e-3}) {
+    CAPTURE(depth);
+    for (kernels::AdvancePatch* kernel : {&kernels::advance_patch, &kernels::advance_patch_reference}) {
+      Twin t(*kernel);
+      const auto force_at = [&](double z) {
+        TwoBodies b;
+        b.place(0, {0.0, 0.0, z}, {});
+        t.path[0] += 1e-3;
+        t.step(b, bricks, {kStep, 0.0, 0.0, false, 2});
+        return t.on[0] != 0 ? norm(t.wrench[0].force) : 0.0;
+      };
+      CHECK(force_at(-depth) < 1e-9 * stiffness);
+      CHECK(t.last.touching == kPoints);
+      CHECK(force_at(-depth - 2e-5) == doctest::Approx(2e-5 * stiffness).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a point deep under the top that came in past an edge is held by the side through which it came") {
+  const Bricks bricks;
+  for (kernels::AdvancePatch* kernel : {&kernels::advance_patch, &kernels::advance_patch_reference}) {
+    Twin t(*kernel);
+    TwoBodies b;
+    b.place(0, {-0.17 + 1e-5, 0.0, -5e-3}, {}), b.move(0, {1.0, 0.0, 0.0}, {});  // the foremost three points are 10 um past the end
+    t.step(b, bricks, {kStep, 0.0, 0.0, false, 2});
+    CHECK(t.last.touching == 3);
+    CHECK(std::count(t.face.begin(), t.face.end(), 6) == 3);
+    REQUIRE(t.on[0] != 0);
+    const double stiffness = 0.5 * 0.0008 * 3 / (bricks.faces[4].compliance_n + bricks.faces[6].compliance_n);
+    CHECK(t.wrench[0].force.x == doctest::Approx(-1e-5 * stiffness).epsilon(1e-6));
+  }
+}

@@ -4,6 +4,7 @@
 
 const count = (n) => n.toLocaleString("en");
 const metres = (x) => `${x.toFixed(1)} m`;
+const millimetres = (x) => `${(1000 * x).toFixed(2)} mm`;
 const seconds = (t) => `${t.toFixed(2)} s`;
 
 const percent = (x) => (x === null ? "–" : `${(100 * x).toFixed(1)} %`);
@@ -12,6 +13,16 @@ const when = (t) => (t < 0 ? "never" : seconds(t));
 function grade(m) {
   if (m.damage_grade < 0) return "–"; // there are no walls
   return m.damage_grade === 0 ? "G0" : `G${m.damage_grade} from ${seconds(m.grade_time[m.damage_grade - 1])}`;
+}
+
+/** How deep bodies were in each other. */
+function penetration(m) {
+  return [
+    ["Deepest in another", `${millimetres(m.penetration)}, at most ${millimetres(m.peak_penetration)}` + (m.peak_penetration_time < 0 ? "" : ` at ${seconds(m.peak_penetration_time)}`)],
+    m.peak_penetration_pair && ["… of", m.peak_penetration_pair],
+    m.deep_pairs >= 0 && ["… over half a segment", `${count(m.deep_pairs)} pairs, at most ${count(m.most_deep_pairs)}`],
+    ["Pairs that touch", count(m.touching_pairs)],
+  ];
 }
 
 /** How the building fell; nothing if the run does not say. */
@@ -26,6 +37,7 @@ function collapse(m, collapsed) {
     m.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
     ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
     m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
+    ...penetration(m),
   ];
 }
 

@@ -74,6 +74,7 @@ TEST_CASE("the static datasets of two cubes") {
   CHECK(values<double>(all, "/model/element/position0")[3] == doctest::Approx(0.15));
   CHECK(find(all, "/model/element/tag").texts == std::vector<std::string>{"front wall", "slider"});
   CHECK(values<std::int32_t>(all, "/model/element/first_vertex") == std::vector<std::int32_t>{0, 8});
+  CHECK(values<double>(all, "/model/element/segment_size") == std::vector<double>{0.0, 0.0});  // as the fixture has them
   CHECK(values<std::uint8_t>(all, "/model/element/fixed") == std::vector<std::uint8_t>{0, 1});
   CHECK(values<std::int32_t>(all, "/model/cells") == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
   CHECK(values<std::uint8_t>(all, "/model/cell_type") == std::vector<std::uint8_t>{12, 12});

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/overlap.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "geometry/separation.h"
+
+using namespace voussoir;
+
+namespace {
+
+/// A body as the kernel has it and as geometry has it, about its centroid; small cells, so that nothing is shared but numbers.
+struct Body {
+  geometry::ConvexBody exact;
+  std::vector<kernels::Face> faces;
+  [[nodiscard]] kernels::ConvexShape shape() const { return {exact.vertices, exact.directions, faces}; }
+};
+
+Body body(const geometry::Polyhedron& p) {
+  const Vec3 centroid = geometry::mass_properties(p).centroid;
+  Body b;
+  b.exact = geometry::convex_body(geometry::moved(p, -centroid));
+  for (const geometry::HalfSpace& f : b.exact.faces) b.faces.push_back({.normal = f.normal, .distance = f.offset});
+  return b;
+}
+
+std::vector<Body> bodies() {
+  using Corners = std::vector<std::array<double, 2>>;
+  std::vector<Body> all;
+  all.push_back(body(geometry::make_box({0, 0, 0}, {0.2, 0.2, 0.1})));
+  all.push_back(body(geometry::make_box({0, 0, 0}, {0.4, 0.1, 0.05})));
+  all.push_back(body(geometry::make_prism(Corners{{0, 0}, {0.2, 0}, {0, 0.1}}, 0.0, 0.2)));
+  all.push_back(body(geometry::make_prism(Corners{{-0.04, 0}, {0.04, 0}, {0.06, 0.2}, {-0.06, 0.2}}, 0.0, 0.2)));
+  all.push_back(body(geometry::make_prism(Corners{{0, 0}, {0.2, 0}, {0.2, 0.08}, {0.1, 0.14}, {0, 0.08}}, 0.0, 0.1)));
+  return all;
+}
+
+struct Random {
+  std::mt19937_64 engine{2026};
+  double operator()(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
+  Quaternion turn() {
+    for (;;) {
+      const Quaternion q{(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)};
+      const double n = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+      if (n > 0.1 && n < 1.0) return {q.w / n, q.x / n, q.y / n, q.z / n};
+    }
+  }
+};
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("overlap: 10,000 random pairs are as deep in each other as geometry says, and the axis parts them") {
+  const std::vector<Body> all = bodies();
+  Random random;
+  int deep = 0, apart = 0;
+  double worst = 0.0, least_gain = 0.0, asymmetry = 0.0;
+  for (int i = 0; i < 10000; ++i) {
+    const Body &a = all[static_cast<std::size_t>(i) % 5], &b = all[static_cast<std::size_t>(i) / 5 % 5];
+    const Quaternion qa = random.turn(), qb = i % 4 == 0 ? qa : random.turn();  // a quarter of them parallel
+    const Vec3 ref_a{random(-10, 10), random(-10, 10), random(0, 5)};
+    const Vec3 apart_by{random(-0.2, 0.2), random(-0.2, 0.2), random(-0.2, 0.2)};
+    const kernels::Pose pa{{}, rotation_minus_identity(qa)}, pb{{}, rotation_minus_identity(qb)};
+    const kernels::Overlap o = kernels::overlap_of(a.shape(), pa, b.shape(), pb, apart_by, kNone);
+    const kernels::Overlap back = kernels::overlap_of(b.shape(), pb, a.shape(), pa, -apart_by, kNone);
+    const geometry::ConvexBody ga = geometry::placed(a.exact, rotation(qa), ref_a);
+    const geometry::ConvexBody gb = geometry::placed(b.exact, rotation(qb), ref_a + apart_by);
+    const double depth = geometry::penetration_of(ga, gb).depth;
+    worst = std::max(worst, std::abs(o.depth - depth));
+    asymmetry = std::max(asymmetry, std::abs(o.depth - back.depth));
+    CHECK(std::abs(norm(o.normal) - 1.0) < 1e-12);
+    // Along the normal, out of a, the depth is gone.
+    const Vec3 off = o.depth * o.normal;
+    if (o.depth > 0.0) least_gain = std::max(least_gain, geometry::penetration_of(ga, geometry::placed(gb, Mat3{}, off)).depth);
+    CHECK(norm((o.arm_a - o.arm_b) - apart_by) < 1e-12);
+    (depth > 0.0 ? deep : apart) += 1;
+  }
+  MESSAGE(deep << " overlap, " << apart << " do not; depths differ by " << worst << " m at most");
+  CHECK(worst < 1e-9);
+  CHECK(asymmetry < 1e-9);
+  CHECK(least_gain < 1e-9);
+  CHECK(deep > 2000);
+  CHECK(apart > 500);
+}
+
+TEST_CASE("overlap: a look that stops early has shown some axis of no more depth") {
+  const std::vector<Body> all = bodies();
+  Random random;
+  for (int i = 0; i < 2000; ++i) {
+    const Body &a = all[static_cast<std::size_t>(i) % 5], &b = all[static_cast<std::size_t>(i) / 5 % 5];
+    const kernels::Pose pa{{}, rotation_minus_identity(random.turn())}, pb{{}, rotation_minus_identity(random.turn())};
+    const Vec3 apart_by{random(-0.2, 0.2), random(-0.2, 0.2), random(-0.2, 0.2)};
+    const double exact = kernels::overlap_of(a.shape(), pa, b.shape(), pb, apart_by, kNone).depth;
+    const double enough = exact + random(-0.01, 0.01), quick = kernels::overlap_of(a.shape(), pa, b.shape(), pb, apart_by, enough).depth;
+    if (exact > enough) {
+      CHECK(quick == exact);
+    } else {
+      CHECK(quick >= exact);
+      CHECK(quick <= enough);
+    }
+  }
+}
+
+TEST_CASE("overlap: with the base it is how far the lowest vertex lies under its plane") {
+  const std::vector<Body> all = bodies();
+  Random random;
+  for (int i = 0; i < 500; ++i) {
+    const Body& a = all[static_cast<std::size_t>(i) % 5];
+    const Quaternion q = random.turn();
+    const double height = random(-0.1, 0.2);
+    const kernels::Overlap o = kernels::overlap_with_base(a.shape(), {{}, rotation_minus_identity(q)}, height);
+    CHECK(std::abs(o.depth - geometry::depth_under(geometry::placed(a.exact, rotation(q), {0, 0, height}), 0.0)) < 1e-12);
+    CHECK(o.normal == Vec3{0.0, 0.0, -1.0});
+  }
+}
