@@ -124,7 +124,7 @@ TEST_CASE("what is said of elements along their principal axes is what their ine
 }
 
 // The plain twin: (27) of THEORY.md for gravity, ground and damping, element by element.
-TEST_CASE("a batch's books are the sums over its elements") {
+TEST_CASE("a batch's energy tally is the sums over its elements") {
   Flying f;
   Noise noise(9);
   for (std::size_t i = 0; i < kCount; ++i) {
