@@ -203,6 +203,7 @@ struct World {
   Options options;
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
+  std::vector<double> friction;  // tan φ, the table that `contact` sees: Model::contact_friction
   bool has_base = false;
   bool far = false;  // more than caches hold: its tasks are large and lie beside the last one, memory is asked for a task ahead
   bool drop_debris_damping = false;
