@@ -60,7 +60,7 @@ struct Material {
 struct JointLaw {
   double tension = 0.0;      // f_t, Pa
   double cohesion = 0.0;     // c, Pa
-  double friction = 0.0;     // phi, degrees
+  double friction = 0.0;     // phi, degrees, while the bond holds
   double compression = 0.0;  // f_m, Pa
   double cap = 9.0;          // C_s
   double thickness = 0.0;    // t_M, m
@@ -95,9 +95,14 @@ struct Joints {
 };
 
 enum class ContactNormal { slave, master };
+struct ContactRule {
+  std::array<std::string, 2> materials;  // "base" counts as a material
+  double friction = 0.0;                 // degrees
+};
 struct Contact {
-  double friction = 32.0;  // degrees
-  double damping = 1.0;    // h_n = h_s
+  double friction = 32.0;            // degrees, of all pairs of materials but those of `between`
+  std::vector<ContactRule> between;  // a pair of materials at most once
+  double damping = 1.0;              // h_n = h_s
   ContactNormal normal = ContactNormal::slave;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cases/blocks.h"
+#include "cases/contact_rules.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/names.h"
@@ -144,6 +145,7 @@ Model build_model(const Case& c) {
     if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
   }
   const JointRules rules(c, model);
+  model.contact_friction = contact_friction(c.contact, model.materials);
   check_loads(c);
   if (c.house) add_house(c, model);
   add_free_blocks(c, model);

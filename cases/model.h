@@ -47,7 +47,7 @@ struct SupportHistory {
 struct NamedMaterial {
   std::string name;
   Material value;
-  std::int32_t made_from = -1;  // the material whose joint rules it has; −1: its own
+  std::int32_t made_from = -1;  // the material whose joint and contact rules it has; −1: its own
 };
 struct NamedLaw {
   std::string name;  // "dry" is always law 0: no bond
@@ -59,9 +59,10 @@ struct Model {
   std::vector<NamedMaterial> materials;
   std::vector<NamedLaw> laws;  // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;
-  geometry::Assembly assembly;          // of the blocks, in order
-  std::vector<std::int32_t> joint_law;  // by assembly joint, into laws
-  std::vector<double> joint_strength;   // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
+  geometry::Assembly assembly;           // of the blocks, in order
+  std::vector<std::int32_t> joint_law;   // by assembly joint, into laws
+  std::vector<double> contact_friction;  // degrees, see cases/contact_rules.h
+  std::vector<double> joint_strength;    // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
 /// Builds blocks (house first, numbered along its plan, then free blocks), assembles them and picks the law of every joint.

@@ -112,7 +112,7 @@ VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, 
   const Lanes du1 = a.step * v.s1, du2 = a.step * v.s2;
   Lanes x1 = c.slip1 + du1, x2 = c.slip2 + du2;
   const Lanes dn = min(a.k.cn * v.n, -a.k.kn * xn);
-  const Lanes limit = max(-(a.k.kn * xn + dn) * a.strength.tan_phi, zero), limit2 = limit * limit;
+  const Lanes limit = max(-(a.k.kn * xn + dn) * a.strength.friction, zero), limit2 = limit * limit;
   Lanes spring2 = a.k.ks * a.k.ks * square(x1, x2);
   const LaneMask cut = closed & (spring2 > limit2);
   if (bits(cut) != 0) {

@@ -37,6 +37,7 @@ struct alignas(64) Face {
   double distance = 0.0;                          // m, ℓ
   double compliance_n = 0.0, compliance_s = 0.0;  // m/Pa, ℓ (1 − ν²)/E and 2 ℓ (1 + ν)/E; 0 for the base
   double mass = 0.0;                              // kg/m2, ρ ℓ (Eq. 10)
+  std::int32_t material = 0;                      // of ContactOptions::friction
 };
 
 /// Constants of a free patch. Reference axes, from the centroid of its element.
@@ -48,7 +49,6 @@ struct Patch {
   std::int32_t origin_face = -1;                        // of `origin`
   float normal_sign = 1.0F;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
   double s_low = 0, s_high = 0, t_low = 0, t_high = 0;  // m, rectangle round its points
-  double origin_tan_phi = 0.0;                          // friction against `origin`
   double origin_kn = 0.0, origin_ks = 0.0;              // Pa/m, stiffness of the joint it comes from, against `origin_face`
 };
 
@@ -89,10 +89,18 @@ struct Candidate {
   double safe = kLookNow;  // m, sum of both travel bounds below which no point can come in, or leave through another face than `face`
 };
 
+/// tan φ of all pairs of materials (Eq. 8), a square table.
+struct FrictionTable {
+  const double* tan_phi = nullptr;
+  std::int32_t materials = 0;
+
+  [[nodiscard]] double of(std::int32_t a, std::int32_t b) const noexcept { return tan_phi[a * materials + b]; }
+};
+
 struct ContactOptions {
-  double step = 0.0;           // s
-  double damping = 1.0;        // h_n = h_s
-  double tan_phi = 0.0;        // friction of new pairs
+  double step = 0.0;     // s
+  double damping = 1.0;  // h_n = h_s
+  FrictionTable friction;
   bool master_normal = false;  // contact.normal = master
   std::int32_t base = 0;       // row of the base: against it a patch carries the full area
   bool crossed_faces = true;   // points also meet the face through which they came, if it does not oppose theirs (see patch_work.h)

@@ -11,9 +11,10 @@ namespace voussoir::kernels {
 struct Strength {
   double tension = 0.0;      // f_t
   double cohesion = 0.0;     // c
-  double tan_phi = 0.0;      // also the friction of the contact that a broken bond becomes (Eq. 8)
+  double tan_phi = 0.0;      // of the bond (Eq. 6)
   double compression = 0.0;  // f_m
   double cap = 9.0;          // C_s
+  double friction = 0.0;     // tan φ of the contact that a broken bond becomes (Eq. 8): that of the two materials
 };
 
 /// Springs and dashpots per area.

@@ -158,7 +158,7 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   f.vs = cross(w, m.es);
   f.vt = cross(w, m.et);
   f.k = stiffness(p, c.element, face, b, faces, o);
-  f.tan_phi = c.element == p.origin ? p.origin_tan_phi : o.tan_phi;
+  f.tan_phi = o.friction.of(faces[p.face].material, faces[face].material);
   f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
   return f;
 }

@@ -139,14 +139,14 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
       if (out.reached == Mode::none) out.reached = out.broke;
       q.bond = out.broke == Mode::compression ? Bond::crushed : Bond::contact;
       // Eq. 8 at once: what is left closed goes on as a contact, without a jump of its normal force.
-      if (!open) detail::contact_traction(x, rate, k, s.tan_phi, out);
+      if (!open) detail::contact_traction(x, rate, k, s.friction, out);
     }
   } else {
     x = {u.n - q.closure, q.slip1 + du.s1, q.slip2 + du.s2};
     open = x.n >= 0.0;
     if (!open) {
       if (q.bond == Bond::crushed) detail::return_to_cap(x, q, u, k, s);
-      detail::contact_traction(x, rate, k, s.tan_phi, out);
+      detail::contact_traction(x, rate, k, s.friction, out);
     }
   }
   if (open) {

@@ -27,6 +27,7 @@ struct alignas(64) SideConstants {
   double sss[kLanes], sst[kLanes], stt[kLanes];  // m4, Σ s² dA, Σ s t dA, Σ t² dA, same factor; Σ s dA = Σ t dA = 0
   double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, rectangle round all contact points
   double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
+  double friction[kLanes];  // tan φ of what a broken bond becomes: see Strength
 };
 /// Numbers a side.
 inline constexpr std::size_t kSideNumbers = sizeof(SideConstants) / (sizeof(double) * kLanes);

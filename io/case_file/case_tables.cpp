@@ -73,7 +73,8 @@ Table<JointLaw> joint_law_table() {
   return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
           {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
            required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
-           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0), "angle of friction phi")),
+           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
+                             "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
            required(value<S>("compression", &S::compression, "Pa", above(0.0),
                              "compressive strength f_m of the bond; contacts bear any pressure")),
            value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
@@ -133,15 +134,24 @@ Table<Joints> joints_table() {
           nullptr};
 }
 
+Table<ContactRule> contact_rule_table() {
+  using S = ContactRule;
+  return {"friction of two materials, whether they were joined or not",
+          {required(value<S>("materials", &S::materials, "", filled(), "the two materials; \"base\" counts as one; a pair may stand once")),
+           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0), "angle of friction"))},
+          nullptr};
+}
+
 Table<Contact> contact_table() {
   using S = Contact;
   return {
       "contact of faces without a bond",
       {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
-                "angle of friction; a pair made by breaking keeps its joint law's"),
+                "angle of friction of all pairs of materials, broken joints too, but of those in `between`"),
        value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
        choice<S, ContactNormal S::*, ContactNormal>(
-           "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal")},
+           "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
+       table<S>("between", &S::between, contact_rule_table())},
       nullptr};
 }
 

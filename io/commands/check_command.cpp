@@ -48,6 +48,15 @@ void print_bill(const cases::Census& n, const cases::Model& m) {
   }
 }
 
+/// One friction for all pairs of materials, and those that have their own.
+void print_friction(const cases::Contact& c) {
+  std::printf("\nfriction of contacts     %s degrees", cases::text(c.friction).c_str());
+  for (const cases::ContactRule& r : c.between) {
+    std::printf("; %s on %s %s", r.materials[0].c_str(), r.materials[1].c_str(), cases::text(r.friction).c_str());
+  }
+  std::printf("\n");
+}
+
 void print_step(const cases::Census& n, const cases::Model& m, double dt) {
   if (n.step_element < 0) return;
   const auto e = static_cast<std::size_t>(n.step_element);
@@ -86,6 +95,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_step(n, model, world->dt);
+  print_friction(c.value.contact);
   print_parts(n);
   print_bill(n, model);
   print_estimate(c.value, n, world->dt, o.threads > 0 ? o.threads : omp_get_max_threads());

@@ -43,8 +43,14 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   } else {
     std::printf("first crack          none\n");
   }
-  std::printf("broken segment sides %s in tension, %s in shear, %s in compression; %s slipped\n", format_count(s.tension).c_str(),
-              format_count(s.shear).c_str(), format_count(s.compression).c_str(), format_count(s.slipped).c_str());
+  const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
+    std::printf("%-20s %s in tension, %s in shear, %s in compression", what, format_count(tension).c_str(), format_count(shear).c_str(),
+                format_count(compression).c_str());
+  };
+  by_mode("sides reached first", s.first.tension, s.first.shear, s.first.compression);
+  std::printf("\n");
+  by_mode("sides opened by", s.tension, s.shear, s.compression);
+  std::printf("; %s hold and have slipped\n", format_count(s.slipped).c_str());
   std::printf("peak base shear      %.1f kN\n", 1e-3 * s.peak_base_shear);
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy residual      %.2g at worst\n", s.worst_residual);

@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 Json told(const Hdf5File& run) {
   Json out = Json::object();
   const auto has = [&](const char* name) { return run.has_attribute("/summary", name); };
-  for (const char* name : {"finished", "collapsed", "settled", "tension", "shear", "compression", "slipped"})
+  for (const char* name : {"finished", "collapsed", "settled", "tension", "shear", "compression", "slipped", "first_tension", "first_shear",
+                           "first_compression"})
     if (has(name)) out[name] = run.attribute_int("/summary", name);
   for (const char* name : {"fallen_mass_fraction", "first_crack_time", "peak_base_shear", "peak_speed", "worst_residual", "end_time"})
     if (has(name)) out[name] = run.attribute_double("/summary", name);
@@ -91,6 +92,19 @@ void print_walls(const Measures& m) {
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
 }
 
+/// Segment sides by the limit that they reached first and by what opened them; a run of an earlier version tells the latter alone.
+void print_modes(const Json& s) {
+  const auto counts = [&](const std::string& prefix) {
+    std::string value;
+    for (const char* mode : {"tension", "shear", "compression"})
+      value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
+    return value;
+  };
+  if (s.contains("first_tension")) line("sides reached first", counts("first_"));
+  if (!s.contains("tension")) return;
+  line("sides opened by", counts("") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
+}
+
 void print_table(const Json& s, const Measures& m) {
   const double end = s.value("end_time", 0.0);
   line("run", (s.value("finished", 0) != 0 ? "finished at " : "not finished, to ") + text("%.3f s", end));
@@ -104,8 +118,7 @@ void print_table(const Json& s, const Measures& m) {
   line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
   line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
   print_penetration(m);
-  for (const char* name : {"tension", "shear", "compression"})
-    if (s.contains(name)) line(("sides in " + std::string(name)).c_str(), std::to_string(s[name].get<std::int64_t>()));
+  print_modes(s);
   if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
   if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);

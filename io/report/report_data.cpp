@@ -196,13 +196,17 @@ std::string report_data(const std::string& run) {
   facts["plots"] = Json::array();
   if (c) add_ground(*c, file, facts);
   add_histories(file, facts["plots"]);
-  facts["plots"].push_back(
-      table_plot(file, "Broken and slipped segment sides", "", "/damage", {"tension", "shear", "compression", "slipped"}));
+  facts["plots"].push_back(table_plot(file, "Segment sides by what opened them; those that have slipped and hold", "", "/damage",
+                                      {"tension", "shear", "compression", "slipped"}));
+  if (file.exists("/damage/first_shear"))
+    facts["plots"].push_back(table_plot(file, "Segment sides by the limit they reached first", "", "/damage",
+                                        {"first_tension", "first_shear", "first_compression"}));
   facts["plots"].push_back(table_plot(file, "Energy", "J", "/energy",
                                       {"input", "kinetic", "strain", "contact", "gravity", "dashpot", "friction", "fracture", "damping"}));
-  facts["summary"] = numbers(file, "/summary",
-                             {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear",
-                              "compression", "slipped", "peak_base_shear", "peak_speed", "worst_residual"});
+  facts["summary"] =
+      numbers(file, "/summary",
+              {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
+               "slipped", "first_tension", "first_shear", "first_compression", "peak_base_shear", "peak_speed", "worst_residual"});
   add_measures(file, facts);
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));

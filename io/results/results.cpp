@@ -55,12 +55,16 @@ void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary
   file.set_attribute(at, "shear", s.shear);
   file.set_attribute(at, "compression", s.compression);
   file.set_attribute(at, "slipped", s.slipped);
+  file.set_attribute(at, "first_tension", s.first.tension);
+  file.set_attribute(at, "first_shear", s.first.shear);
+  file.set_attribute(at, "first_compression", s.first.compression);
   file.set_attribute(at, "peak_base_shear", s.peak_base_shear);
   file.set_attribute(at, "peak_speed", s.peak_speed);
   file.set_attribute(at, "worst_residual", s.worst_residual);
   file.set_attribute(at, "end_time", s.end_time);
   file.set_attribute(at, "units",
-                     "first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped: segment sides; "
+                     "first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, first_shear, "
+                     "first_compression: segment sides; "
                      "peak_base_shear: N; peak_speed: m/s; " +
                          figure_units() + "; the others: 1");
 }
@@ -141,7 +145,9 @@ void ResultsWriter::damage(const solver::DamageRow& row) {
   RowBuffer& to = table(RowTable::damage);
   if (!to.begin(row.time)) return;
   std::size_t column = 1;
-  for (const std::int64_t value : {row.bonded, row.slipped, row.tension, row.shear, row.compression}) to.put(column++, value);
+  for (const std::int64_t value :
+       {row.bonded, row.slipped, row.tension, row.shear, row.compression, row.first.tension, row.first.shear, row.first.compression})
+    to.put(column++, value);
   write_if_due();
 }
 

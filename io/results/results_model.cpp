@@ -164,7 +164,7 @@ void add_materials(const cases::Model& model, Datasets& out) {
   };
   law("/model/law/tension", &cases::JointLaw::tension, "Pa", "tensile strength");
   law("/model/law/cohesion", &cases::JointLaw::cohesion, "Pa", "cohesion");
-  law("/model/law/friction", &cases::JointLaw::friction, "degree", "angle of friction");
+  law("/model/law/friction", &cases::JointLaw::friction, "degree", "angle of friction while the bond holds");
   law("/model/law/compression", &cases::JointLaw::compression, "Pa", "compressive strength");
   law("/model/law/thickness", &cases::JointLaw::thickness, "m", "thickness of the mortar");
   law("/model/law/young", &cases::JointLaw::young, "Pa", "Young's modulus of the mortar");

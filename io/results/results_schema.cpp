@@ -65,9 +65,12 @@ TableSpec damage_columns() {
   return {scalar("/damage/time", "s", "time of the rows; zero is the start of shaking"),
           integer("/damage/bonded", i64, "segment sides that still hold, slipped ones included"),
           integer("/damage/slipped", i64, "segment sides that hold and have slipped"),
-          integer("/damage/tension", i64, "segment sides broken in tension"),
-          integer("/damage/shear", i64, "segment sides broken in shear"),
-          integer("/damage/compression", i64, "segment sides broken in compression")};
+          integer("/damage/tension", i64, "segment sides opened in tension"),
+          integer("/damage/shear", i64, "segment sides opened in shear"),
+          integer("/damage/compression", i64, "segment sides opened in compression"),
+          integer("/damage/first_tension", i64, "segment sides that reached the limit in tension first, open since"),
+          integer("/damage/first_shear", i64, "segment sides that reached the limit in shear first, whether they hold or are open"),
+          integer("/damage/first_compression", i64, "segment sides that reached the limit in compression first, open since")};
 }
 
 TableSpec cracks_columns() {

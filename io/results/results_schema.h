@@ -16,7 +16,7 @@
 namespace voussoir::io {
 
 /// Version of the layout of run.h5, its attribute `schema_version`.
-inline constexpr std::int64_t kResultsSchema = 1;
+inline constexpr std::int64_t kResultsSchema = 2;
 
 /// The group of a table is "/" and its name: see table_name.
 enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames };

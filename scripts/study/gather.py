@@ -16,7 +16,8 @@ import h5py
 
 # What comes first in the table, and what is no result. All else that the program says follows, the walls last.
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
-         "residual_drift", "tension", "shear", "compression", "slipped", "peak_base_shear", "peak_speed")
+         "residual_drift", "first_tension", "first_shear", "first_compression", "tension", "shear", "compression", "slipped",
+         "peak_base_shear", "peak_speed")
 NOT_RESULTS = ("finished", "grade_time", "walls")
 COSTS = ("starts", "wall_clock", "core_hours")
 

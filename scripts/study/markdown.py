@@ -17,8 +17,10 @@ def percent(text):
     return "–" if text == "" else f"{100 * float(text):.1f}"
 
 
-def broken(row):
-    return " / ".join(f"{int(row[mode]):,}" for mode in ("tension", "shear", "compression"))
+def by_mode(row, prefix):
+    """Segment sides; a table of an earlier version has no limits reached first."""
+    counts = [row.get(prefix + mode, "") for mode in ("tension", "shear", "compression")]
+    return "–" if "" in counts else " / ".join(f"{int(n):,}" for n in counts)
 
 
 def first_wall(row):
@@ -43,8 +45,9 @@ COLUMNS = {
     "peak drift, %": lambda row: percent(row["peak_drift"]),
     "debris, m2; reach, m": lambda row: f"{float(row['debris_area']):.1f}; {float(row['debris_reach']):.1f}",
     "free volume, %": lambda row: percent(row["free_volume"]),
-    "broken: tension / shear / compression": broken,
-    "slipped": lambda row: f"{int(row['slipped']):,}",
+    "reached first: tension / shear / compression": lambda row: by_mode(row, "first_"),
+    "opened by: tension / shear / compression": lambda row: by_mode(row, ""),
+    "slipped, hold": lambda row: f"{int(row['slipped']):,}",
     "base shear, kN": lambda row: f"{float(row['peak_base_shear']) / 1e3:.0f}",
     "residual": lambda row: f"{float(row['worst_residual']):.1e}",
     "core-hours": lambda row: f"{float(row['core_hours']):.2f}",

@@ -50,6 +50,14 @@ kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, con
   return k;
 }
 
+/// tan φ of the two materials.
+double friction(const World& w, std::int32_t a, std::int32_t b) {
+  const auto material = [&](std::int32_t e) {
+    return w.faces[static_cast<std::size_t>(w.elements.first_face[static_cast<std::size_t>(e)])].material;
+  };
+  return w.contact.friction.of(material(a), material(b));
+}
+
 struct Motion {
   kernels::Twist a, b;
 };
@@ -85,7 +93,7 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels:
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
   const double xn = allowed_overlap(w, s.a, s.b) - at.depth;
-  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, w.contact.tan_phi, w.dt);
+  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), w.dt);
   s.shear = transposed(turn) * c.spring;
   s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
   s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);

@@ -24,7 +24,6 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   p.normal_sign = mirrored ? -1.0F : 1.0F;
   p.origin_face = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
   p.s_low = b.s_low[l], p.s_high = b.s_high[l], p.t_low = b.t_low[l], p.t_high = b.t_high[l];
-  p.origin_tan_phi = s.strength.tan_phi;
   p.origin_kn = s.k.kn, p.origin_ks = s.k.ks;
   return p;
 }

@@ -85,6 +85,23 @@ Damage initial_damage(const World& w) {
   return d;
 }
 
+FirstLimits first_limits(const World& w) {
+  FirstLimits found;
+  const Sides& s = w.sides;
+  for (std::int64_t id = 0; id < s.count(); ++id) {
+    const auto i = static_cast<std::size_t>(id);
+    if (s.joint[i] < 0) continue;
+    const kernels::Mode* mode = s.parts[i].segments.first_mode;
+    std::int64_t by_mode[4] = {};
+    for (int k = 0; k < s.parts[i].points.n; ++k) ++by_mode[static_cast<std::size_t>(mode[k])];
+    const std::int64_t faces = s.faces[i];
+    found.tension += faces * by_mode[static_cast<std::size_t>(kernels::Mode::tension)];
+    found.shear += faces * by_mode[static_cast<std::size_t>(kernels::Mode::shear)];
+    found.compression += faces * by_mode[static_cast<std::size_t>(kernels::Mode::compression)];
+  }
+  return found;
+}
+
 void record_damage(World& w, const JointEvents& events, double time, Damage& d, std::vector<CrackRow>& cracks) {
   for (const kernels::SegmentEvent& e : events.events) record_event(w, e, time, d, cracks);
   for (const std::int32_t side : events.coming_apart) {

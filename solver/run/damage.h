@@ -11,9 +11,13 @@
 /// Counts of broken and slipped segments, in segment sides (a merged spring counts two).
 namespace voussoir::solver {
 
+/// Bonds that hold, those of them that have slipped, and broken ones by what opened them.
 struct Damage {
   std::int64_t bonded = 0, slipped = 0, tension = 0, shear = 0, compression = 0;
 };
+
+/// Segment sides by the limit that they reached first, whether they have broken since or only slipped. Looks at all segments.
+FirstLimits first_limits(const World& w);
 
 /// Counts of a world that has not been stepped.
 Damage initial_damage(const World& w);

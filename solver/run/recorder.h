@@ -34,10 +34,16 @@ struct ForcesRow {
   Vec3 base_shear, base_moment;  // N, N m
 };
 
-/// Segment sides by state. bonded includes slipped.
+/// Segment sides that have failed, by the limit they reached first.
+struct FirstLimits {
+  std::int64_t tension = 0, shear = 0, compression = 0;
+};
+
+/// Segment sides by state: bonded includes slipped; tension, shear and compression are broken, by what opened them.
 struct DamageRow {
   double time = 0;  // s
   std::int64_t bonded = 0, slipped = 0, tension = 0, shear = 0, compression = 0;
+  FirstLimits first;
 };
 
 /// One broken segment.
@@ -61,9 +67,10 @@ struct Summary {
   bool collapsed = false;
   double fallen_mass_fraction = 0;
   double first_crack_time = -1;                                       // s, < 0: none
-  std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides
-  double peak_base_shear = 0;                                         // N
-  double peak_speed = 0;                                              // m/s
+  std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides, as in DamageRow
+  FirstLimits first;
+  double peak_base_shear = 0;  // N
+  double peak_speed = 0;       // m/s
   double worst_residual = 0;
   bool settled = true;
   double end_time = 0;  // s reached

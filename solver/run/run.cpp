@@ -51,7 +51,7 @@ class Reporter {
   void ledger(double time) {
     out_.energy(sim_.energy());
     const Damage& d = sim_.damage();
-    out_.damage({time, d.bonded, d.slipped, d.tension, d.shear, d.compression});
+    out_.damage({time, d.bonded, d.slipped, d.tension, d.shear, d.compression, first_limits(sim_.world())});
     cracks();
   }
 
@@ -192,6 +192,7 @@ Summary summarise(const Simulation& sim, const RunState& state) {
   s.first_crack_time = state.first_crack;
   const Damage& d = sim.damage();
   s.tension = d.tension, s.shear = d.shear, s.compression = d.compression, s.slipped = d.slipped;
+  s.first = first_limits(sim.world());
   s.peak_base_shear = state.peak_base_shear;
   s.peak_speed = sim.peak_speed();
   s.worst_residual = sim.worst_residual();

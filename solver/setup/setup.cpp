@@ -100,8 +100,11 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->drop_debris_damping = !c.damping.debris;
   w->bound = cases::census(m).step_bound;
   w->dt = choose_step(c, o, w->bound);
-  w->contact = {w->dt, c.contact.damping, std::tan(c.contact.friction * std::numbers::pi / 180.0),
-                c.contact.normal == cases::ContactNormal::master};
+  for (const double angle : m.contact_friction) w->friction.push_back(std::tan(angle * std::numbers::pi / 180.0));
+  w->contact = {.step = w->dt,
+                .damping = c.contact.damping,
+                .friction = {w->friction.data(), static_cast<std::int32_t>(m.materials.size()) + 1},
+                .master_normal = c.contact.normal == cases::ContactNormal::master};
   set_up_elements(*w, c);
   w->contact.base = w->elements.base;
   set_up_faces(*w);

@@ -135,10 +135,12 @@ void set_up_faces(World& w) {
                          .distance = face.distance,
                          .compliance_n = face.distance / plane_strain_modulus(material),  // Eq. 1
                          .compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young,
-                         .mass = material.density * face.distance});  // Eq. 10
+                         .mass = material.density * face.distance,  // Eq. 10
+                         .material = m.blocks[i].material});
     }
   }
-  w.faces.push_back({.normal = {0.0, 0.0, 1.0}});  // the base, a rigid half-space
+  w.faces.push_back(
+      {.normal = {0.0, 0.0, 1.0}, .material = static_cast<std::int32_t>(m.materials.size())});  // the base, a rigid half-space
 }
 
 }  // namespace voussoir::solver

@@ -112,10 +112,11 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
 }
 
 /// \param factor  of the joint, see cases/scatter.h
-kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double contact_friction) {
-  const double phi = (dry ? contact_friction : law.friction) * std::numbers::pi / 180.0;
-  if (dry) return {0.0, 0.0, std::tan(phi), 1.0, 0.0};
-  return {factor * law.tension, factor * law.cohesion, std::tan(phi), factor * law.compression, law.cap};
+/// \param friction  tan φ of its two materials
+kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double friction) {
+  if (dry) return {0.0, 0.0, 0.0, 1.0, 0.0, friction};
+  const double tan_phi = std::tan(law.friction * std::numbers::pi / 180.0);
+  return {factor * law.tension, factor * law.cohesion, tan_phi, factor * law.compression, law.cap, friction};
 }
 
 void size_side_arrays(Sides& s, std::size_t blocks) {
@@ -163,7 +164,7 @@ kernels::SideConstants constants_of(const World& w, const NewSide& side, const k
   set_moments(c, side);
   *c.kn = side.k.kn, *c.ks = side.k.ks;
   *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;
-  *c.compression = strength.compression, *c.cap = strength.cap;
+  *c.compression = strength.compression, *c.cap = strength.cap, *c.friction = strength.friction;
   return c;
 }
 
@@ -190,7 +191,9 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
   for (NewSide& side : sides) {
     const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
     const cases::JointLaw& law = w.model.laws[law_index].value;
-    const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, c.contact.friction); };
+    const auto material = [&](std::int32_t face) { return w.faces[static_cast<std::size_t>(face)].material; };
+    const double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
+    const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, friction); };
     side.k = joint_stiffness(w, side, law, c.contact.damping);
     side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
     side.order = without_scatter.add(constants_of(w, side, strength(1.0)));

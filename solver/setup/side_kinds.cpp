@@ -31,7 +31,7 @@ std::int64_t leading(double x) {
 SideKinds::Key SideKinds::key_of(const SideConstants& c) {
   Key key;
   for (std::size_t i = 0; i < key.size(); ++i) key[i] = rounded(numbers_of(c)[i * kLanes], 1.0);  // lengths [m], parts of unit vectors
-  for (const double* member : {c.kn, c.ks, c.area, c.tension, c.cohesion, c.tan_phi, c.compression, c.cap}) {
+  for (const double* member : {c.kn, c.ks, c.area, c.tension, c.cohesion, c.tan_phi, c.compression, c.cap, c.friction}) {
     key[place(c, member)] = leading(*member);
   }
   const double moment = std::ldexp(1.0, std::ilogb(c.sss[0] + c.stt[0]));

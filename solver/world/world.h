@@ -200,6 +200,7 @@ struct World {
   Options options;
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
+  std::vector<double> friction;  // tan φ, the table that `contact` sees: Model::contact_friction
   bool has_base = false;
   bool out_of_cache = false;  // the model is larger than the caches, see joints/out_of_cache.h
   bool drop_debris_damping = false;

@@ -95,7 +95,7 @@ inline void record(solver::Recorder& r, std::uint64_t i) {
   r.energy({t, x, 2 * x, 3 * x, 4 * x, 5 * x, 6 * x, 7 * x, 8 * x, 9 * x, 1e-6 * x});
   r.forces({t, {x, 10, 20}, {30, x, 50}});
   const auto n = static_cast<std::int64_t>(i);
-  r.damage({t, 1000 - n, n, 2 * n, 3 * n, 4 * n});
+  r.damage({t, 1000 - n, n, 2 * n, 3 * n, 4 * n, {5 * n, 6 * n, 7 * n}});
   const auto k = static_cast<std::int32_t>(i);
   const solver::CrackRow crack{t, 0, k, -1, {x, 0, 1}, {0, 0, 1}, 0.5 * x, solver::FailureMode::tension, solver::FailureMode::shear, t - 1};
   r.cracks(std::array{crack, crack});

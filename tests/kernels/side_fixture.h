@@ -64,7 +64,7 @@ struct SideUnderTest {
     side.mean = mean;
     side.factor = mean > 0.0 ? 1.0 : 0.5;
     side.k = {1.0e9, 3.75e8, 4.0e5, 2.4e5};
-    side.strength = {1.27e5, 3.04e4, std::tan(0.5585), 4.9e5, 9.0};
+    side.strength = {1.27e5, 3.04e4, std::tan(0.5585), 4.9e5, 9.0, 0.55};
     for (int i = 0; i < ns; ++i) {
       for (int j = 0; j < nt; ++j) {
         s.push_back(0.025 * (i - 0.5 * (ns - 1)));
@@ -102,7 +102,7 @@ struct SideUnderTest {
     b.master[lane] = side.master, b.slave[lane] = side.slave, c.mean[lane] = side.mean;
     c.kn[lane] = side.k.kn, c.ks[lane] = side.k.ks;
     c.tension[lane] = side.strength.tension, c.cohesion[lane] = side.strength.cohesion, c.tan_phi[lane] = side.strength.tan_phi;
-    c.compression[lane] = side.strength.compression, c.cap[lane] = side.strength.cap;
+    c.compression[lane] = side.strength.compression, c.cap[lane] = side.strength.cap, c.friction[lane] = side.strength.friction;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
       const double da = side.factor * area[i];
       c.area[lane] += da, c.sss[lane] += da * s[i] * s[i], c.sst[lane] += da * s[i] * t[i], c.stt[lane] += da * t[i] * t[i];

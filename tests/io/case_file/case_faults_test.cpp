@@ -100,6 +100,11 @@ TEST_CASE("faults: ranges name the value and what is allowed") {
   CHECK(refusal(material, {"materials.m.young=0"}) != "accepted");
   CHECK(refusal("[contact]\nfriction = 90") == "test.toml:2: contact.friction = 90 degrees: must be in [0, 90)");
   CHECK(refusal("[contact]\nfriction = 0") == "accepted");
+  CHECK(refusal("[[contact.between]]\nmaterials = [\"a\", \"base\"]\nfriction = 90") ==
+        "test.toml:3: contact.between[0].friction = 90 degrees: must be in [0, 90)");
+  CHECK(refusal("[contact]\nbetween = [ {friction = 30} ]").starts_with("test.toml:2: contact.between[0].materials is missing"));
+  CHECK(
+      refusal("[contact]\nbetween = [ {materials = [\"a\", \"a\"]} ]").starts_with("test.toml:2: contact.between[0].friction is missing"));
   CHECK(refusal("[time]\nduration = 0") == "accepted");
   CHECK(refusal("[time]\nduration = -1e-300") != "accepted");
   CHECK(refusal("[time]\nstep = 0") == "test.toml:2: time.step = 0 s: must be > 0");

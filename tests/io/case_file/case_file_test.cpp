@@ -64,6 +64,10 @@ TEST_CASE("case file: every key of the analysis is read") {
   CHECK(c.contact.friction == 30.0);
   CHECK(c.contact.damping == 0.5);
   CHECK(c.contact.normal == cases::ContactNormal::master);
+  REQUIRE(c.contact.between.size() == 2);
+  CHECK(c.contact.between[0].materials == std::array<std::string, 2>{"old wood", "base"});
+  CHECK(c.contact.between[0].friction == 20.0);
+  CHECK(c.contact.between[1].friction == 33.0);
   CHECK(c.segment_size == 0.025);
   CHECK(c.output.history_interval == 0.002);
   CHECK(c.output.frame_interval == 0.04);
@@ -293,6 +297,7 @@ TEST_CASE("key reference: all tables and their keys") {
                              "[joints]",
                              "[[joints.between]]",
                              "[contact]",
+                             "[[contact.between]]",
                              "[motion]",
                              "[segments]",
                              "[output]",

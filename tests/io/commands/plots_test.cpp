@@ -89,7 +89,10 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   CHECK(rows.starts_with("run,history,axis,peak [m],time [s]\nFirst,upper,z,"));
   CHECK(std::stod(rows.substr(rows.rfind(',') + 1)) <= 0.002);
   drawn = figure(py, folder, "plot_damage.py", run);
-  for (const char* word : {"run", "tension", "shear", "compression"}) CHECK(has(drawn, word));
+  for (const char* word : {"run", "opened by tension", "opened by shear", "opened by compression", "slipped, holds"})
+    CHECK(has(drawn, word));
+  drawn = figure(py, folder, "plot_damage.py", "--first " + run);
+  for (const char* word : {"run", "reached first tension", "reached first shear", "reached first compression"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_debris.py", "First=" + run + " " + run + " --below 5");
   for (const char* word : {"First, 0.10 s", "run, 0.10 s", "y, m"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_energy.py", "Pair=" + run);

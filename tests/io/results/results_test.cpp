@@ -71,7 +71,8 @@ std::vector<Promise> promises() {
   for (const char* e : {"/energy/kinetic", "/energy/strain", "/energy/contact", "/energy/gravity", "/energy/input", "/energy/dashpot",
                         "/energy/friction", "/energy/fracture", "/energy/damping"})
     p.push_back({e, "J", {kAnyRows}});
-  for (const char* d : {"/damage/bonded", "/damage/slipped", "/damage/tension", "/damage/shear", "/damage/compression"})
+  for (const char* d : {"/damage/bonded", "/damage/slipped", "/damage/tension", "/damage/shear", "/damage/compression",
+                        "/damage/first_tension", "/damage/first_shear", "/damage/first_compression"})
     p.push_back({d, "1", {kAnyRows}});
   for (const char* h : {"/history/top/", "/history/corner 2/"}) {
     static std::set<std::string> kept;  // Promise holds no text of its own
@@ -239,6 +240,7 @@ TEST_CASE("summary, provenance and a long case") {
   s.fallen_mass_fraction = 0.75;
   s.first_crack_time = 1.5;
   s.tension = 10, s.shear = 20, s.compression = 30, s.slipped = 40;
+  s.first = {11, 87, 2};
   s.peak_base_shear = 1e5, s.peak_speed = 4, s.worst_residual = 1e-7, s.end_time = 10;
   w.summary(s);
   w.state_hash(0xabcdef);
@@ -254,6 +256,9 @@ TEST_CASE("summary, provenance and a long case") {
                                                {"shear", 20},
                                                {"compression", 30},
                                                {"slipped", 40},
+                                               {"first_tension", 11},
+                                               {"first_shear", 87},
+                                               {"first_compression", 2},
                                                {"peak_speed", 4},
                                                {"peak_base_shear", 1e5},
                                                {"worst_residual", 1e-7},

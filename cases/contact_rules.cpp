@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/contact_rules.h"
+
+#include <cstdint>
+#include <optional>
+
+#include "cases/names.h"
+
+namespace voussoir::cases {
+
+std::vector<double> contact_friction(const Contact& contact, std::span<const NamedMaterial> materials) {
+  const std::size_t n = materials.size() + 1, base = materials.size();
+  std::vector<std::optional<std::size_t>> rule_of(n * n);
+  for (std::size_t i = 0; i < contact.between.size(); ++i) {
+    const ContactRule& rule = contact.between[i];
+    const std::string key = indexed_key("contact.between", i, "materials");
+    const auto index = [&](const std::string& name) {
+      return name == "base" ? base : static_cast<std::size_t>(find_material(materials, name, key));
+    };
+    const std::size_t a = index(rule.materials[0]), b = index(rule.materials[1]);
+    if (rule_of[a * n + b]) {
+      throw InputError(key, "= [" + quoted(rule.materials[0]) + ", " + quoted(rule.materials[1]) + "] stands in " +
+                                indexed_key("contact.between", *rule_of[a * n + b], "") + " already; a pair has one friction");
+    }
+    if (!(rule.friction >= 0.0 && rule.friction < 90.0)) {
+      throw InputError(indexed_key("contact.between", i, "friction"), text(rule.friction) + " degrees; allowed: 0 to below 90");
+    }
+    rule_of[a * n + b] = rule_of[b * n + a] = i;
+  }
+  const auto own = [&](std::size_t m) {
+    return m < base && materials[m].made_from >= 0 ? static_cast<std::size_t>(materials[m].made_from) : m;
+  };
+  std::vector<double> friction;
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      const auto rule = rule_of[own(a) * n + own(b)];
+      friction.push_back(rule ? contact.between[*rule].friction : contact.friction);
+    }
+  }
+  return friction;
+}
+
+}  // namespace voussoir::cases
