@@ -64,6 +64,7 @@ TEST_CASE("rim: the bits do not depend on the number of threads, through crackin
   CHECK(std::ranges::all_of(m.assembly.joints, [](const geometry::Joint& j) { return j.merged == (j.element_b != geometry::kBase); }));
   const cases::GroundMotion g = strong_shaking();
   solver::Simulation one(c, m, g, {}), two(c, m, g, {});
+  std::ptrdiff_t most_touching = 0;
   for (int i = 0; i < 3600; ++i) {
     const bool ledger = i % 50 == 0;
     omp_set_num_threads(1);
@@ -73,9 +74,10 @@ TEST_CASE("rim: the bits do not depend on the number of threads, through crackin
     if (i % 10 != 0) continue;
     CAPTURE(i);
     REQUIRE(difference(one.world(), two.world()) == "");
+    most_touching = std::max(most_touching, patches_that_touch(one.world()));
   }
   CHECK(one.damage().tension > 500);
-  CHECK(patches_that_touch(one.world()) > 0);
+  CHECK(most_touching > 5);
   CHECK(one.worst_residual() < 1e-3);
 }
 
@@ -173,7 +175,7 @@ TEST_CASE("rim: crossed edges of bodies that fall on each other sink a millimetr
       least = std::min(least, sim.world().elements.uz[1]);
     }
     const double sunk = -least - 0.001;
-    MESSAGE((rim ? "rim: " : "centres: ") << 1e3 * sunk << " mm");
+    MESSAGE("rim " << rim << ": " << 1e3 * sunk << " mm");
     CHECK(sunk > 0.0);
     CHECK(sunk < (rim ? 0.0025 : 0.0125));
   }
