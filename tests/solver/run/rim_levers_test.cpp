@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kGravity = 9.8;  // m/s2
 constexpr SegmentRule kRules[] = {SegmentRule::centres, SegmentRule::rim};
-const char* name(SegmentRule r) { return r == SegmentRule::rim ? "rim" : "centres"; }
+std::string name(SegmentRule r) { return r == SegmentRule::rim ? "rim" : "centres"; }
 
 /// Dry blocks of all but rigid stone on the base; nothing slides.
 cases::Case stone(SegmentRule rule) {
@@ -175,7 +175,7 @@ TEST_CASE("rules: least thickness of a semicircular arch with n = 4") {
 }
 
 TEST_CASE("rules: frequencies and points of the paper's houses" * doctest::skip()) {
-  const std::pair<const char*, cases::Case> houses[] = {{"flat20n", testing::paper_flat20()},
+  const std::pair<std::string, cases::Case> houses[] = {{"flat20n", testing::paper_flat20()},
                                                         {"flat40n", testing::paper_flat40()},
                                                         {"flat20r", testing::reinforced(testing::paper_flat20())},
                                                         {"vault20n", testing::paper_vault20()},
