@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
 
 /// What is simulated, as plain data: the case file, read. SI units, z up; angles in degrees, as the user writes them.
@@ -220,7 +221,8 @@ struct Case {
   Joints joints;
   Contact contact;
   std::optional<Motion> motion;
-  std::optional<double> segment_size;  // m; key segments.size
+  std::optional<double> segment_size;                                   // m; key segments.size
+  geometry::SegmentRule segment_rule = geometry::SegmentRule::centres;  // key segments.rule
   Output output;
   std::optional<House> house;
   std::vector<BlockSpec> blocks;  // key: block

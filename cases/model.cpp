@@ -120,7 +120,7 @@ void assemble(const Case& c, Model& model) {
   parts.reserve(model.blocks.size());
   for (const Block& block : model.blocks) parts.push_back({&block.shape, block.segment_size, block.fixed || block.free});
   try {
-    model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt);
+    model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt, c.segment_rule);
   } catch (const geometry::ModelError& error) {
     refuse(model, error);
   }

@@ -76,8 +76,9 @@ void check_held(std::span<const Part> parts, const std::vector<Contact>& contact
 
 }  // namespace
 
-Assembly assemble(std::span<const Part> parts, std::optional<double> base_z) {
+Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule) {
   Assembly out;
+  out.rule = rule;
   std::vector<FaceGrid> grids;
   std::vector<Box3> boxes;
   out.elements.reserve(parts.size());

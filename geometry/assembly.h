@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/polyhedron.h"
+#include "geometry/segment_rule.h"
 
 /// From shapes to faces, segments and joints (paper 2.1, Fig. 1c; choices in the theory manual).
 namespace voussoir::geometry {
@@ -33,12 +34,14 @@ struct Joint {
   std::int32_t element_b = 0, face_b = 0;
   Frame frame;
   double area = 0.0;            // m2, of the overlap
-  bool merged = false;          // both grids coincide: side_a stands for both, side_b is empty
+  bool merged = false;          // the points of both sides coincide: side_a stands for both, side_b is empty
   std::vector<Segment> side_a;  // segments mastered by face_a
   std::vector<Segment> side_b;  // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
+/// Under SegmentRule::rim what is free is cut into convex polygons, each with its area and points that keep a hundredth of the segment size
+/// inside its edges: in a wall that stands neighbours' faces are flush, and a point on the edge would be in and out by round-off.
 struct FreePatch {
   std::int32_t element = 0, face = 0;
   Frame frame;
@@ -63,6 +66,7 @@ struct Assembly {
   std::vector<Face> faces;    // by element, in the polyhedron's face order
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
   std::vector<FreePatch> patches;  // sorted by (element, face)
+  SegmentRule rule = SegmentRule::centres;
 };
 
 struct Part {
@@ -81,10 +85,13 @@ struct Part {
 /// face with the normal −z at base_z touches the base all over. Segments stand row by row in the grid of the face that masters them; (s, t)
 /// are multiples of 2^-40 m, so that equal patches are equal bit by bit.
 ///
+/// That is SegmentRule::centres. Under SegmentRule::rim the points of a joint are those of append_rim_points (geometry/rim_points.h) over
+/// the overlap, with the smaller segment size of the two elements, and every joint between two elements is merged.
+///
 /// \param base_z  height of the base plane [m]; absent: no base.
 /// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the
 /// base, a block that is held by neither the base nor an anchored one, if only by way of others. what() starts with "block <index>: ".
 /// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer.
-Assembly assemble(std::span<const Part> parts, std::optional<double> base_z);
+Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule = SegmentRule::centres);
 
 }  // namespace voussoir::geometry

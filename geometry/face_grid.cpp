@@ -34,9 +34,6 @@ struct CellCounts {
   std::int32_t columns, rows;
 };
 
-/// The whole number nearest to extent / size, halves up within 1e-9: of two faces alike, one must not have a cell more by round-off.
-double cells_along(double extent, double size) { return std::max(1.0, std::floor(extent / size + 0.5 + 1e-9)); }
-
 CellCounts count_cells(const Rectangle& box, double size, int subject, int face) {
   const double columns = cells_along(box.high.s - box.low.s, size), rows = cells_along(box.high.t - box.low.t, size);
   if (columns * rows <= 1e8) return {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows)};
@@ -72,6 +69,8 @@ Piece whole_cell(const FaceGrid& g, std::int32_t i, std::int32_t j) {
 }  // namespace
 
 double snapped(double value, double quantum) noexcept { return std::nearbyint(value / quantum) * quantum; }
+
+double cells_along(double extent, double size) noexcept { return std::max(1.0, std::floor(extent / size + 0.5 + 1e-9)); }
 
 FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject) {
   const auto& loop = p.faces[static_cast<std::size_t>(face)];

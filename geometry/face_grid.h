@@ -28,6 +28,10 @@ struct FaceGrid {
 /// Rounds to a multiple of `quantum`, a power of two.
 double snapped(double value, double quantum) noexcept;
 
+/// n = max(1, the whole number nearest to extent / size, halves up within 1e-9): of two faces alike, one must not have a cell more by
+/// round-off.
+double cells_along(double extent, double size) noexcept;
+
 /// \pre p is valid, segment_size > 0. \throw ModelError if the face would have more than 1e8 cells.
 FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject = -1);
 

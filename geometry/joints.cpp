@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "geometry/message.h"
+#include "geometry/rim_points.h"
 
 namespace voussoir::geometry {
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kAreaTolerance = 1e-9;   // relative
 constexpr double kPointTolerance = 1e-9;  // m
 constexpr double kRaster = 0x1p-40;       // m, of the segments' coordinates: equal patches get equal bits
+constexpr double kInset = 0.01;           // of a segment, by which free points keep inside the rim: see FreePatch
 
 /// One side of one contact, listed under the face that masters it.
 struct Side {
@@ -75,26 +77,64 @@ class FaceCutter {
   FaceCutter(const Scene& scene, std::span<const Contact> contacts, Assembly& out) : scene_(scene), contacts_(contacts), out_(out) {}
 
   void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    if (out_.rule == SegmentRule::rim) {
+      cut_face_to_rim(element, face, sides);
+      return;
+    }
     const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
     if (!sides.empty()) taken_.assign(static_cast<std::size_t>(g.cell_count()), {});
     for (const Side& side : sides) cut_side(g, side);
     cutter_.cut(g, g.polygon, pieces_);
     if (!sides.empty()) subtract_taken(g);
     merge_small(g, pieces_);  // slivers at a slanting edge
-    if (!pieces_.empty()) add_patch(element, face, g);
+    segments_.clear();
+    for (const Piece& p : pieces_) segments_.push_back({p.centroid.s, p.centroid.t, p.area});
+    add_patch(element, face, g);
   }
 
  private:
+  [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
+
+  /// SegmentRule::rim: points of each joint that the face is a of, and of convex polygons that make up what no joint takes.
+  void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    free_.assign(1, g.polygon);
+    for (const Side& side : sides) {
+      const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+      if (!side.is_b) {
+        const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
+        append_rim_points(c.overlap, size, out_.joints[static_cast<std::size_t>(side.contact)].side_a);
+      }
+      const Polygon& overlap = overlap_on(side);
+      cut_.clear();
+      for (const Polygon& p : free_) append_difference(p, overlap, cut_);
+      free_.swap(cut_);
+    }
+    segments_.clear();
+    for (const Polygon& p : free_) {
+      const double area = region(p).area;
+      if (area < kSmallPiece * g.cell_area()) continue;
+      const Polygon inside = moved_in(p, kInset * size_of(element));
+      const std::size_t first = segments_.size();
+      append_rim_points(inside, size_of(element), segments_);
+      for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].area *= area / region(inside).area;
+    }
+    add_patch(element, face, g);
+  }
+
+  /// What the face shares with another, in its own coordinates.
+  const Polygon& overlap_on(const Side& side) {
+    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    if (!side.is_b) return c.overlap;
+    mapped_.clear();
+    for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
+    return mapped_;
+  }
+
   void cut_side(const FaceGrid& g, const Side& side) {
     const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
     Joint& joint = out_.joints[static_cast<std::size_t>(side.contact)];
-    const Polygon* overlap = &c.overlap;
-    if (side.is_b) {
-      mapped_.clear();
-      for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
-      overlap = &mapped_;
-    }
-    cutter_.cut(g, *overlap, pieces_);
+    cutter_.cut(g, overlap_on(side), pieces_);
     for (const Piece& p : pieces_) {
       Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
       taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
@@ -126,10 +166,10 @@ class FaceCutter {
     std::erase_if(pieces_, [](const Piece& p) { return p.area == 0.0; });
   }
 
+  /// A patch of segments_, if there are any.
   void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
-    FreePatch patch{element, face, {}, {}};
-    patch.segments.reserve(pieces_.size());
-    for (const Piece& p : pieces_) patch.segments.push_back({p.centroid.s, p.centroid.t, p.area});
+    if (segments_.empty()) return;
+    FreePatch patch{element, face, {}, segments_};
     patch.frame = centre_on(g, patch.segments, nullptr);
     out_.patches.push_back(std::move(patch));
   }
@@ -139,7 +179,9 @@ class FaceCutter {
   Assembly& out_;
   Cutter cutter_;
   std::vector<Piece> pieces_;
-  std::vector<Segment> taken_;  // by cell: area and first moments [m2, m3] that joints took
+  std::vector<Segment> taken_;     // by cell: area and first moments [m2, m3] that joints took
+  std::vector<Segment> segments_;  // free ones of the face
+  std::vector<Polygon> free_, cut_;
   Polygon mapped_;
 };
 
@@ -174,9 +216,11 @@ class Matcher {
   std::vector<std::int32_t> by_cell_;  // segment of a, or −1
 };
 
-void finish_joint(const FaceGrid& g, const Contact& c, Matcher& matcher, Joint& joint) {
+void finish_joint(const FaceGrid& g, const Contact& c, SegmentRule rule, Matcher& matcher, Joint& joint) {
   check_sum(c, joint.side_a, "a");
-  if (c.element_b != kBase) {
+  if (rule == SegmentRule::rim) {
+    joint.merged = c.element_b != kBase;
+  } else if (c.element_b != kBase) {
     check_sum(c, joint.side_b, "b");
     joint.merged = matcher.coincide(g, joint.side_a, joint.side_b);
     if (joint.merged) std::vector<Segment>().swap(joint.side_b);
@@ -208,7 +252,7 @@ void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly
   Matcher matcher;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact& c = contacts[k];
-    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, matcher, out.joints[k]);
+    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, out.rule, matcher, out.joints[k]);
   }
 }
 

@@ -103,7 +103,9 @@ struct ContactOptions {
   FrictionTable friction;
   bool master_normal = false;  // contact.normal = master
   std::int32_t base = 0;       // row of the base: against it a patch carries the full area
-  bool crossed_faces = true;   // points also meet the face through which they came, if it does not oppose theirs (see patch_work.h)
+  // Points also meet the face through which they came, if it does not oppose theirs (see patch_work.h). false, where points lie on the
+  // edges of their faces: such a point stands on the faces beside it too, whose own points carry it. It stays free, and whole bodies meet.
+  bool crossed_faces = true;
 };
 
 /// What never changes of a body.

@@ -248,17 +248,17 @@ inline Entry entry_under(const Work& w, const Candidate& c, const InSlave& y, st
 }
 
 /// Which face of candidate c holds point i: one that opposes the patch and under which the point is not deep; else the one through which it
-/// has just come; else, wherever it came from, the nearest that opposes, or that looks against it at all.
+/// has just come; else, wherever it came from, the nearest that opposes, or that looks against it at all. Without
+/// ContactOptions::crossed_faces only the first of these.
 inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
   const double s = w.points.s[i], t = w.points.t[i];
   const Pose slave = load_pose(w.bodies.pose, c.element);
   const std::int32_t opposing = entry_face(s, t, w.patch, w.m, y, slave, planes, w.faces, c);
   const Entry e = entry_under(w, c, y, opposing, i);
   if (!is_deep(e)) return e;
-  if (w.o.crossed_faces) {
-    const std::int32_t crossed = crossed_face(w, c, y, planes, i);
-    if (crossed != kNoFace) return entry_under(w, c, y, crossed, i);
-  }
+  if (!w.o.crossed_faces) return {};
+  const std::int32_t crossed = crossed_face(w, c, y, planes, i);
+  if (crossed != kNoFace) return entry_under(w, c, y, crossed, i);
   return opposing != kNoFace ? e : entry_under(w, c, y, nearest_face(s, t, y, planes, w.faces, c), i);
 }
 
@@ -287,6 +287,7 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
     w.changed = true;
   } else if (in) {
     const Entry e = entry_of(w, c, y, planes, i);
+    if (e.face == kNoFace && !w.o.crossed_faces) return;  // free for another body
     const std::int32_t other = w.scratch.candidate[i];
     if (other >= 0 && !has_more_claim(w, k, e, other, {w.scratch.face[i], w.scratch.depth[i]})) return;
     w.scratch.candidate[i] = k;

@@ -4,8 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
 
 #include "cases/census.h"
+#include "cases/levers.h"
 #include "cases/names.h"
 #include "io/case_file/catalogue.h"
 #include "io/commands/progress.h"
@@ -24,6 +28,25 @@ namespace {
 constexpr double kSecondsPerSide = 4.0e-8, kSecondsPerElement = 4.0e-8;
 constexpr double kSettling = 1.5;  // s simulated, typical
 constexpr double kMegabyte = 1e6;
+
+double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
+
+/// What the rule of centres does to levers: a share of 1/n of each, THEORY.md (2).
+void print_levers(const cases::Case& c, const cases::Model& m) {
+  const std::vector<cases::Lever> levers = cases::levers(c, m);
+  for (const cases::Lever& l : levers) {
+    const std::string what = l.joint < 0 ? "walls of " + cases::text(l.width) + " m" : "coarsest joint, " + cases::text(l.width) + " m";
+    std::printf("levers                   %s: %.3g segments across, short by %.3g %%", what.c_str(), l.segments, 100.0 * l.short_by());
+    if (l.joint < 0) {
+      const double slope = l.width / l.height;
+      std::printf(" (%.3g m high and free, such a wall overturns at %.2f instead of %.2f degrees)", l.height,
+                  degrees(slope * (1.0 - l.short_by())), degrees(slope));
+    }
+    std::printf("\n");
+  }
+  std::printf("%s",
+              levers.empty() ? "levers                   exact\n" : "                         segments.rule = \"rim\" has exact ones\n");
+}
 
 void print_parts(const cases::Census& n) {
   std::printf("\n%-24s %10s %8s %12s\n", "part", "whole", "cut", "mass [kg]");
@@ -94,6 +117,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(),
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
+  print_levers(c.value, model);
   print_step(n, model, world->dt);
   print_friction(c.value.contact);
   print_parts(n);

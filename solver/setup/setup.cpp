@@ -81,7 +81,8 @@ kernels::FailureOptions failure_options(const cases::Failure& f) {
   return o;
 }
 
-/// Under half the smallest segment: coplanar neighbours in an intact wall, whose points lie half a segment apart, are no candidates then.
+/// Under half the smallest segment: by the rule of centres coplanar neighbours in an intact wall, whose points lie half a segment apart,
+/// are no candidates then.
 double choose_skin(const cases::Model& m) {
   double smallest = 1e300;
   for (const cases::Block& b : m.blocks) smallest = std::min(smallest, b.segment_size);
@@ -105,6 +106,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
                 .damping = c.contact.damping,
                 .friction = {w->friction.data(), static_cast<std::int32_t>(m.materials.size()) + 1},
                 .master_normal = c.contact.normal == cases::ContactNormal::master};
+  w->contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
   set_up_elements(*w, c);
   w->contact.base = w->elements.base;
   set_up_faces(*w);

@@ -12,9 +12,9 @@ namespace voussoir::solver {
 
 namespace {
 
-// Of a segment, under the rule of centres: points lie half a segment inside the edge. A little less, so that what rests on such a contact
-// is no deeper than half a segment.
-constexpr double kAllowed = 0.45;
+// Of a segment. Under the rule of centres points lie half a segment inside the edge: a little less, so that what rests on such a contact is
+// no deeper than half a segment. Under that of the rim points see all but edges that cross, and free ones lie a hundredth inside.
+constexpr double kAllowed = 0.45, kAllowedToRim = 0.04;
 constexpr double kSameDirection = 1e-9;  // sine between edges that are parallel
 
 /// From the centroid, in multiples of 2^-40 m, so that equal bricks have equal shapes.
@@ -75,13 +75,14 @@ void set_up_overlaps(World& w) {
                        .edges = std::span(o.edges).subspan(r.edges, r.edge_count),
                        .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count)});
   }
+  const double allowed = m.assembly.rule == geometry::SegmentRule::rim ? kAllowedToRim : kAllowed;
   // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     const double edge = std::cbrt(m.assembly.elements[i].mass.volume);
     o.stiffness_n.push_back(2.0 * edge * material.young / (1.0 - material.poisson * material.poisson));
     o.stiffness_s.push_back(edge * material.young / (1.0 + material.poisson));
-    o.allowed.push_back(kAllowed * m.blocks[i].segment_size);
+    o.allowed.push_back(allowed * m.blocks[i].segment_size);
   }
 }
 

@@ -23,12 +23,13 @@ struct Lamina {
 
 struct Arch {
   double radius = 1.5, thickness = 0.0;  // m; radius of the centre line
-  int voussoirs = 25, points = 4;        // points: contact points across the thickness
+  int voussoirs = 25, points = 4;        // points: segments across the thickness
+  bool rim = false;                      // segments.rule
 
   using Section = std::array<Point, 4>;
 
   /// From the centre line to the outermost contact points.
-  [[nodiscard]] double lever() const { return 0.5 * thickness * (1.0 - 1.0 / points); }
+  [[nodiscard]] double lever() const { return 0.5 * thickness * (rim ? 1.0 : 1.0 - 1.0 / points); }
   /// A point of joint i at a distance r from the centre; joints 0 and `voussoirs` are the springings, 0 at y > 0.
   [[nodiscard]] Point on_joint(double r, int i) const {
     const double angle = kPi * i / voussoirs;
@@ -59,6 +60,7 @@ struct Arch {
       for (const Point p : section(i)) polygon.push_back({p.y, p.z});
     }
     c.segment_size = thickness / points;
+    c.segment_rule = rim ? geometry::SegmentRule::rim : geometry::SegmentRule::centres;
   }
 };
 

@@ -77,9 +77,10 @@ cases::Case shaped(const Arch& arch) {
 /// Least thickness over radius, with n contact points across the thickness, between 5 % below and above Milankovitch's for their lever.
 struct LeastThickness {
   int points = kPoints;
+  bool rim = false;
 
-  [[nodiscard]] double continuum() const { return 0.107 / (1.0 - 1.0 / points); }
-  [[nodiscard]] Arch arch(double ratio) const { return {.thickness = ratio * kRadius, .points = points}; }
+  [[nodiscard]] double continuum() const { return rim ? 0.107 : 0.107 / (1.0 - 1.0 / points); }
+  [[nodiscard]] Arch arch(double ratio) const { return {.thickness = ratio * kRadius, .points = points, .rim = rim}; }
   [[nodiscard]] double by_limit_analysis() const {
     return bisect(0.05, 0.4, 1e-9, [this](double ratio) { return LimitAnalysis(arch(ratio), 0.0).stands(); });
   }
@@ -101,6 +102,11 @@ TEST_CASE("V6: least thickness of a semicircular dry arch" * doctest::skip()) {
   const double found = least.found();
   expect_near("V6 least t/R", found, least.continuum(), 3e-2);
   expect_near("V6 least t/R against limit analysis of the same voussoirs and contact points", found, least.by_limit_analysis(), 1e-2);
+}
+
+TEST_CASE("V6: least thickness of a dry arch, points to the rim" * doctest::skip()) {
+  const LeastThickness least{4, true};
+  expect_near("V6 rim: least t/R, n = 4, against limit analysis of the same voussoirs", least.found(), least.by_limit_analysis(), 1e-2);
 }
 
 TEST_CASE("V6: least thickness of a dry arch, convergence with the size of segments" * doctest::skip()) {

@@ -6,16 +6,21 @@
 #include "tests/verification/collapse.h"
 #include "tests/verification/contact_by_hand.h"
 
-// V4: a stiff block rocks about its outermost rows of contact points, which lie at b_e = b (1 − 1/n) (Housner 1963).
+// V4: a stiff block rocks about its outermost rows of contact points, which lie at b_e = b (1 − 1/n) (Housner 1963), or, with
+// segments.rule = "rim", at b_e = b.
 namespace voussoir::testing {
 namespace {
 
 /// The block of rocking.toml and tilt.toml.
 struct Block {
   double b = 0.1, h = 0.4;  // m, half width and half height
-  int points = 8;
+  int points = 8;           // segments over the base
+  bool rim = false;         // segments.rule
 
-  [[nodiscard]] double lever() const { return b * (1.0 - 1.0 / points); }
+  [[nodiscard]] double lever() const { return rim ? b : b * (1.0 - 1.0 / points); }
+  [[nodiscard]] std::vector<std::string> segments() const {
+    return {"segments.size=" + std::to_string(2.0 * b / points), std::string("segments.rule=") + (rim ? "\"rim\"" : "\"centres\"")};
+  }
   [[nodiscard]] double alpha() const { return std::atan(lever() / h); }
   [[nodiscard]] double radius() const { return std::hypot(lever(), h); }
   /// About the row of contact points, per mass [m2].
@@ -45,8 +50,8 @@ struct History {
 History rock(const Block& block, double theta0, double end, const std::vector<std::string>& more = {}) {
   const double w = std::sqrt(2.0 * block.height(theta0) / block.inertia());
   std::vector<std::string> keys{triple("block[0].velocity", block.h * w, 0.0, block.lever() * w),
-                                triple("block[0].angular_velocity", 0.0, w, 0.0),
-                                "segments.size=" + std::to_string(2.0 * block.b / block.points)};
+                                triple("block[0].angular_velocity", 0.0, w, 0.0)};
+  for (const std::string& key : block.segments()) keys.push_back(key);
   keys.insert(keys.end(), more.begin(), more.end());
   Run run("rocking", keys);
   History history;
@@ -129,8 +134,9 @@ void draw(const Block& block, double theta0, const History& h) {
 
 /// Whether the block topples within 3 s on a base tilted by `tilt` [rad].
 bool topples(const Block& block, double tilt) {
-  Run run("tilt",
-          {"base.tilt=[0.0," + std::to_string(tilt * 180.0 / kPi) + "]", "segments.size=" + std::to_string(2.0 * block.b / block.points)});
+  std::vector<std::string> keys = block.segments();
+  keys.push_back("base.tilt=[0.0," + std::to_string(tilt * 180.0 / kPi) + "]");
+  Run run("tilt", keys);
   run.settle();
   while (run.time() < run.description().time.duration) {
     run.until(run.time() + 0.05);
@@ -190,6 +196,20 @@ TEST_CASE("V4: tilt test") {
   CHECK(!topples(block, 0.97 * block.alpha()));
   CHECK(topples(block, 1.03 * block.alpha()));
   expect_near("V4 tangent of the tilt at which the block topples", std::tan(tilt_that_topples(block)), block.lever() / block.h, 2e-2);
+}
+
+TEST_CASE("V4: points to the rim, n = 4: a block turns about its edge") {
+  Block block;
+  block.points = 4, block.rim = true;
+  const double theta0 = 0.5 * block.alpha();
+  const History h = rock(block, theta0, 1.4);
+  std::size_t at = 1;
+  const Peak first = next_peak(h, at);
+  REQUIRE(at < h.time.size());
+  expect_near("V4 rim: height of the first swing, angle [rad]", first.theta, theta0, 2e-2);
+  expect_near("V4 rim: quarter period from half the angle of overturning [s]", h.time[at] - first.time, block.quarter_period(theta0), 1e-2);
+  expect_near("V4 rim: tangent of the tilt at which the block topples, against b/h", std::tan(tilt_that_topples(block)), block.b / block.h,
+              1e-2);
 }
 
 TEST_CASE("V4: tilt test, convergence with the size of segments" * doctest::skip()) {

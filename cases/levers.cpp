@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/levers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::cases {
+
+namespace {
+
+/// Extent of a joint along one axis and the cells along it: centres of n equal cells lie over b (1 − 1/n) and have the second moment
+/// A b² (1 − 1/n²)/12, which gives both without its grid. Clipped cells make n a fraction.
+Lever lever_along(double low, double high, double area, double second_moment) {
+  const double span = high - low;
+  const double width = std::sqrt(std::max(0.0, 12.0 * second_moment / area));  // b √(1 − 1/n²)
+  if (span <= 1e-9) return {0.0, 0.0, 1.0};
+  const double ratio = std::max(1.0, width * width / (span * span));  // (1 + 1/n)/(1 − 1/n)
+  const double short_by = (ratio - 1.0) / (ratio + 1.0);
+  return {span / (1.0 - short_by), 0.0, 1.0 / std::max(short_by, 1e-9)};
+}
+
+/// Of its two axes the one with fewer segments.
+Lever coarser(const geometry::Joint& j) {
+  double s[2] = {1e300, -1e300}, t[2] = {1e300, -1e300}, area = 0.0, ss = 0.0, tt = 0.0;
+  for (const geometry::Segment& p : j.side_a) {
+    s[0] = std::min(s[0], p.s), s[1] = std::max(s[1], p.s), t[0] = std::min(t[0], p.t), t[1] = std::max(t[1], p.t);
+    area += p.area, ss += p.area * p.s * p.s, tt += p.area * p.t * p.t;
+  }
+  const Lever along_s = lever_along(s[0], s[1], area, ss), along_t = lever_along(t[0], t[1], area, tt);
+  return along_s.segments < along_t.segments ? along_s : along_t;
+}
+
+std::vector<Lever> levers_of_walls(const House& h, const Model& model) {
+  const auto brick = std::ranges::find(model.blocks, PartKind::brick, &Block::kind);
+  if (brick == model.blocks.end()) return {};
+  std::vector<Lever> out;
+  for (const double width : {h.bearing_wall, h.nonbearing_wall}) {
+    if (!out.empty() && out.front().width == width) continue;
+    out.push_back({width, h.height, std::max(1.0, std::round(width / brick->segment_size))});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Lever> levers(const Case& c, const Model& model) {
+  if (c.segment_rule == geometry::SegmentRule::rim) return {};
+  if (c.house) return levers_of_walls(*c.house, model);
+  Lever coarsest;
+  for (std::size_t i = 0; i < model.assembly.joints.size(); ++i) {
+    Lever l = coarser(model.assembly.joints[i]);
+    if (coarsest.joint >= 0 && l.segments >= coarsest.segments - 1e-6) continue;
+    coarsest = l;
+    coarsest.joint = static_cast<std::int32_t>(i);
+  }
+  return coarsest.joint >= 0 ? std::vector{coarsest} : std::vector<Lever>{};
+}
+
+}  // namespace voussoir::cases

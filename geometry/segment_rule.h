@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace voussoir::geometry {
+
+/// Where the contact points of a face lie.
+enum class SegmentRule : std::uint8_t {
+  centres,  // at the centroids of equal cells, as in the paper
+  rim       // up to the rim of what two faces share, with weights that give its area, first and second moments exactly
+};
+
+}  // namespace voussoir::geometry

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/levers.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/cases/paper_house.h"
+
+using namespace voussoir;
+using namespace voussoir::cases;
+
+namespace {
+
+Case two_blocks(double size) {
+  Case c;
+  c.materials["stone"] = {2000.0, 1e9, 0.2};
+  c.base = Base{};
+  c.segment_size = size;
+  for (int k = 0; k < 2; ++k) {
+    BlockSpec b;
+    b.name = "b" + std::to_string(k), b.material = "stone";
+    b.box = {{Vec3{0.0, 0.0, 0.5 * k}, Vec3{0.4, 0.2, 0.5 * (k + 1)}}};
+    c.blocks.push_back(b);
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("levers of walls: a segment of the wall's bricks over the thickness") {
+  const Case c = testing::paper_flat40();  // bearing walls of 0.4 m, the others of 0.2 m
+  const std::vector<Lever> l = levers(c, build_model(c));
+  REQUIRE(l.size() == 2);
+  CHECK(l[0].width == 0.4);
+  CHECK(l[0].segments == 16.0);
+  CHECK(l[1].width == 0.2);
+  CHECK(l[1].short_by() == 0.125);
+  CHECK(l[1].height == 2.4);
+  CHECK(levers(testing::paper_flat20(), build_model(testing::paper_flat20())).size() == 1);
+}
+
+TEST_CASE("levers of free blocks: the joint with the fewest segments across, found from its points") {
+  for (const int n : {1, 2, 4}) {
+    const Case c = two_blocks(0.2 / n);
+    const std::vector<Lever> l = levers(c, build_model(c));
+    REQUIRE(l.size() == 1);
+    CHECK(l[0].segments == doctest::Approx(n).epsilon(1e-6));
+    if (n > 1) CHECK(l[0].width == doctest::Approx(0.2).epsilon(1e-6));
+    CHECK(l[0].joint == 0);
+  }
+}
+
+TEST_CASE("levers: none is short under the rule of the rim") {
+  Case c = two_blocks(0.05);
+  c.segment_rule = geometry::SegmentRule::rim;
+  CHECK(levers(c, build_model(c)).empty());
+}
