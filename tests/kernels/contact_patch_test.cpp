@@ -229,8 +229,8 @@ TEST_CASE("a point that is found deep has no force at first and then carries wha
       const auto force_at = [&](double z) {
         TwoBodies b;
         b.place(0, {0.0, 0.0, z}, {});
-        t.path[0] += 1e-3;
-        t.step(b, bricks, {kStep, 0.0, 0.0, false, 2});
+        t.travel[0] += 1e-3;
+        t.step(b, bricks, {kStep, 0.0, kFriction, false, 2});
         return t.on[0] != 0 ? norm(t.wrench[0].force) : 0.0;
       };
       CHECK(force_at(-depth) < 1e-9 * stiffness);
@@ -246,7 +246,7 @@ TEST_CASE("a point deep under the top that came in past an edge is held by the s
     Twin t(*kernel);
     TwoBodies b;
     b.place(0, {-0.17 + 1e-5, 0.0, -5e-3}, {}), b.move(0, {1.0, 0.0, 0.0}, {});  // the foremost three points are 10 um past the end
-    t.step(b, bricks, {kStep, 0.0, 0.0, false, 2});
+    t.step(b, bricks, {kStep, 0.0, kFriction, false, 2});
     CHECK(t.last.touching == 3);
     CHECK(std::count(t.face.begin(), t.face.end(), 6) == 3);
     REQUIRE(t.on[0] != 0);

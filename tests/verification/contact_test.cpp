@@ -226,7 +226,7 @@ HandOver hand_over(bool bonded, double tilt, double way) {
                    depth * normal + slide * tangent;
     place(run, 1, u, (rate / run.sim().dt()) * tangent);
     e.qw[1] = std::cos(0.5 * t), e.qy[1] = std::sin(0.5 * t);
-    kernels::drift(e.view(), e.row_view(), 0.0, 0, e.rows);
+    kernels::drift(e.view(), run.sim().world().element_rows(), 0.0, 0, e.rows);
     run.sim().step({true, true});
   };
   const auto apart = [&] {

@@ -240,7 +240,7 @@ TEST_CASE("compare names the dataset, row and time in which two results part fir
   const std::string other = write("other", [](auto& w, auto i) {
     // Rows of their own times come before those of record(), which are left out as repeated.
     if (i == 20) w.energy({.time = time_of(20), .kinetic = 20, .strain = -1});
-    if (i == 25) w.damage({.time = time_of(25), .bonded = -1});
+    if (i == 25) w.damage({.time = time_of(25), .bonded = -1, .first = {}});
   });
   const Comparison c = compare_files(one, other);
   REQUIRE(c.first);
