@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "tests/kernels/side_fixture.h"
 
 using namespace voussoir;
@@ -213,5 +215,34 @@ TEST_CASE("a point takes the partner that stops it, then the one it was joined t
     CHECK(partner(-2e-4, 0.0499, 1, other_way_round) == 1);
     CHECK(partner(-4e-3, 0.0461, kernels::kNobody, other_way_round) == 2);  // 4 mm in the brick: no face of it stops it
     CHECK(partner(-4e-3, 0.0461, 1, other_way_round) == 2);
+  }
+}
+
+TEST_CASE("a point that comes in past an edge is held by the face it crossed, or, where points lie on edges, stays free for another body") {
+  const Bricks bricks;
+  for (auto* kernel : {kernels::advance_patch, kernels::advance_patch_reference}) {
+    for (const bool crossed : {true, false}) {
+      kernels::ContactOptions o{kStep, 1.0, 0.6, false, 2};
+      o.crossed_faces = crossed;
+      Twin twin(*kernel);
+      // The lower face of brick 0 is half way down brick 1 and moves in from its side at x = 0.1.
+      const double speed = 0.4, in = 0.5 * kStep * speed;
+      TwoBodies b;
+      b.place(0, {0.19 - in, 0.0, -0.05 - 1e-6}, {}), b.move(0, {-speed, 0.0, 0.0}, {});
+      twin.step(b, bricks, o);
+      const auto with = [&](std::int32_t partner) { return std::count(twin.partner.begin(), twin.partner.end(), partner); };
+      CHECK(with(1) == (crossed ? 3 : 0));
+      CHECK(twin.on[0] == (crossed ? 1 : 0));
+      if (crossed) {
+        CHECK(twin.wrench[0].force.x > 0.0);
+        continue;
+      }
+      twin.base = 0.0;  // now the face stands on the ground, by a thousandth of a millimetre
+      b.move(0, {}, {});
+      twin.path[0] = 1.0;
+      twin.step(b, bricks, o);
+      CHECK(with(2) == kPoints);
+      CHECK(twin.on[0] == 0);
+    }
   }
 }
