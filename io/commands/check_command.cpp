@@ -44,8 +44,8 @@ void print_levers(const cases::Case& c, const cases::Model& m) {
     }
     std::printf("\n");
   }
-  std::printf("%s",
-              levers.empty() ? "levers                   exact\n" : "                         segments.rule = \"rim\" has exact ones\n");
+  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("levers                   exact\n");
+  if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
 }
 
 void print_parts(const cases::Census& n) {
