@@ -218,7 +218,7 @@ TEST_CASE("a point takes the partner that stops it, then the one it was joined t
   }
 }
 
-TEST_CASE("a point that comes in past an edge is held by the face it crossed, or, where points lie on edges, stays free for another body") {
+TEST_CASE("a point that comes in past an edge is held by the face it crossed, or stays free where points lie on edges") {
   const Bricks bricks;
   for (auto* kernel : {kernels::advance_patch, kernels::advance_patch_reference}) {
     for (const bool crossed : {true, false}) {
