@@ -13,21 +13,24 @@ namespace {
 /// A b² (1 − 1/n²)/12, which gives both without its grid. Clipped cells make n a fraction.
 Lever lever_along(double low, double high, double area, double second_moment) {
   const double span = high - low;
-  const double width = std::sqrt(std::max(0.0, 12.0 * second_moment / area));  // b √(1 − 1/n²)
   if (span <= 1e-9) return {0.0, 0.0, 1.0};
-  const double ratio = std::max(1.0, width * width / (span * span));  // (1 + 1/n)/(1 − 1/n)
+  const double width = std::sqrt(std::max(0.0, 12.0 * second_moment / area));  // b √(1 − 1/n²)
+  const double ratio = std::max(1.0, width * width / (span * span));           // (1 + 1/n)/(1 − 1/n)
   const double short_by = (ratio - 1.0) / (ratio + 1.0);
   return {span / (1.0 - short_by), 0.0, 1.0 / std::max(short_by, 1e-9)};
 }
 
-/// Of its two axes the one with fewer segments.
+/// Of its two axes the one with fewer segments. One row of cells has no extent to be found from its points: the other axis and the area do.
 Lever coarser(const geometry::Joint& j) {
   double s[2] = {1e300, -1e300}, t[2] = {1e300, -1e300}, area = 0.0, ss = 0.0, tt = 0.0;
   for (const geometry::Segment& p : j.side_a) {
     s[0] = std::min(s[0], p.s), s[1] = std::max(s[1], p.s), t[0] = std::min(t[0], p.t), t[1] = std::max(t[1], p.t);
     area += p.area, ss += p.area * p.s * p.s, tt += p.area * p.t * p.t;
   }
-  const Lever along_s = lever_along(s[0], s[1], area, ss), along_t = lever_along(t[0], t[1], area, tt);
+  Lever along_s = lever_along(s[0], s[1], area, ss), along_t = lever_along(t[0], t[1], area, tt);
+  const bool one_s = along_s.width == 0.0, one_t = along_t.width == 0.0;
+  if (one_s) along_s.width = one_t ? std::sqrt(area) : area / along_t.width;
+  if (one_t) along_t.width = one_s ? std::sqrt(area) : area / along_s.width;
   return along_s.segments < along_t.segments ? along_s : along_t;
 }
 

@@ -35,8 +35,8 @@ double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::number
 void print_levers(const cases::Case& c, const cases::Model& m) {
   const std::vector<cases::Lever> levers = cases::levers(c, m);
   for (const cases::Lever& l : levers) {
-    const std::string what = l.joint < 0 ? "walls of " + cases::text(l.width) + " m" : "coarsest joint, " + cases::text(l.width) + " m";
-    std::printf("levers                   %s: %.3g segments across, short by %.3g %%", what.c_str(), l.segments, 100.0 * l.short_by());
+    std::printf("levers                   %s of %.3g m: %.3g segments across, short by %.3g %%", l.joint < 0 ? "walls" : "coarsest joint",
+                l.width, l.segments, 100.0 * l.short_by());
     if (l.joint < 0) {
       const double slope = l.width / l.height;
       std::printf(" (%.3g m high and free, such a wall overturns at %.2f instead of %.2f degrees)", l.height,
@@ -44,8 +44,8 @@ void print_levers(const cases::Case& c, const cases::Model& m) {
     }
     std::printf("\n");
   }
-  std::printf("%s",
-              levers.empty() ? "levers                   exact\n" : "                         segments.rule = \"rim\" has exact ones\n");
+  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("levers                   exact\n");
+  if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
 }
 
 void print_parts(const cases::Census& n) {

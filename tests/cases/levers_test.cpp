@@ -45,7 +45,7 @@ TEST_CASE("levers of free blocks: the joint with the fewest segments across, fou
     const std::vector<Lever> l = levers(c, build_model(c));
     REQUIRE(l.size() == 1);
     CHECK(l[0].segments == doctest::Approx(n).epsilon(1e-6));
-    if (n > 1) CHECK(l[0].width == doctest::Approx(0.2).epsilon(1e-6));
+    CHECK(l[0].width == doctest::Approx(0.2).epsilon(1e-6));
     CHECK(l[0].joint == 0);
   }
 }

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "tests/kernels/side_fixture.h"
 
 using namespace voussoir;
@@ -252,5 +254,34 @@ TEST_CASE("a point deep under the top that came in past an edge is held by the s
     REQUIRE(t.on[0] != 0);
     const double stiffness = 0.5 * 0.0008 * 3 / (bricks.faces[4].compliance_n + bricks.faces[6].compliance_n);
     CHECK(t.wrench[0].force.x == doctest::Approx(-1e-5 * stiffness).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a point that comes in past an edge is held by the face it crossed, or stays free where points lie on edges") {
+  const Bricks bricks;
+  for (auto* kernel : {kernels::advance_patch, kernels::advance_patch_reference}) {
+    for (const bool crossed : {true, false}) {
+      kernels::ContactOptions o{kStep, 1.0, kFriction, false, 2};
+      o.crossed_faces = crossed;
+      Twin twin(*kernel);
+      // The lower face of brick 0 is half way down brick 1 and moves in from its side at x = 0.1.
+      const double speed = 0.4, in = 0.5 * kStep * speed;
+      TwoBodies b;
+      b.place(0, {0.19 - in, 0.0, -0.05 - 1e-6}, {}), b.move(0, {-speed, 0.0, 0.0}, {});
+      twin.step(b, bricks, o);
+      const auto with = [&](std::int32_t partner) { return std::count(twin.partner.begin(), twin.partner.end(), partner); };
+      CHECK(with(1) == (crossed ? 3 : 0));
+      CHECK(twin.on[0] == (crossed ? 1 : 0));
+      if (crossed) {
+        CHECK(twin.wrench[0].force.x > 0.0);
+        continue;
+      }
+      twin.base = 0.0;  // now the face stands on the ground, by a thousandth of a millimetre
+      b.move(0, {}, {});
+      twin.travel[0] = 1.0;
+      twin.step(b, bricks, o);
+      CHECK(with(2) == kPoints);
+      CHECK(twin.on[0] == 0);
+    }
   }
 }

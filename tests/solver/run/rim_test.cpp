@@ -59,25 +59,25 @@ std::ptrdiff_t patches_that_touch(const solver::World& w) {
 }  // namespace
 
 TEST_CASE("rim: the bits do not depend on the number of threads, through cracking, falling and contact") {
-  const cases::Case c = rim_wall(4, 8);
+  const cases::Case c = rim_wall(4, 6);
   const cases::Model m = cases::build_model(c);
   CHECK(std::ranges::all_of(m.assembly.joints, [](const geometry::Joint& j) { return j.merged == (j.element_b != geometry::kBase); }));
   const cases::GroundMotion g = strong_shaking();
   solver::Simulation one(c, m, g, {}), two(c, m, g, {});
   std::ptrdiff_t most_touching = 0;
-  for (int i = 0; i < 3600; ++i) {
+  for (int i = 0; i < 15000; ++i) {  // 0.55 s
     const bool ledger = i % 50 == 0;
     omp_set_num_threads(1);
     one.step({ledger, ledger});
     omp_set_num_threads(2);
     two.step({ledger, ledger});
-    if (i % 10 != 0) continue;
+    if (i % 20 != 0) continue;
     CAPTURE(i);
     REQUIRE(difference(one.world(), two.world()) == "");
     most_touching = std::max(most_touching, patches_that_touch(one.world()));
   }
   CHECK(one.damage().tension > 500);
-  CHECK(most_touching > 5);
+  CHECK(most_touching > 0);
   CHECK(one.worst_residual() < 1e-3);
 }
 
