@@ -17,7 +17,7 @@ namespace {
 void write_page(const std::string& run, const std::string& page, bool overwrite) {
   std::error_code none;
   if (!overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
-  const std::string text = report_html(run);
+  const std::string text = report_html({run});
   write_text_file(page, text, overwrite);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
 }

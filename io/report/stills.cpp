@@ -60,7 +60,7 @@ void write_stills(const std::string& run, const StillsOptions& o) {
   const ScratchFolder scratch;
   Browser browser(scratch.path());
   const std::string page = scratch.path() + "/page.html";
-  write_text_file(page, report_html(run));
+  write_text_file(page, report_html({run}));
   browser.open(page, "still");
   std::error_code fault;
   fs::create_directories(o.folder, fault);

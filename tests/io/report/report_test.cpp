@@ -11,6 +11,8 @@
 #include "io/files/packed_text.h"
 #include "io/files/text_file.h"
 #include "io/replay/covered_faces.h"
+#include "io/replay/joint_cracks.h"
+#include "io/replay/joint_openings.h"
 #include "io/replay/opened_faces.h"
 #include "io/report/report_page.h"
 #include "tests/io/results_fixture.h"
@@ -150,7 +152,8 @@ TEST_CASE("a face is open once the springs of half of a joint on it are broken")
     ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
     writer.cracks(cracks);
     writer.finish();
-    return opened_faces(Hdf5File::open(folder.file("run.h5")));
+    const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+    return opened_faces(run, joint_opening_times(run));
   };
   const auto crack = [](double time, std::int32_t from, double area) {
     return solver::CrackRow{time, 0, from, 1 - from, {}, {}, area, solver::FailureMode::tension, solver::FailureMode::tension, time};
