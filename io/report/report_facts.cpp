@@ -166,6 +166,7 @@ void add_measures(const Hdf5File& file, Json& facts) {
   try {
     const Measures m = measure(file);
     facts["measures"] = Json::parse(measures_json(m));
+    facts["measures"].update({{"fallen_mass_fraction", m.fallen_mass_fraction}, {"first_crack_time", m.first_crack_time}, {"collapsed", m.collapsed}});
     const Json time = thinned(m.series.time);
     std::vector<std::string> walls;
     for (const WallMeasures& w : m.walls) walls.push_back(w.name);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Open joints as lines along their edges, between the two bricks: the wider the joint, the wider and stronger the line. A line has a width in
 // pixels, so that a crack of a tenth of a millimetre is seen from twenty metres; once the joint is wider than that, it is as wide as the joint.
-import { BufferAttribute, BufferGeometry, DataTexture, DynamicDrawUsage, Mesh, RedFormat, ShaderMaterial, UnsignedByteType } from "three";
+import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, DynamicDrawUsage, Mesh, RedFormat, ShaderMaterial, UnsignedByteType } from "three";
 import { kPlaced } from "./brick.js";
 
 const kRow = 1024; // joints in a row of the texture of levels
@@ -10,16 +10,16 @@ const kApart = 11; // level from which on bricks are apart: their faces show, an
 
 /** Classes of the legend: from `level` (io/replay/joint_cracks.h) on, `pixels` wide, red to this part, from this width in mm on. */
 export const kClasses = [
-  { level: 1, pixels: 1.3, strength: 0.6, mm: 0 },
-  { level: 3, pixels: 1.8, strength: 0.8, mm: 0.1 },
-  { level: 6, pixels: 2.6, strength: 1, mm: 1 },
-  { level: 8, pixels: 3.6, strength: 1, mm: 5 },
+  { level: 1, pixels: 1.6, strength: 0.65, mm: 0 },
+  { level: 3, pixels: 2.2, strength: 0.85, mm: 0.1 },
+  { level: 6, pixels: 3.2, strength: 1, mm: 1 },
+  { level: 8, pixels: 4.4, strength: 1, mm: 5 },
 ];
 const chosen = (key) => kClasses.slice(1).reduce((below, c) => `(level >= ${(c.level - 0.5).toFixed(1)} ? ${c[key].toFixed(2)} : ${below})`, kClasses[0][key].toFixed(2));
 
 const kVertex = `
 attribute vec3 fromB, otherA, otherB;  // this end and the other end, from the centroids of the two elements
-attribute vec4 which;                  // the elements, the side of the line, the joint
+attribute vec4 which;                  // the elements, the side of the line (1, -1; 2, -2 at its other end), the joint
 uniform highp sampler2D levels;
 uniform vec2 pixels;                   // of the picture
 uniform float scale;                   // of all widths
@@ -43,8 +43,9 @@ void main() {
   vec2 along = (q.xy / q.w - p.xy / p.w) * pixels;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
   float reach = vHalf + 0.5;  // half a pixel more, over which the line fades
-  vAcross = which.z * reach;
-  p.xy += (which.z * vec2(-along.y, along.x) - 0.3 * along) * reach * 2.0 / pixels * p.w;
+  float left = sign(which.z);
+  vAcross = (abs(which.z) > 1.5 ? -left : left) * reach;  // along runs the other way at the other end
+  p.xy += (left * vec2(-along.y, along.x) - 0.3 * along) * reach * 2.0 / pixels * p.w;
   gl_Position = p;
 }`;
 
@@ -71,7 +72,7 @@ function lines({ cracks, frames }) {
       for (let k = 0; k < 4; ++k) {
         const v = 4 * edge + k, here = ends[k >> 1], there = ends[1 - (k >> 1)];
         put(out.position, v, here, a), put(out.fromB, v, here, b), put(out.otherA, v, there, a), put(out.otherB, v, there, b);
-        out.which.set([a, b < 0 ? frames.n : b, (k >> 1) ^ (k & 1) ? 1 : -1, j], 4 * v);
+        out.which.set([a, b < 0 ? frames.n : b, ((k >> 1) ^ (k & 1) ? 1 : -1) * (1 + (k >> 1)), j], 4 * v);
       }
     }
   }
@@ -92,7 +93,7 @@ export class CrackLines {
     this.levels = new DataTexture(new Uint8Array(kRow * rows), kRow, rows, RedFormat, UnsignedByteType);
     this.material = new ShaderMaterial({
       uniforms: { state: { value: state }, levels: { value: this.levels }, pixels: { value: [1, 1] }, scale: { value: 1 }, red: { value: red } },
-      vertexShader: kVertex, fragmentShader: kFragment, transparent: true, depthWrite: false });
+      vertexShader: kVertex, fragmentShader: kFragment, transparent: true, depthWrite: false, side: DoubleSide });
     this.mesh = new Mesh(geometry, this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 2;
