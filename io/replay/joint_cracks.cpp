@@ -15,7 +15,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kMostCorners = 255;  // an outline has as many as a byte holds
+constexpr std::size_t kMostEdges = 255;  // of a joint: as many as a byte holds
 
 struct OpenJoint {
   std::size_t row;      // of /model/joint
@@ -60,13 +60,14 @@ JointCracks joint_cracks(const Hdf5File& run, const FrameReader& frames) {
   out.shown.assign(since.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> rows;
   for (const OpenJoint& j : joints) rows.push_back(j.row);
-  const auto outlines = joint_outlines(run, rows);
+  const auto edges = joint_edges(run, rows);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     out.elements.insert(out.elements.end(), {joints[i].a, joints[i].b});
-    const std::size_t corners = std::min(outlines[i].size(), kMostCorners);
-    out.corners.push_back(static_cast<std::uint8_t>(corners));
-    for (std::size_t k = 0; k < corners; ++k)
-      for (const double x : outlines[i][k]) out.outline.push_back(static_cast<float>(x));
+    const std::size_t count = std::min(edges[i].size(), kMostEdges);
+    out.edges.push_back(static_cast<std::uint8_t>(count));
+    for (std::size_t k = 0; k < count; ++k)
+      for (const Vec3& v : {edges[i][k].from, edges[i][k].to})
+        for (const double x : {v.x, v.y, v.z}) out.ends.push_back(static_cast<float>(x));
   }
   for (std::uint64_t f = 0; f < frames.frames(); ++f) {
     const double time = frames.times()[f];

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/vec3.h"
 #include "io/replay/frame_reader.h"
 
 namespace voussoir::io {
@@ -26,8 +27,8 @@ inline constexpr double kFacesShow = 5e-3;
 /// io/MEASURES.md: the distance, in opening and sliding together, of the two points that met in the middle of the joint.
 struct JointCracks {
   std::vector<std::int32_t> elements;  // two a joint; the second −1: the base
-  std::vector<std::uint8_t> corners;   // number of corners of each joint's outline
-  std::vector<float> outline;          // three a corner, of one joint after the other, in the reference configuration, m
+  std::vector<std::uint8_t> edges;     // number of each joint's edges that lie on the surface of the masonry
+  std::vector<float> ends;             // two points an edge, of one joint after the other, in the reference configuration, m
   std::vector<std::uint8_t> level;     // of all these joints in one frame after the other
   std::vector<double> shown;           // of every joint of the run: when its faces begin to show, s; infinity: never
 };
@@ -35,8 +36,12 @@ struct JointCracks {
 /// \param run  its joints, faces and cracks \throw FileError
 JointCracks joint_cracks(const Hdf5File& run, const FrameReader& frames);
 
-/// Area that two elements share, as the convex polygon of its corners.
-/// \param run  for the half-spaces of the elements' faces \param joints  rows of /model/joint; one polygon each \throw FileError
-std::vector<std::vector<std::array<double, 3>>> joint_outlines(const Hdf5File& run, const std::vector<std::size_t>& joints);
+struct JointEdge {
+  Vec3 from, to;  // m, in the reference configuration
+};
+
+/// Of the area that two elements share, the edges on the surface of the masonry: those along a face that bonded joints do not cover whole.
+/// \param run  for the half-spaces of the elements' faces \param joints  rows of /model/joint; the edges of each \throw FileError
+std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints);
 
 }  // namespace voussoir::io

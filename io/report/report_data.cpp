@@ -68,9 +68,9 @@ std::string report_data(const std::string& run, const std::string& prefix) {
   out.put("opened-normals", opened.normal);
   out.put("opened-times", opened.time);
   out.put("crack-elements", cracks.elements);
-  out.put("crack-corners", cracks.corners);
-  out.put("crack-outlines", cracks.outline);
-  out.put("crack-levels", steps(cracks.level, cracks.corners.size()));
+  out.put("crack-edges", cracks.edges);
+  out.put("crack-ends", cracks.ends);
+  out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
   out.put("text/plain", "frames", frames.text);
   return out.text;
 }

@@ -12,8 +12,8 @@ namespace voussoir::io {
 /// "vertices" (float32, three a vertex, reference configuration), "cells" (int32, as /model/cells), "cell-types" (uint8), "cell-elements"
 /// (int32), "centroids" (float32, position0), "parts" and "materials" (int32, an entry an element, into the names in facts),
 /// "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h), "opened-elements", "opened-normals" and
-/// "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint), "crack-corners" (uint8),
-/// "crack-outlines" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of joint_cracks.h), and
+/// "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint), "crack-edges" (uint8),
+/// "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of joint_cracks.h), and
 /// "frames" (report_frames.h). \param run  a run.h5, of a finished run or not \param prefix  of all ids \throw FileError
 std::string report_data(const std::string& run, const std::string& prefix = "");
 

@@ -61,14 +61,17 @@ export function stateTexture(n) {
   return new DataTexture(data, kTexels * kRow, rows, RGBAFormat, FloatType);
 }
 
-/** Where element `e` takes the point `v`: for the programs of vertices that draw what is fixed to elements. */
+/** For the programs of vertices that draw what is fixed to elements: where the state of an element is, and where it takes a point. */
 export const kPlaced = `
 uniform highp sampler2D state;
-vec3 placed(float element, vec3 v) {
+ivec2 stateOf(float element) {
   int e = int(element + 0.5);
-  ivec2 at = ivec2(${kTexels} * (e % ${kRow}), e / ${kRow});
-  vec4 q = texelFetch(state, at + ivec2(1, 0), 0);
-  return texelFetch(state, at, 0).xyz + v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
+  return ivec2(${kTexels} * (e % ${kRow}), e / ${kRow});
+}
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+vec3 placed(float element, vec3 v) {
+  ivec2 at = stateOf(element);
+  return texelFetch(state, at, 0).xyz + turned(texelFetch(state, at + ivec2(1, 0), 0), v);
 }`;
 
 /** @param red  of faces on which a joint has come open, while `uniforms.now` says so */

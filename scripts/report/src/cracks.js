@@ -6,7 +6,7 @@ import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, DynamicDrawUs
 import { kPlaced } from "./brick.js";
 
 const kRow = 1024; // joints in a row of the texture of levels
-const kApart = 11; // level from which on bricks are apart: their faces show, and no line joins them
+const kApart = 10; // level from which on bricks are apart: their faces show, and no line joins them
 
 /** Classes of the legend: from `level` (io/replay/joint_cracks.h) on, `pixels` wide, red to this part, from this width in mm on. */
 export const kClasses = [
@@ -29,9 +29,12 @@ ${kPlaced}
 void main() {
   int j = int(which.w + 0.5);
   float level = 255.0 * texelFetch(levels, ivec2(j % ${kRow}, j / ${kRow}), 0).r;
-  vec3 a = placed(which.x, position), b = placed(which.y, fromB);
+  ivec2 atA = stateOf(which.x), atB = stateOf(which.y);
+  vec4 turnA = texelFetch(state, atA + ivec2(1, 0), 0), turnB = texelFetch(state, atB + ivec2(1, 0), 0);
+  vec3 middleA = texelFetch(state, atA, 0).xyz, middleB = texelFetch(state, atB, 0).xyz;
+  vec3 a = middleA + turned(turnA, position), b = middleB + turned(turnB, fromB);
   vec4 here = viewMatrix * vec4(0.5 * (a + b), 1.0);
-  vec4 there = viewMatrix * vec4(0.5 * (placed(which.x, otherA) + placed(which.y, otherB)), 1.0);
+  vec4 there = viewMatrix * vec4(0.5 * (middleA + middleB + turned(turnA, otherA) + turned(turnB, otherB)), 1.0);
   here.xyz *= 1.0 - 0.03 / length(here.xyz);  // nearer by 3 cm: the bricks do not hide their own edges
   there.xyz *= 1.0 - 0.03 / length(there.xyz);
   there.z = min(there.z, -0.01);
@@ -57,20 +60,18 @@ void main() { gl_FragColor = vec4(red, vStrength * clamp(vHalf + 0.5 - abs(vAcro
 
 /** Lines of all joints: {position, fromB, otherA, otherB, which} and `first`, the first edge of each joint and the end. */
 function lines({ cracks, frames }) {
-  const { elements, corners, outlines, joints } = cracks;
-  const edges = corners.reduce((sum, n) => sum + n, 0);
+  const { elements, ends, joints } = cracks, edges = ends.length / 6;
   const out = { position: new Float32Array(12 * edges), fromB: new Float32Array(12 * edges), otherA: new Float32Array(12 * edges), otherB: new Float32Array(12 * edges), which: new Float32Array(16 * edges), first: new Uint32Array(joints + 1) };
-  const put = (to, v, corner, element) => {
-    for (let k = 0; k < 3; ++k) to[3 * v + k] = outlines[3 * corner + k] - (element < 0 ? 0 : frames.centroids[3 * element + k]);
+  const put = (to, v, point, element) => {
+    for (let k = 0; k < 3; ++k) to[3 * v + k] = ends[3 * point + k] - (element < 0 ? 0 : frames.centroids[3 * element + k]);
   };
   let edge = 0;
-  for (let j = 0, start = 0; j < joints; start += corners[j++]) {
+  for (let j = 0; j < joints; ++j) {
     out.first[j] = edge;
     const a = elements[2 * j], b = elements[2 * j + 1];
-    for (let c = 0; c < corners[j]; ++c, ++edge) {
-      const ends = [start + c, start + ((c + 1) % corners[j])];
+    for (let last = edge + cracks.edges[j]; edge < last; ++edge) {
       for (let k = 0; k < 4; ++k) {
-        const v = 4 * edge + k, here = ends[k >> 1], there = ends[1 - (k >> 1)];
+        const v = 4 * edge + k, here = 2 * edge + (k >> 1), there = 2 * edge + 1 - (k >> 1);
         put(out.position, v, here, a), put(out.fromB, v, here, b), put(out.otherA, v, there, a), put(out.otherB, v, there, b);
         out.which.set([a, b < 0 ? frames.n : b, ((k >> 1) ^ (k & 1) ? 1 : -1) * (1 + (k >> 1)), j], 4 * v);
       }

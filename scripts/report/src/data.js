@@ -73,9 +73,9 @@ export class Frames {
 
 /** How wide open joints are: a level for each joint in each frame (io/replay/joint_cracks.h). */
 class Cracks {
-  constructor(elements, corners, outlines, levels, count) {
-    Object.assign(this, { elements, corners, outlines, levels, joints: corners.length, count });
-    for (let i = corners.length; i < levels.length; ++i) levels[i] += levels[i - corners.length];
+  constructor(elements, edges, ends, levels, count) {
+    Object.assign(this, { elements, edges, ends, levels, joints: edges.length, count });
+    for (let i = edges.length; i < levels.length; ++i) levels[i] += levels[i - edges.length];
   }
   /** Levels of all joints at the frame before. */
   at(at) { return this.levels.subarray(Math.floor(at) * this.joints, (Math.floor(at) + 1) * this.joints); }
@@ -102,6 +102,6 @@ export async function loadRun(prefix = "") {
   };
   const centroids = new Float32Array(await get("centroids"));
   run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum);
-  run.cracks = new Cracks(new Int32Array(await get("crack-elements")), new Uint8Array(await get("crack-corners")), new Float32Array(await get("crack-outlines")), new Uint8Array(await get("crack-levels")), facts.times.length);
+  run.cracks = new Cracks(new Int32Array(await get("crack-elements")), new Uint8Array(await get("crack-edges")), new Float32Array(await get("crack-ends")), new Uint8Array(await get("crack-levels")), facts.times.length);
   return run;
 }

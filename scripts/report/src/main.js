@@ -14,8 +14,12 @@ import { showTimeline } from "./timeline.js";
 import { cameraNumbers, cameraText } from "./views.js";
 
 const by = (id) => document.getElementById(id);
+/** Sets a text that has changed: the browser would lay the page out anew for the same one, too. */
+function say(id, text) {
+  if (by(id).textContent !== text) by(id).textContent = text;
+}
 const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
-const kLate = 150; // ms between two readings of all plots while it plays
+const kSeldom = 8; // while it plays, only every so many frames are written upon and read in all plots
 
 /** A run and its house; of two side by side, one. */
 class Pane {
@@ -222,9 +226,9 @@ class Report {
       pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
     }
     this.large = large;
-    by("note").textContent = large === 1 ? "" : `motion × ${+large.toPrecision(2)}`;
+    say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);
     this.#legend(name);
-    by("clock").textContent = `${t.toFixed(2)} s`;
+    say("clock", `${t.toFixed(2)} s`);
     by("time").value = Math.round(this.at);
     by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
     this.#plotsNow(t);
@@ -242,8 +246,9 @@ class Report {
   }
 
   #plotsNow(t) {
-    const now = performance.now(), read = !this.playing || now - (this.read ?? 0) > kLate;
-    if (read) this.read = now;
+    this.unread = (this.unread ?? 0) + 1;
+    const read = !this.playing || this.unread >= kSeldom;
+    if (read) this.unread = 0;
     for (const plot of this.plots) plot.now(t, read);
   }
 
@@ -254,6 +259,10 @@ class Report {
 
   #overlay(pane) {
     if (this.composing) return;
+    // While it plays, writing it all at every frame would take as long as the house.
+    const camera = cameraText(pane.house.camera, pane.house.controls.target);
+    if (this.playing && camera === pane.written && ++pane.unwritten < kSeldom) return;
+    pane.written = camera, pane.unwritten = 0;
     const canvas = pane.element.querySelector(".overlay"), ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
     if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) canvas.width = Math.round(width * ratio), canvas.height = Math.round(height * ratio);
     const c = canvas.getContext("2d");
@@ -392,9 +401,9 @@ class Report {
 
   #describe() {
     const pane = this.picked, e = pane?.picked ?? -1;
-    if (e < 0) return void (by("picked").textContent = "");
+    if (e < 0) return say("picked", "");
     const { frames, parts, facts } = pane.run, at = pane.house.at;
-    by("picked").textContent = `Element ${e}, ${facts.parts[parts[e]]}: displaced ${(1000 * frames.distance(at, e)).toFixed(1)} mm, ${Math.round(frames.broken(at)[e] / 2.55)} % of its bonds broken`;
+    say("picked", `Element ${e}, ${facts.parts[parts[e]]}: displaced ${(1000 * frames.distance(at, e)).toFixed(1)} mm, ${Math.round(frames.broken(at)[e] / 2.55)} % of its bonds broken`);
   }
 }
 

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // What stands about the house: the ground with a grid of metres, a person of 1.70 m, distances from the walls, the space under the roof.
-import { BufferGeometry, CircleGeometry, Float32BufferAttribute, Group, LatheGeometry, LineSegments, Mesh, ShaderMaterial, Vector2 } from "three";
+import { BufferGeometry, Float32BufferAttribute, Group, LatheGeometry, LineSegments, Mesh, RingGeometry, ShaderMaterial, Vector2 } from "three";
 
 const plain = (colour, more = {}) => new ShaderMaterial({
   uniforms: { colour: { value: colour }, far: { value: colour }, strength: { value: 1 } },
   vertexShader: "varying vec2 vAt; void main() { vAt = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
   fragmentShader: "uniform vec3 colour; uniform float strength; void main() { gl_FragColor = vec4(colour, strength); }", ...more });
 
-/** The ground: a disc that fades into what is behind it. */
+/** The ground: rings that fade into what is behind it. */
 function ground(radius) {
   const material = new ShaderMaterial({
     uniforms: { colour: { value: [1, 1, 1] }, far: { value: [1, 1, 1] } },
-    vertexShader: "varying vec2 vAt; void main() { vAt = 2.0 * uv - 1.0; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-    fragmentShader: "uniform vec3 colour, far; varying vec2 vAt; void main() { gl_FragColor = vec4(mix(colour, far, smoothstep(0.25, 1.0, length(vAt))), 1.0); }" });
-  return new Mesh(new CircleGeometry(radius, 48), material);
+    vertexShader: "uniform vec3 colour, far; varying vec3 vColour; void main() { vColour = mix(colour, far, smoothstep(0.25, 1.0, length(2.0 * uv - 1.0))); gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader: "varying vec3 vColour; void main() { gl_FragColor = vec4(vColour, 1.0); }" });
+  return new Mesh(new RingGeometry(0.001, radius, 40, 8), material);
 }
 
 function segments(points, colour, strength, more) {
