@@ -51,6 +51,8 @@ export class Plot {
     this.holder.setAttribute("role", "img");
     this.holder.setAttribute("aria-label", this.#words());
     this.#make();
+    this.inView = true;
+    new IntersectionObserver((seen) => this.#look(seen.at(-1).isIntersecting)).observe(this.holder);
     new ResizeObserver(() => this.plot.setSize({ width: this.holder.clientWidth, height: kHeight })).observe(this.holder);
   }
 
@@ -131,12 +133,19 @@ export class Plot {
     });
   }
 
+  /** Out of view nothing is moved; once it comes back, it shows the moment. */
+  #look(inView) {
+    this.inView = inView;
+    if (inView && this.shown !== undefined) this.now(this.shown, true);
+  }
+
   /** uPlot has forgotten what was read. */
   #again() { setTimeout(() => this.plot.over.isConnected && this.shown !== undefined && this.now(this.shown, true)); }
 
   /** @param read  whether the values then are to be shown, too */
   now(t, read) {
     this.shown = t;
+    if (!this.inView) return;
     this.line.style.transform = `translateX(${this.plot.valToPos(Math.min(Math.max(t, this.from), this.until), "x")}px)`;
     if (read && !this.hover) this.plot.setLegend({ idx: this.plot.valToIdx(t) });
   }
