@@ -19,7 +19,8 @@ export class Frames {
     const packed = new Uint8Array(buffer);
     this.values = new Int16Array(7 * n * count); // a frame: dx, dy, dz, w, x, y, z of all elements, one after the other
     this.brokenBytes = new Uint8Array(n * count);
-    for (let f = 0; f < count; ++f) this.#add(packed, f);
+    for (let f = 0; f < count && packed.length > 0; ++f) this.#add(packed, f);
+    if (packed.length === 0) this.values.fill(32767, 3 * n, 4 * n); // the model alone, as it was built
   }
 
   #add(packed, f) {
@@ -85,7 +86,10 @@ class Cracks {
 export async function loadRun(prefix = "") {
   const element = document.getElementById(`${prefix}facts`);
   if (!element) return null;
-  const facts = JSON.parse(element.textContent), get = (id) => inflate(prefix + id);
+  const facts = JSON.parse(element.textContent);
+  facts.model = facts.times.length === 0; // no frames yet
+  if (facts.model) facts.times = [0];
+  const get = (id) => inflate(prefix + id);
   const run = {
     facts,
     vertices: new Float32Array(await get("vertices")),
@@ -102,6 +106,7 @@ export async function loadRun(prefix = "") {
   };
   const centroids = new Float32Array(await get("centroids"));
   run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum);
-  run.cracks = new Cracks(new Int32Array(await get("crack-elements")), new Uint8Array(await get("crack-edges")), new Float32Array(await get("crack-ends")), new Uint8Array(await get("crack-levels")), facts.times.length);
+  const edges = new Uint8Array(await get("crack-edges"));
+  run.cracks = new Cracks(new Int32Array(await get("crack-elements")), edges, new Float32Array(await get("crack-ends")), facts.model ? new Uint8Array(edges.length) : new Uint8Array(await get("crack-levels")), facts.times.length);
   return run;
 }

@@ -63,8 +63,7 @@ class Report {
     this.panes = [];
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.#describeRun();
-    by("status").textContent = this.last < 0 ? "The run has no frames." : "";
-    if (this.last < 0) return;
+    by("status").textContent = "";
     this.#build(asked.has("still"));
     by("time").max = this.last;
     this.#listen();
@@ -77,7 +76,7 @@ class Report {
     this.from = this.times[0] ?? 0;
     this.until = Math.max(this.from, ...ends);
     by("title").textContent = document.title = runs.map((run, i) => (runs.length > 1 ? `${"AB"[i]}: ` : "") + run.facts.title).join("  |  ");
-    by("subtitle").textContent = runs.map(subtitle).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
+    by("subtitle").textContent = runs.map((run) => subtitle(run) + (run.facts.model ? " · the model, before it moves" : "")).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
     showSummary(by("keys"), by("summary"), by("provenance").lastElementChild, runs);
     const titles = [...new Set(runs.flatMap((run) => run.facts.plots.map((p) => p.title)))];
     this.plots = titles.map((title) => new Plot(by("plots"), runs.map((run) => run.facts.plots.find((p) => p.title === title)), this.from, this.until, (t) => this.seek(t)));
@@ -215,7 +214,6 @@ class Report {
 
   /** Shows frame `at` of the run whose frames are on the slider; it need not be whole. */
   show(at) {
-    if (this.last < 0) return;
     this.at = Math.min(Math.max(at, 0), this.last);
     const t = this.time(), name = by("colour").value, size = by("magnify").value;
     let large = 1;
