@@ -10,9 +10,9 @@ const kApart = 10; // level from which on bricks are apart: their faces show, an
 
 /** Classes of the legend: from `level` (io/replay/joint_cracks.h) on, `pixels` wide, red to this part, from this width in mm on. */
 export const kClasses = [
-  { level: 1, pixels: 1.6, strength: 0.65, mm: 0 },
-  { level: 3, pixels: 2.2, strength: 0.85, mm: 0.1 },
-  { level: 6, pixels: 3.2, strength: 1, mm: 1 },
+  { level: 1, pixels: 1.8, strength: 0.7, mm: 0 },
+  { level: 3, pixels: 2.5, strength: 0.85, mm: 0.1 },
+  { level: 6, pixels: 3.4, strength: 1, mm: 1 },
   { level: 8, pixels: 4.4, strength: 1, mm: 5 },
 ];
 const chosen = (key) => kClasses.slice(1).reduce((below, c) => `(level >= ${(c.level - 0.5).toFixed(1)} ? ${c[key].toFixed(2)} : ${below})`, kClasses[0][key].toFixed(2));

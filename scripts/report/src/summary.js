@@ -72,7 +72,7 @@ function table(parent, head, rows, caption) {
     cells.forEach((text, i) => {
       const cell = row.appendChild(document.createElement(kind === "th" || i === 0 ? "th" : "td"));
       cell.textContent = text;
-      cell.scope = kind === "th" ? "col" : "row";
+      if (cell.tagName === "TH") cell.scope = kind === "th" ? "col" : "row";
     });
   };
   if (head) add("th", head);
