@@ -13,6 +13,7 @@
 #include "io/replay/frame_reader.h"
 #include "io/replay/joint_cracks.h"
 #include "io/replay/opened_faces.h"
+#include "io/report/report_bodies.h"
 #include "io/report/report_facts.h"
 #include "io/report/report_frames.h"
 #include "io/report/report_page.h"
@@ -71,6 +72,9 @@ std::string report_data(const std::string& run, const std::string& prefix) {
   out.put("crack-edges", cracks.edges);
   out.put("crack-ends", cracks.ends);
   out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
+  const ReportBodies bodies = report_bodies(file, reader);
+  out.put("application/json", "bodies", bodies.json);
+  out.put("body-ids", steps(bodies.id, static_cast<std::size_t>(reader.elements())));
   out.put("text/plain", "frames", frames.text);
   return out.text;
 }

@@ -15,7 +15,7 @@ class Hdf5File;
 struct ReportFacts {
   /// JSON that may stand in a script element: title; motion (direction, record, scale, peak: of the ground's acceleration along x, y, z,
   /// m/s²); plots (see below); summary; measures; provenance; times, s; base: its height, m, or null; parts and materials: names; walls
-  /// (name, box, across, outward as in measures/building.h); rooms (low, high: corners, m); bodies (body_names.h).
+  /// (name, box, across, outward as in measures/building.h); rooms (low, high: corners, m).
   /// A plot has title, unit, t (s) and curves (name, y); "stack": true where curves add up, but for the last, which is their sum seen from
   /// the other side; "clip": beyond that value, to either side, nothing is drawn. Missing values are null.
   std::string json;

@@ -68,7 +68,7 @@ export function colourings({ frames, parts, materials, facts }) {
     all.bodies = {
       edges: 0.2, lines: true, hinges: true,
       paint: (at, state) => frames.bodies.at(at).forEach((id, e) => paint(state, e, id === 0 ? grey : body[(id - 1) % body.length], 0)),
-      legend: (at) => frames.bodies.names(at).map(({ id, name }) => chip(bodyColour(id), name)).concat([chip(kIntact, "loose, or moves by less than 1 mm")]),
+      legend: (at) => frames.bodies.names(at).map(({ id, name }) => chip(bodyColour(id), name)).concat([chip(kIntact, "loose")]),
     };
   }
   return all;

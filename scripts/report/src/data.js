@@ -82,6 +82,17 @@ class Cracks {
   at(at) { return this.levels.subarray(Math.floor(at) * this.joints, (Math.floor(at) + 1) * this.joints); }
 }
 
+/** Bodies that move as one: the number of each element's body in each frame, their names, hinges (io/report/report_bodies.h). */
+class Bodies {
+  constructor({ names, bodies, hinges }, ids, n) {
+    Object.assign(this, { texts: names, bodies, lines: hinges, ids, n });
+    for (let i = n; i < ids.length; ++i) ids[i] += ids[i - n];
+  }
+  at(at) { return this.ids.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
+  names(at) { return this.bodies[Math.floor(at)].map(([id, name]) => ({ id, name: this.texts[name] })); }
+  hinges(at) { return this.lines[Math.floor(at)].map((p) => ({ points: [p.slice(0, 3), p.slice(3)] })); }
+}
+
 /** @param prefix  of the ids of its elements: "" the first run, "second-" the one beside it */
 export async function loadRun(prefix = "") {
   const element = document.getElementById(`${prefix}facts`);
@@ -108,5 +119,7 @@ export async function loadRun(prefix = "") {
   run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum);
   const edges = new Uint8Array(await get("crack-edges"));
   run.cracks = new Cracks(new Int32Array(await get("crack-elements")), edges, new Float32Array(await get("crack-ends")), facts.model ? new Uint8Array(edges.length) : new Uint8Array(await get("crack-levels")), facts.times.length);
+  const bodies = document.getElementById(`${prefix}bodies`);
+  if (bodies && !facts.model) run.frames.bodies = new Bodies(JSON.parse(bodies.textContent), new Uint8Array(await get("body-ids")), run.frames.n);
   return run;
 }
