@@ -15,7 +15,6 @@
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_command.h"
 #include "io/commands/report_command.h"
-#include "io/report/stills.h"
 #include "io/commands/resume_command.h"
 #include "io/commands/run_command.h"
 #include "io/commands/summary_command.h"
@@ -25,6 +24,7 @@
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_keys.h"
+#include "io/report/stills.h"
 #include "io/results/provenance.h"
 #include "solver/world/errors.h"
 

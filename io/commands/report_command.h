@@ -13,11 +13,11 @@ namespace voussoir::io {
 
 struct ReportOptions {
   std::vector<std::string> folders;  // of the run, or of two to see side by side
-  std::string output;              // file of the page, or folder of the pictures; empty: in the folder of the first run
-  bool paraview = false;           // files for ParaView instead of the page
-  std::vector<std::string> times;  // s, of pictures instead of the page: words of numbers with commas
-  std::vector<std::string> views;  // of the pictures, or of the film; empty: corner
-  FilmOptions film;                // with a file: a film instead of the page
+  std::string output;                // file of the page, or folder of the pictures; empty: in the folder of the first run
+  bool paraview = false;             // files for ParaView instead of the page
+  std::vector<std::string> times;    // s, of pictures instead of the page: words of numbers with commas
+  std::vector<std::string> views;    // of the pictures, or of the film; empty: corner
+  FilmOptions film;                  // with a file: a film instead of the page
   bool overwrite = false;
 };
 
@@ -34,8 +34,8 @@ struct Views {
 /// Replaces what an earlier run of the folder left. \throw FileError
 void write_views(const std::string& folder, const Views& views);
 
-/// Rewrites report.html in the folder of a run that goes on, every so many seconds of wall-clock, but so seldom that it takes no more than a
-/// twentieth of the time. What cannot be written is a warning.
+/// Rewrites report.html in the folder of a run that goes on, every so many seconds of wall-clock, but so seldom that it takes no more than
+/// a twentieth of the time. What cannot be written is a warning.
 class LivePage {
  public:
   LivePage(std::string folder, double every) : folder_(std::move(folder)), every_(every) {}

@@ -78,7 +78,12 @@ void take_measures(ResultsWriter& results) {
 class Watch {
  public:
   Watch(solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints, LivePage page, bool quiet)
-      : sim_(sim), plan_(plan), results_(results), checkpoints_(checkpoints), page_(std::move(page)), progress_(std::cerr, Progress::mode_for(2, quiet)) {}
+      : sim_(sim),
+        plan_(plan),
+        results_(results),
+        checkpoints_(checkpoints),
+        page_(std::move(page)),
+        progress_(std::cerr, Progress::mode_for(2, quiet)) {}
 
   /// \return false to stop
   bool look(const solver::RunStatus& s) {

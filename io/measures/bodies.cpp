@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostBodies = 99;  // at a time; a hundredth of the mass each
 constexpr double kTurns = 2e-3;          // rad: two bodies that turn less against each other have no hinge
+constexpr double kShort = 0.3;           // m
 constexpr double kNear = 0.5;            // m: a hinge lies at the joints between its bodies
 
 /// Disjoint sets.
@@ -162,7 +163,8 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
     // What the second does as seen from the first, at the middle of the joints between them.
     Vec3 middle, moved;
     for (const Joint* j : joints) {
-      const Vec3 at_a = poses[static_cast<std::size_t>(j->a)].point(j->from_a), at_b = poses[static_cast<std::size_t>(j->b)].point(j->from_b);
+      const Vec3 at_a = poses[static_cast<std::size_t>(j->a)].point(j->from_a),
+                 at_b = poses[static_cast<std::size_t>(j->b)].point(j->from_b);
       const bool in_order = found.id[static_cast<std::size_t>(j->a)] == ids.first;
       middle = middle + j->centre, moved = moved + (in_order ? at_b - at_a : at_a - at_b);
     }
@@ -175,6 +177,7 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
       const double s = dot(axis, j->centre - middle);
       low = std::min(low, s), high = std::max(high, s);
     }
+    if (high - low < kShort) continue;
     all.push_back({middle + aside + low * axis, middle + aside + high * axis});
   }
   return all;

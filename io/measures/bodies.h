@@ -21,14 +21,14 @@ inline constexpr double kLeastBody = 0.01;
 
 /// What one body does in one frame.
 struct Body {
-  std::uint8_t id = 0;      // from 1; the same in the next frame for the body that has most of this one's mass
-  std::int32_t wall = -1;   // of which it has most mass; −1: of the roof, or of no wall
-  bool on_ground = false;   // it moves as one with the base
-  double mass = 0;          // kg
-  Vec3 centre;              // in the reference configuration, m
-  Vec3 displacement;        // of its centre of mass, m
-  Vec3 rotation;            // mean of its elements, rad; right up to about one half
-  Box box = Box::empty();   // of its elements in the reference configuration
+  std::uint8_t id = 0;     // from 1; the same in the next frame for the body that has most of this one's mass
+  std::int32_t wall = -1;  // of which it has most mass; −1: of the roof, or of no wall
+  bool on_ground = false;  // it moves as one with the base
+  double mass = 0;         // kg
+  Vec3 centre;             // in the reference configuration, m
+  Vec3 displacement;       // of its centre of mass, m
+  Vec3 rotation;           // mean of its elements, rad; right up to about one half
+  Box box = Box::empty();  // of its elements in the reference configuration
 };
 
 /// A line about which two bodies turn against each other.

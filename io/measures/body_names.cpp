@@ -9,9 +9,10 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kWhole = 0.7;   // of the height, of the length: a body that reaches so far has all of it
-constexpr double kSunk = 0.5;    // of its size: it falls
-constexpr double kStill = 1e-3;  // m: nothing of it has moved further
+constexpr double kWhole = 0.7;     // of the height, of the length: a body that reaches so far has all of it
+constexpr double kBuilding = 0.6;  // of all mass: the building, less what has come off it
+constexpr double kSunk = 0.5;      // of its size: it falls
+constexpr double kStill = 5e-3;    // m: nothing of it has moved further
 
 double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -42,10 +43,14 @@ std::string motion_of(const Body& b, const Wall* w) {
   const std::array<double, 4> reach{std::abs(component(r, along)) * b.box.size(2), std::abs(r.z) * b.box.size(along),
                                     std::abs(component(r, w->across)) * b.box.size(2), norm(u)};
   switch (std::ranges::max_element(reach) - reach.begin()) {
-    case 0: return out >= 0 ? "turns out" : "turns in";
-    case 1: return "turns about a vertical line";
-    case 2: return "turns in its plane";
-    default: break;
+    case 0:
+      return out >= 0 ? "turns out" : "turns in";
+    case 1:
+      return "turns about a vertical line";
+    case 2:
+      return "turns in its plane";
+    default:
+      break;
   }
   if (std::abs(out) >= std::abs(component(u, along))) return out >= 0 ? "moves out" : "moves in";
   return "slides along";
@@ -55,6 +60,10 @@ std::string motion_of(const Body& b, const Wall* w) {
 
 std::string body_name(const Body& b, const Building& building) {
   const Wall* wall = b.wall < 0 ? nullptr : &building.walls[static_cast<std::size_t>(b.wall)];
+  double all = 0;
+  for (const double m : building.mass) all += m;
+  if (!building.walls.empty() && b.mass > kBuilding * all)
+    return std::string("building, ") + (b.on_ground ? "stands" : motion_of(b, nullptr));
   std::string name = wall == nullptr ? (building.walls.empty() ? "body" : "roof") : wall->name;
   if (wall != nullptr) {
     const bool more = b.box.size(wall->across) > 2 * wall->thickness();  // it reaches round a corner

@@ -28,7 +28,8 @@ Polygon cut(const Polygon& polygon, Vec3 normal, double distance, bool on_surfac
     const Corner &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double at_p = dot(normal, p.at) - distance, at_q = dot(normal, q.at) - distance;
     const bool on_face = std::abs(at_p) <= kOnFace && std::abs(at_q) <= kOnFace;  // two faces along one edge: either may be the surface
-    if (at_p <= kOnFace) kept.push_back({p.at, on_face ? p.on_surface || on_surface : at_q > kOnFace && at_p > -kOnFace ? on_surface : p.on_surface});
+    if (at_p <= kOnFace)
+      kept.push_back({p.at, on_face ? p.on_surface || on_surface : at_q > kOnFace && at_p > -kOnFace ? on_surface : p.on_surface});
     if ((at_p < -kOnFace && at_q > kOnFace) || (at_p > kOnFace && at_q < -kOnFace))
       kept.push_back({p.at + (at_p / (at_p - at_q)) * (q.at - p.at), at_p < 0 ? on_surface : p.on_surface});
   }

@@ -24,13 +24,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kSize = "1280, 720";  // pixels
-constexpr const char* kHint = "films are put together by ffmpeg; install it (Debian: ffmpeg), or name its program in the environment variable FFMPEG";
+constexpr const char* kHint =
+    "films are put together by ffmpeg; install it (Debian: ffmpeg), or name its program in the environment variable FFMPEG";
 
 /// How ffmpeg is to write a film, by the ending of its name.
 std::vector<std::string> coding(const std::string& file) {
   const std::string kind = fs::path(file).extension().string();
   if (kind == ".mp4") return {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
-  if (kind == ".webm") return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-deadline", "realtime", "-cpu-used", "8", "-pix_fmt", "yuv420p"};
+  if (kind == ".webm")
+    return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-deadline", "realtime", "-cpu-used", "8", "-pix_fmt", "yuv420p"};
   if (kind == ".gif") return {"-vf", "fps=12,scale=800:-1:flags=lanczos,split[a][b];[a]palettegen[p];[b][p]paletteuse"};
   throw cases::InputError("--film", "'" + file + "' is of no known kind; allowed: .mp4, .webm, .gif");
 }
@@ -73,7 +75,7 @@ void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
   Browser browser(scratch.path());
   const std::string page = scratch.path() + "/page.html";
   write_text_file(page, report_html(runs));
-  browser.open(page, "still");
+  browser.open(page, "still&film");
   const double step = o.speed / o.rate;
   const auto pictures = static_cast<long>(std::floor((time.until - time.from) / step + 1e-6)) + 1;
   for (long i = 0; i < pictures; ++i) {

@@ -20,7 +20,8 @@ ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
   for (std::uint64_t f = 0; f < frames.frames(); ++f) {
     const BodiesInFrame found = finder.find(frames.times()[f], poses_of(frames, f));
     result.id.insert(result.id.end(), found.id.begin(), found.id.end());
-    nlohmann::json &bodies = out["bodies"].emplace_back(nlohmann::json::array()), &hinges = out["hinges"].emplace_back(nlohmann::json::array());
+    nlohmann::json &bodies = out["bodies"].emplace_back(nlohmann::json::array()),
+                   &hinges = out["hinges"].emplace_back(nlohmann::json::array());
     for (const Body& b : found.bodies) {
       const auto [name, is_new] = names.emplace(body_name(b, building), names.size());
       if (is_new) out["names"].push_back(name->first);

@@ -14,7 +14,8 @@ namespace voussoir::io {
 /// "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h), "opened-elements", "opened-normals" and
 /// "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint), "crack-edges" (uint8),
 /// "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of joint_cracks.h),
-/// "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), and "frames" (report_frames.h). \param run  a run.h5, of a finished run or not \param prefix  of all ids \throw FileError
+/// "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), and "frames" (report_frames.h). \param run  a run.h5, of a
+/// finished run or not \param prefix  of all ids \throw FileError
 std::string report_data(const std::string& run, const std::string& prefix = "");
 
 /// The whole page: report_data of one run, or of two side by side (the ids of the second begin with "second-"), within the page of

@@ -100,13 +100,9 @@ void add_tables(const Hdf5File& file, Json& plots) {
   std::vector<double> given = file.read<double>("/energy/input"), gravity = file.read<double>("/energy/gravity");
   if (given.size() != time.size() || gravity.size() != time.size()) throw FileError(file.path(), "/energy does not fit together");
   for (std::size_t i = 0; i < given.size(); ++i) given[i] -= gravity[i];
-  const std::vector<std::pair<const char*, const char*>> kinds{{"kinetic", "kinetic"},
-                                                               {"strain", "strain of joints"},
-                                                               {"contact", "strain of contacts"},
-                                                               {"dashpot", "lost in impact"},
-                                                               {"friction", "friction"},
-                                                               {"fracture", "fracture"},
-                                                               {"damping", "mass damping"}};
+  const std::vector<std::pair<const char*, const char*>> kinds{
+      {"kinetic", "kinetic"},   {"strain", "strain of joints"}, {"contact", "strain of contacts"}, {"dashpot", "lost in impact"},
+      {"friction", "friction"}, {"fracture", "fracture"},       {"damping", "mass damping"}};
   for (const auto& [column, name] : kinds)
     energy.push_back(curve(name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)));
   energy.push_back(curve("from ground and gravity", thinned(given, 0, 1, 1e-3)));
@@ -166,7 +162,8 @@ void add_measures(const Hdf5File& file, Json& facts) {
   try {
     const Measures m = measure(file);
     facts["measures"] = Json::parse(measures_json(m));
-    facts["measures"].update({{"fallen_mass_fraction", m.fallen_mass_fraction}, {"first_crack_time", m.first_crack_time}, {"collapsed", m.collapsed}});
+    facts["measures"].update(
+        {{"fallen_mass_fraction", m.fallen_mass_fraction}, {"first_crack_time", m.first_crack_time}, {"collapsed", m.collapsed}});
     const Json time = thinned(m.series.time);
     std::vector<std::string> walls;
     for (const WallMeasures& w : m.walls) walls.push_back(w.name);
@@ -176,7 +173,8 @@ void add_measures(const Hdf5File& file, Json& facts) {
     }
     Json fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
     if (m.initial_free_volume > 0) fallen.push_back(curve("free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)));
-    facts["plots"].push_back(plot(m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)));
+    facts["plots"].push_back(
+        plot(m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)));
   } catch (const FileError& e) {
     warn("measures of the collapse", e);
   }

@@ -17,6 +17,7 @@ const kParts = [
 const kBodies = [0x4c78a8, 0xf2b134, 0x59a14f, 0x9467bd, 0x17a2a8, 0x8c6d31, 0xe7a1c4, 0x6b8ba4, 0xa3c96b, 0x3d5a80, 0xd9bf77, 0x7b6888];
 const kMaterials = [[/wood|timber|beam/i, 0x8a5f38], [/adobe|earth|mud/i, 0xcbb389], [/brick|clay/i, 0xb98d70], [/concrete|ring/i, 0xa9adb0], [/stone/i, 0xb4b1a8], [/soft/i, 0xd6cda8]];
 const kOthers = [0xbfb8a5, 0x9fb0ba, 0xa8b59a, 0xb9a8b5];
+const kNamed = 6; // bodies in the legend
 const kLongest = 1; // m; displacements beyond have the last colour
 
 /** Of cracks, and of faces on which a joint has come open. */
@@ -68,7 +69,12 @@ export function colourings({ frames, parts, materials, facts }) {
     all.bodies = {
       edges: 0.2, lines: true, hinges: true,
       paint: (at, state) => frames.bodies.at(at).forEach((id, e) => paint(state, e, id === 0 ? grey : body[(id - 1) % body.length], 0)),
-      legend: (at) => frames.bodies.names(at).map(({ id, name }) => chip(bodyColour(id), name)).concat([chip(kIntact, "loose")]),
+      legend: (at) => {
+        const count = new Map(), all = frames.bodies.names(at);
+        for (const id of frames.bodies.at(at)) count.set(id, (count.get(id) ?? 0) + 1);
+        const large = all.sort((a, b) => count.get(b.id) - count.get(a.id)).slice(0, kNamed).map(({ id, name }) => chip(bodyColour(id), name));
+        return [...large, ...(all.length > kNamed ? [{ head: `and ${all.length - kNamed} smaller` }] : []), chip(kIntact, "loose")];
+      },
     };
   }
   return all;

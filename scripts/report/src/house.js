@@ -94,7 +94,7 @@ export class House {
     const middle = this.centre;
     for (let e = 0; this.broken && e < this.run.frames.n; ++e) {
       const at = kStride * e, far = Math.hypot(state[at] - middle.x, state[at + 1] - middle.y);
-      if (!this.hidden[e] && far < 1.1 * size && far > 0.4 * size) points.push(state[at], state[at + 1], state[at + 2]);
+      if (!this.hidden[e] && far < 1.3 * size && far > 0.4 * size) points.push(state[at], state[at + 1], state[at + 2]);
     }
     return points;
   }
@@ -104,7 +104,7 @@ export class House {
     this.view = name;
     this.hideRoof(name === "plan");
     this.around.distances && (this.around.distances.visible = name === "plan");
-    this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), 0.88));
+    this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), this.fixed ? 0.76 : 0.88));
     this.controls.update();
     this.turned();
   }
@@ -129,6 +129,7 @@ export class House {
   }
 
   resize() {
+    if (this.fixed) return; // pictures have a size of their own
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;
     this.fitTo(width, height, Math.min(window.devicePixelRatio, 2));

@@ -64,7 +64,7 @@ class Report {
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.#describeRun();
     by("status").textContent = "";
-    this.#build(asked.has("still"));
+    this.#build(asked);
     by("time").max = this.last;
     this.#listen();
     this.#open(asked);
@@ -85,14 +85,15 @@ class Report {
   }
 
   /** Where the browser cannot draw in three dimensions, the rest of the page is still there. */
-  #build(still) {
+  #build(asked) {
+    const still = asked.has("still");
     try {
       const first = document.querySelector(".pane");
       this.runs.forEach((run, i) => {
         const element = i === 0 ? first : by("panes").appendChild(first.cloneNode(true));
         if (i > 0) element.querySelector(".view").removeAttribute("id");
         if (this.runs.length > 1) element.appendChild(Object.assign(document.createElement("div"), { className: "letter", textContent: "AB"[i] }));
-        const pane = new Pane(run, element, still);
+        const pane = new Pane(run, element, still && !asked.has("film"));
         pane.house.onDraw = () => this.#overlay(pane);
         pane.house.onTurn = () => this.#turned(pane);
         pane.house.onResize = () => this.#resized(pane);
@@ -111,6 +112,7 @@ class Report {
 
   #dress(still) {
     this.still_ = still || this.still_;
+    if (this.still_) document.body.style.visibility = "hidden"; // pictures are made elsewhere; painting the page would only take time
     this.ink = this.dark.matches && !this.still_ ? kNight : kPaper;
     for (const { house } of this.panes) house.dress(this.dark.matches && !this.still_);
   }
@@ -226,6 +228,7 @@ class Report {
     this.large = large;
     say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);
     this.#legend(name);
+    if (this.still_) return; // nobody looks at the page
     say("clock", `${t.toFixed(2)} s`);
     by("time").value = Math.round(this.at);
     by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
@@ -289,6 +292,7 @@ class Report {
   #picture(t, view, width, height, type, between) {
     const off = (f) => Math.abs(this.times[f] - t);
     this.composing = true;
+    for (const { house } of this.panes) house.fixed = true;
     if (this.sized !== `${width} ${height}`) for (const { house } of this.panes) house.fitTo(width / this.panes.length, height, 1);
     this.sized = `${width} ${height}`;
     this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
@@ -305,8 +309,10 @@ class Report {
   /** A PNG in base64 from one of the views at the frame nearest to time `t`, with title, time, scale and legend. */
   still(t, view, width, height) {
     const png = this.#picture(t, view, width, height, "image/png", false);
-    this.sized = "";
-    for (const { house } of this.panes) house.resize();
+    if (!this.still_) {
+      this.sized = "";
+      for (const { house } of this.panes) house.fixed = false, house.resize();
+    }
     return png;
   }
 

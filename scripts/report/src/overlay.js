@@ -72,8 +72,8 @@ function groundArrow(c, facts, ground, box, camera, width, height, u, ink) {
   if (!a || !b) return;
   c.strokeStyle = c.fillStyle = ink.arrow, c.lineWidth = 3;
   arrow(c, a, b, 0.9 * u);
-  c.font = `${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = "top";
-  write(c, `ground ${size.toFixed(1)} m/s²`, a[0], a[1] + 0.5 * u, { ...ink, text: ink.arrow });
+  c.font = `${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = b[1] > a[1] ? "bottom" : "top"; // away from the arrow
+  write(c, `ground ${size.toFixed(1)} m/s²`, a[0], a[1] + (b[1] > a[1] ? -0.5 : 0.5) * u, { ...ink, text: ink.arrow });
 }
 
 function distanceNames(c, box, base, camera, width, height, u, ink) {

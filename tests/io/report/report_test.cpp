@@ -10,6 +10,7 @@
 #include "io/files/errors.h"
 #include "io/files/packed_text.h"
 #include "io/files/text_file.h"
+#include "io/measures/bodies.h"
 #include "io/replay/covered_faces.h"
 #include "io/replay/joint_cracks.h"
 #include "io/replay/joint_openings.h"
@@ -188,7 +189,8 @@ TEST_CASE("a crack is an edge on the surface, and its level says how wide it is"
   frame(0.0, 0.002F);  // not open yet: no spring is broken
   frame(2.0, 0.002F);
   frame(3.0, 0.006F);
-  writer.cracks(std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
+  writer.cracks(
+      std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
   writer.finish();
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   const JointCracks cracks = joint_cracks(run, FrameReader(run));
@@ -215,6 +217,33 @@ TEST_CASE("an edge along a face that a joint covers is inside the masonry") {
   ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   CHECK(joint_edges(run, {0})[0].size() == 4);  // the lower edge is still on the surface of the second cube
+}
+
+TEST_CASE("two elements move as one until their joint is open by a millimetre, and a hinge is where they turn") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  m.blocks[1].fixed = false;
+  for (geometry::Element& e : m.assembly.elements) e.mass.volume = 1e-3;
+  ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+  const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
+  writer.frame({0.0, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, std::array<float, 2>{}});
+  writer.cracks(
+      std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
+  writer.finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  const Building building = building_of(run);
+  const std::vector<Pose> start = first_poses(FrameReader(run));
+  BodyFinder finder(run, building, start);
+  std::vector<Pose> moved = start;
+  moved[1].centre.x += 0.9e-3;
+  CHECK(finder.find(2.0, moved).id == std::vector<std::uint8_t>{1, 1});
+  moved[1].centre.x += 0.2e-3;
+  CHECK(finder.find(0.5, moved).id == std::vector<std::uint8_t>{1, 1});  // not open yet
+  const BodiesInFrame two = finder.find(2.0, moved);
+  CHECK(std::set<std::uint8_t>(two.id.begin(), two.id.end()) == std::set<std::uint8_t>{1, 2});
+  CHECK(two.bodies[0].displacement.x + two.bodies[1].displacement.x == doctest::Approx(1.1e-3));
+  CHECK(body_name(two.bodies[0], building).find("stands") != std::string::npos);
+  CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
 }
 
 TEST_CASE("two runs stand in one page, each under its own names") {
