@@ -265,6 +265,7 @@ class Report {
     for (const { house } of this.panes) house.fixed = true;
     if (this.sized !== `${width} ${height}`) for (const { house } of this.panes) house.fitTo(width / this.panes.length, height, 1);
     this.sized = `${width} ${height}`;
+    if (between && view) this.show(this.last), this.look(view), (view = null); // a film has room for the debris from its beginning
     this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
     if (view) this.look(view);
     else for (const { house } of this.panes) house.render(); // drawImage must follow at once: the browser does not keep what it has shown

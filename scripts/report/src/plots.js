@@ -4,7 +4,9 @@
 import uPlot from "uplot";
 
 const kHeight = 168, kType = '11px system-ui, "DejaVu Sans", sans-serif';
-const number = (v) => (v === null || v === undefined ? "–" : v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(+v.toPrecision(3)));
+const small = (v) => String(v !== 0 && Math.abs(v) < 1e-3 ? v.toExponential(1) : +v.toPrecision(3));
+/** In little room: "202 k" is 202,000. */
+const number = (v) => (v === null || v === undefined ? "–" : Math.abs(v) >= 1e6 ? `${small(v / 1e6)} M` : Math.abs(v) >= 1e4 ? `${small(v / 1e3)} k` : small(v));
 
 /** A variable of the style sheet as a colour that a canvas knows. */
 function colour(name) {
