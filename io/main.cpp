@@ -24,6 +24,7 @@
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_keys.h"
+#include "io/report/stills.h"
 #include "io/results/provenance.h"
 #include "solver/world/errors.h"
 
@@ -104,6 +105,8 @@ void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
 
 void add_views(CLI::App* command, io::Views& views) {
   command->add_flag("--report", views.page, "at the end write the page that `voussoir report` writes");
+  command->add_option("--report-every", views.page_every, "write it while the run goes on, too: every so many s of wall-clock")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--paraview", views.paraview, "at the end write run.xdmf and paraview.h5 (0.3 MB a frame of a house)");
 }
 
@@ -164,21 +167,32 @@ void add_compare(CLI::App& app, Words& w) {
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& w : words) text += (text.empty() ? "" : ", ") + w;
+  return text;
+}
+
 void add_report(CLI::App& app, Words& w) {
   CLI::App* report = app.add_subcommand("report", "one HTML page that shows a run: 3D replay, histories, damage, energy");
-  report->add_option("DIR", w.report.folder, "folder of the run")->required();
-  report->add_option("-o,--output", w.report.output, "file of the page, or folder of the pictures (default: DIR/report.html, DIR/stills)");
+  report->add_option("DIR", w.report.folders, "folder of the run, or of two to see side by side")->required()->expected(1, 2);
+  report->add_option("-o,--output", w.report.output,
+                     "file of the page, or folder of the pictures (default: DIR/report.html, of two runs DIR/comparison.html; DIR/stills)");
   report->add_flag("--paraview", w.report.paraview, "write DIR/run.xdmf and DIR/paraview.h5 for ParaView instead of the page");
-  CLI::Option* stills =
-      report->add_option("--stills", w.report.stills.times, "pictures at these times, s, instead of the page: T,T,...; needs Chromium");
-  stills->delimiter(',')->allow_extra_args(false);
-  report->add_option("--view", w.report.stills.views, "of the pictures: corner, front, rear, side, top, or some of them (default: corner)")
+  report->add_option("--stills", w.report.times, "pictures at these times, s, instead of the page: T,T,... or T T ...; needs Chromium");
+  report->add_option("--film", w.report.film.file, "a film instead of the page: FILE.mp4, .webm or .gif; needs Chromium and ffmpeg");
+  report->add_option("--speed", w.report.film.speed, "of the film: 0.25 is four times slower than it was (default: 1)")
+      ->check(CLI::Range(0.001, 100.0));
+  report->add_option("--rate", w.report.film.rate, "pictures a second of the film (default: 25)")->check(CLI::Range(1, 50));
+  report->add_option("--view", w.report.views, "of the pictures or the film: " + joined(io::kViews) + ", or some of them (default: corner)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"corner", "front", "rear", "side", "top"}))
-      ->needs(stills);
+      ->check(CLI::IsMember(io::kViews));
   report->add_flag("--overwrite", w.report.overwrite, "replace existing files");
-  report->footer("example: voussoir report results/flat20n --stills 1.2,2.0,2.8,4.8 --view front");
+  report->footer(
+      "example: voussoir report results/flat20n --stills 1.2,2.0,2.8,4.8 --view front\n"
+      "         voussoir report results/flat20n --film flat20n.mp4 --speed 0.5\n"
+      "         voussoir report results/flat20n results/flat20s");
 }
 
 void add_summary(CLI::App& app, Words& w) {

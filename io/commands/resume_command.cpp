@@ -122,7 +122,7 @@ int resume_command(const ResumeOptions& o) {
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
-  const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet);
+  const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;
 }

@@ -29,7 +29,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;
-  const int code = run_session(c.value, sim, plan, results, checkpoints, folder.path(), o.quiet);
+  const int code = run_session(c.value, sim, plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;
 }

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "io/commands/progress.h"
+#include "io/commands/report_command.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "solver/world/errors.h"
@@ -82,8 +83,13 @@ void take_measures(ResultsWriter& results) {
 /// The observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
-  Watch(solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints, bool quiet)
-      : sim_(sim), plan_(plan), results_(results), checkpoints_(checkpoints), progress_(std::cerr, Progress::mode_for(2, quiet)) {}
+  Watch(solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints, LivePage page, bool quiet)
+      : sim_(sim),
+        plan_(plan),
+        results_(results),
+        checkpoints_(checkpoints),
+        page_(std::move(page)),
+        progress_(std::cerr, Progress::mode_for(2, quiet)) {}
 
   /// \return false to stop
   bool look(const solver::RunStatus& s) {
@@ -96,6 +102,7 @@ class Watch {
       ++saves_;
       saving_ += wall() - now;
     }
+    if (saved_) page_.look(now);
     return !stop;
   }
 
@@ -128,6 +135,7 @@ class Watch {
   solver::RunState& plan_;
   ResultsWriter& results_;
   Checkpoints& checkpoints_;
+  LivePage page_;
   Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool saved_ = false;
@@ -158,9 +166,9 @@ std::vector<std::string> history_names(const cases::Case& c) {
 }
 
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
-                const std::string& folder, bool quiet) {
+                const std::string& folder, bool quiet, double page_every) {
   const Signals signals;
-  Watch watch(sim, plan, results, checkpoints, quiet);
+  Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   try {
     const solver::RunResult r =
         solver::run(sim, plan, c, c.time.duration, results, [&](const solver::RunStatus& s) { return watch.look(s); });

@@ -21,9 +21,9 @@ std::vector<std::string> history_names(const cases::Case& c);
 /// Runs, or goes on from `plan`, to the end of the case; tells people how it goes and what came out.
 ///
 /// Checkpoints are written as scheduled and on signals: SIGUSR1 saves and goes on, SIGINT and SIGTERM save and stop. A checkpoint that
-/// cannot be written, but for the first and that of a stop, is a warning. \return kDone, kNumericalFailure, or 128 + the signal that
-/// stopped it \throw FileError if results cannot be written
+/// cannot be written, but for the first and that of a stop, is a warning. \param page_every  see LivePage \return kDone, kNumericalFailure,
+/// or 128 + the signal that stopped it \throw FileError if results cannot be written
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
-                const std::string& folder, bool quiet);
+                const std::string& folder, bool quiet, double page_every = 0);
 
 }  // namespace voussoir::io

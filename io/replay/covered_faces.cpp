@@ -33,19 +33,28 @@ void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const
 
 }  // namespace
 
-CoveredFaces covered_faces(const Hdf5File& run) {
+std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run) {
   const auto area = run.read<double>("/model/face/area");
-  const auto normal = run.read<float>("/model/face/normal");
-  const auto element = run.read<std::int32_t>("/model/face/element"), first_face = run.read<std::int32_t>("/model/element/first_face");
-  if (normal.size() != 3 * area.size() || element.size() != area.size()) throw FileError(run.path(), "/model/face does not fit together");
+  const auto first_face = run.read<std::int32_t>("/model/element/first_face");
   std::vector<double> covered(area.size());
   for (const char* side : {"a", "b"}) {
     const std::string at = "/model/joint/";
     add_areas(run, run.read<std::int32_t>(at + "element_" + side), run.read<std::int32_t>(at + "face_" + side), first_face, covered);
   }
+  std::vector<std::uint8_t> whole(area.size());
+  for (std::size_t f = 0; f < area.size(); ++f) whole[f] = covered[f] >= kWhole * area[f] ? 1 : 0;
+  return whole;
+}
+
+CoveredFaces covered_faces(const Hdf5File& run) {
+  const auto normal = run.read<float>("/model/face/normal");
+  const auto element = run.read<std::int32_t>("/model/face/element");
+  const std::vector<std::uint8_t> covered = covered_face_rows(run);
+  if (normal.size() != 3 * covered.size() || element.size() != covered.size())
+    throw FileError(run.path(), "/model/face does not fit together");
   CoveredFaces faces;
-  for (std::size_t f = 0; f < area.size(); ++f) {
-    if (covered[f] < kWhole * area[f]) continue;
+  for (std::size_t f = 0; f < covered.size(); ++f) {
+    if (covered[f] == 0) continue;
     faces.element.push_back(element[f]);
     faces.normal.insert(faces.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f),
                         normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));

@@ -17,5 +17,7 @@ struct CoveredFaces {
 
 /// \param run  its joints (a joint with the base counts), less those of the law "dry", which bonds nothing \throw FileError
 CoveredFaces covered_faces(const Hdf5File& run);
+/// The same as a flag for every row of /model/face. \throw FileError
+std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run);
 
 }  // namespace voussoir::io

@@ -9,7 +9,6 @@
 
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
-#include "io/replay/joint_openings.h"
 
 namespace voussoir::io {
 namespace {
@@ -40,12 +39,11 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
 
 }  // namespace
 
-OpenedFaces opened_faces(const Hdf5File& run) {
+OpenedFaces opened_faces(const Hdf5File& run, const std::vector<double>& since) {
   const auto normal = run.read<float>("/model/face/normal");
   const auto element = run.read<std::int32_t>("/model/face/element"), first_face = run.read<std::int32_t>("/model/element/first_face");
   if (normal.size() != 3 * element.size()) throw FileError(run.path(), "/model/face does not fit together");
   const std::array sides{joint_side(run, "a", first_face, element.size()), joint_side(run, "b", first_face, element.size())};
-  const std::vector<double> since = joint_opening_times(run);
   std::vector<double> opened(element.size(), kNever);
   for (const JointSide& side : sides) {
     if (side.face.size() != since.size()) throw FileError(run.path(), "/model/joint does not fit together");

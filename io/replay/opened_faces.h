@@ -9,14 +9,15 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// Faces on which a joint has come open, and since when: as soon as broken segments cover half of the joint.
+/// Faces on which a joint has come open, and since when.
 struct OpenedFaces {
   std::vector<std::int32_t> element;
   std::vector<float> normal;  // outward, in the reference configuration; three a face
   std::vector<float> time;    // s
 };
 
-/// \param run  its joints and cracks \throw FileError
-OpenedFaces opened_faces(const Hdf5File& run);
+/// \param run  its joints and faces
+/// \param since  when each joint counts as open [s], infinity: never; as joint_opening_times or JointCracks::shown \throw FileError
+OpenedFaces opened_faces(const Hdf5File& run, const std::vector<double>& since);
 
 }  // namespace voussoir::io

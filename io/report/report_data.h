@@ -3,19 +3,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 /// What the report page shows of a run.
 namespace voussoir::io {
 
-/// The data as elements of HTML that the page's program reads by their `id`: "facts" (JSON: title, plots, summary, measures, provenance,
-/// times, base, names of parts, quantum) and, packed (packed_text.h), "vertices" (float32, three a vertex, reference configuration),
-/// "cells" (int32, as /model/cells), "cell-types" (uint8), "cell-elements" (int32), "centroids" (float32, position0), "parts" (int32,
-/// number of each element's part), "covered-elements" (int32) and "covered-normals" (float32, three a face; see covered_faces.h),
-/// "opened-elements", "opened-normals" and "opened-times" (float32, s; see opened_faces.h), and "frames" (report_frames.h). \param run  a
-/// run.h5, of a finished run or not \throw FileError
-std::string report_data(const std::string& run);
+/// The data as elements of HTML that the page's program reads by their `id`: "facts" (JSON, report_facts.h) and, packed (packed_text.h),
+/// "vertices" (float32, three a vertex, reference configuration), "cells" (int32, as /model/cells), "cell-types" (uint8), "cell-elements"
+/// (int32), "centroids" (float32, position0), "parts" and "materials" (int32, an entry an element, into the names in facts),
+/// "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h), "opened-elements", "opened-normals" and
+/// "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint), "crack-edges" (uint8),
+/// "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of joint_cracks.h),
+/// "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), and "frames" (report_frames.h). \param run  a run.h5, of a
+/// finished run or not \param prefix  of all ids \throw FileError
+std::string report_data(const std::string& run, const std::string& prefix = "");
 
-/// The whole page: report_data within the page of scripts/report. \throw FileError
-std::string report_html(const std::string& run);
+/// The whole page: report_data of one run, or of two side by side (the ids of the second begin with "second-"), within the page of
+/// scripts/report. \throw FileError
+std::string report_html(const std::vector<std::string>& runs);
 
 }  // namespace voussoir::io

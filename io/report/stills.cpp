@@ -54,13 +54,13 @@ std::vector<Still> planned(const StillsOptions& o) {
 
 }  // namespace
 
-void write_stills(const std::string& run, const StillsOptions& o) {
-  check_times(run, o.times);
+void write_stills(const std::vector<std::string>& runs, const StillsOptions& o) {
+  check_times(runs.front(), o.times);
   const std::vector<Still> stills = planned(o);
   const ScratchFolder scratch;
   Browser browser(scratch.path());
   const std::string page = scratch.path() + "/page.html";
-  write_text_file(page, report_html(run));
+  write_text_file(page, report_html(runs));
   browser.open(page, "still");
   std::error_code fault;
   fs::create_directories(o.folder, fault);

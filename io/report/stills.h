@@ -7,17 +7,20 @@
 
 namespace voussoir::io {
 
+/// From where the page can show a house.
+inline const std::vector<std::string> kViews{"corner", "rearcorner", "front", "rear", "left", "side", "top", "plan"};
+
 struct StillsOptions {
   std::vector<double> times;                 // s; of each the nearest frame is drawn
-  std::vector<std::string> views{"corner"};  // of the page: corner, front, rear, side, top
+  std::vector<std::string> views{"corner"};  // names of kViews
   std::string folder;                        // for the pictures
   bool overwrite = false;
 };
 
-/// Pictures of a run as its report page shows it, on white: FOLDER/VIEW-TIMEs.png, as "front-2.8s.png", for every view and time.
-/// \param run  a run.h5
-/// \throw cases::InputError for a time that the run does not have; FileError if a picture exists and may not be replaced (both before
+/// Pictures of a run, or of two side by side, as its report page shows it, with title, time, scale and legend: FOLDER/VIEW-TIMEs.png, as
+/// "front-2.8s.png", for every view and time. \param runs  one or two run.h5
+/// \throw cases::InputError for a time that the first run does not have; FileError if a picture exists and may not be replaced (both before
 /// anything is drawn), or if there is no Chromium
-void write_stills(const std::string& run, const StillsOptions& o);
+void write_stills(const std::vector<std::string>& runs, const StillsOptions& o);
 
 }  // namespace voussoir::io

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // Opens a report page in headless Chromium with the network off and compares it with its run: positions within half a quantum, no message in
-// the console, no request, a panel that fits, a still, frames a second of replay; pictures at four times.
+// the console, no request, a panel that fits, a still, a film's picture, frames a second of replay; pictures at four times. Then what anyone
+// may ask of a page: axe-core without findings in light and dark, on a desk and on a phone; targets of 44 pixels there; keys that turn the
+// house; cracks that are seen while it stands (RED=1.8: at least 2,000 red pixels at that time in the corner view, under 5 % of the picture).
 // usage: node check.mjs PAGE.html RUN.h5 [FOLDER for pictures] (needs chromium and hdf5-tools)
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
@@ -25,15 +27,23 @@ const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
-const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, offline: true, colorScheme: process.env.SCHEME ?? "light" });
-const page = await context.newPage();
-page.on("console", (m) => ["error", "warning"].includes(m.type()) && !/GPU stall|Automatic fallback/.test(m.text()) && faults.push(m.text()));
-page.on("pageerror", (e) => faults.push(e.message));
-page.on("request", (r) => /^(file|data|blob):/.test(r.url()) || faults.push(`asks for ${r.url()}`));
+/** The page in a window of its own. */
+async function opened(options, fragment = "") {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, offline: true, colorScheme: process.env.SCHEME ?? "light", ...options });
+  const page = await context.newPage();
+  page.on("console", (m) => ["error", "warning"].includes(m.type()) && !/GPU stall|Automatic fallback/.test(m.text()) && faults.push(m.text()));
+  page.on("pageerror", (e) => faults.push(e.message));
+  page.on("request", (r) => /^(file|data|blob):/.test(r.url()) || faults.push(`asks for ${r.url()}`));
+  await page.goto("file://" + resolve(page_file) + fragment);
+  await page.locator("#status").waitFor({ state: "hidden", timeout: 120000 });
+  return page;
+}
+
+const megabytes = statSync(page_file).size / 1e6;
+if (megabytes >= 25) faults.push(`the page has ${megabytes.toFixed(1)} MB, more than 25`);
 const start = performance.now();
-await page.goto("file://" + resolve(page_file));
-await page.locator("#status").waitFor({ state: "hidden", timeout: 60000 });
-console.log(`loaded in ${((performance.now() - start) / 1000).toFixed(1)} s`);
+const page = await opened({}, "#motion=1");
+console.log(`${megabytes.toFixed(1)} MB, loaded in ${((performance.now() - start) / 1000).toFixed(1)} s`);
 
 const { last, n, quantum } = await page.evaluate("({ last: report.last, n: report.run.frames.n, quantum: report.run.facts.quantum })");
 for (const part of [0.2, 0.45, 0.6, 1]) {
@@ -66,6 +76,63 @@ const rate = await page.evaluate(`new Promise((done) => {
   setTimeout(() => { report.play(false); done((report.house.renderer.info.render.frame - before) / ((performance.now() - start) / 1000)); }, 4000);
 })`);
 console.log(`replay: ${rate.toFixed(1)} frames/s at 1280 x 720`);
+const shot = Buffer.from(await page.evaluate(`report.shot(report.times[report.last], "front", 640, 360)`), "base64");
+if (shot.readUInt16BE(0) !== 0xffd8) faults.push("a picture of a film is no JPEG");
+await page.close();
+
+/** Red pixels of a picture, counted by the browser. */
+const redOf = (page, png) => page.evaluate(async (png) => {
+  const image = new Image();
+  image.src = "data:image/png;base64," + png;
+  await image.decode();
+  const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }), c = canvas.getContext("2d");
+  c.drawImage(image, 0, 0);
+  const { data } = c.getImageData(0, 0, image.width, image.height);
+  let red = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i] > 140 && data[i + 1] < 100 && data[i + 2] < 100 && data[i] - data[i + 1] > 70) ++red;
+  return [red, red / (data.length / 4)];
+}, png);
+if (process.env.RED) {
+  const red_page = await opened({}, `#t=${process.env.RED}&view=corner`);
+  const [red, part] = await redOf(red_page, (await red_page.locator("#stage").screenshot()).toString("base64"));
+  console.log(`red pixels at ${process.env.RED} s: ${red}, ${(100 * part).toFixed(2)} % of the picture of the house`);
+  if (red < 2000 || part > 0.05) faults.push(`${red} red pixels at ${process.env.RED} s, ${(100 * part).toFixed(2)} %; at least 2000 and under 5 % are asked for`);
+  await red_page.close();
+}
+
+const axe = readFileSync(new URL("node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+for (const [name, options] of [["desk, light", { colorScheme: "light" }], ["desk, dark", { colorScheme: "dark" }], ["large", { viewport: { width: 1920, height: 1080 } }], ["phone", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }]]) {
+  const other = await opened(options);
+  await other.evaluate(`document.getElementById("more").open = document.getElementById("provenance").open = true`);
+  await other.evaluate(axe);
+  const { violations } = await other.evaluate("axe.run()");
+  console.log(`axe-core, ${name}: ${violations.length} findings`);
+  for (const v of violations) faults.push(`${name}: ${v.id} (${v.impact}): ${v.help}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" ")}`);
+  const wide = await other.evaluate("document.documentElement.scrollWidth - innerWidth");
+  if (wide > 0) faults.push(`${name}: the page is ${wide} pixels wider than the window`);
+  if (name === "phone") {
+    const small = await other.evaluate(`[...document.querySelectorAll("button:not(.tick), select, summary, input[type=range]")].filter((e) => e.offsetHeight > 0 && e.offsetHeight < 44).map((e) => e.id || e.textContent)`);
+    if (small.length > 0) faults.push(`phone: lower than 44 pixels: ${small}`);
+    await other.evaluate("scrollTo(0, 1500)");
+    const top = await other.evaluate(`document.getElementById("transport").getBoundingClientRect().top`);
+    if (top < -1 || top > 1) faults.push(`phone: the transport bar does not stay in view: it is at ${top}`);
+    if (await other.evaluate(`document.getElementById("view").style.touchAction`) !== "pan-y") faults.push("phone: a finger on the house does not move the page");
+  }
+  await other.close();
+}
+
+const keys = await opened({});
+await keys.locator("#view").focus();
+const cameras = [];
+for (const key of ["", "ArrowLeft", "ArrowUp", "+"]) {
+  if (key) await keys.keyboard.press(key);
+  cameras.push(await keys.evaluate("[...report.house.camera.position].map((x) => x.toFixed(3)).join()"));
+}
+if (new Set(cameras).size < 4) faults.push("a key on the house does not turn it or bring it nearer");
+await keys.waitForTimeout(700);
+const address = await keys.evaluate("location.hash");
+if (!/camera=[-0-9.,]+/.test(address)) faults.push(`the camera is not in the address: ${address}`);
+await keys.close();
 await browser.close();
 for (const f of faults) console.log(`FAULT ${f}`);
 console.log(`pictures in ${pictures}`);

@@ -19,7 +19,8 @@ export class Frames {
     const packed = new Uint8Array(buffer);
     this.values = new Int16Array(7 * n * count); // a frame: dx, dy, dz, w, x, y, z of all elements, one after the other
     this.brokenBytes = new Uint8Array(n * count);
-    for (let f = 0; f < count; ++f) this.#add(packed, f);
+    for (let f = 0; f < count && packed.length > 0; ++f) this.#add(packed, f);
+    if (packed.length === 0) this.values.fill(32767, 3 * n, 4 * n); // the model alone, as it was built
   }
 
   #add(packed, f) {
@@ -44,14 +45,26 @@ export class Frames {
   /** Displacement of element `e` along axis `k`, m. */
   displacement(at, e, k) { return this.quantum * this.#between(at, k, e); }
   distance(at, e) { return Math.hypot(this.displacement(at, e, 0), this.displacement(at, e, 1), this.displacement(at, e, 2)); }
-  /** Writes position and quaternion (x, y, z, w) of every element into `state`, every `stride` numbers one. */
-  place(at, state, stride) {
-    const { n, values, centroids, quantum } = this;
+  /** Largest displacement of all elements up to frame `last`, m. */
+  largest(last) {
+    let most = 0;
+    for (let f = 0; f <= last; ++f) {
+      const from = 7 * this.n * f;
+      for (let i = from; i < from + 3 * this.n; ++i) most = Math.max(most, Math.abs(this.values[i]));
+    }
+    return this.quantum * most;
+  }
+  /** Writes position and quaternion (x, y, z, w) of every element into `state`, every `stride` numbers one; displacements and rotations times
+   *  `magnified`. */
+  place(at, state, stride, magnified = 1) {
+    const { n, values, centroids } = this, quantum = magnified * this.quantum;
     const f = Math.min(Math.floor(at), this.count - 1), g = Math.min(f + 1, this.count - 1), w = at - f, v = 1 - w;
     for (let e = 0, to = 0, a = 7 * n * f, b = 7 * n * g; e < n; ++e, ++a, ++b, to += stride) {
       for (let k = 0; k < 3; ++k) state[to + k] = centroids[3 * e + k] + quantum * (v * values[a + k * n] + w * values[b + k * n]);
-      const q = (c) => v * values[a + c * n] + w * values[b + c * n];
-      const qw = q(3), qx = q(4), qy = q(5), qz = q(6), length = Math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz) || 1;
+      let qw = v * values[a + 3 * n] + w * values[b + 3 * n];
+      let qx = v * values[a + 4 * n] + w * values[b + 4 * n], qy = v * values[a + 5 * n] + w * values[b + 5 * n], qz = v * values[a + 6 * n] + w * values[b + 6 * n];
+      if (magnified !== 1) qx *= magnified, qy *= magnified, qz *= magnified; // small turns: half the angle is the length of the vector
+      const length = Math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz) || 1;
       state[to + 4] = qx / length, state[to + 5] = qy / length, state[to + 6] = qz / length, state[to + 7] = qw / length;
     }
   }
@@ -59,22 +72,54 @@ export class Frames {
   broken(at) { return this.brokenBytes.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
 }
 
-export async function loadRun() {
-  const facts = JSON.parse(document.getElementById("facts").textContent);
+/** How wide open joints are: a level for each joint in each frame (io/replay/joint_cracks.h). */
+class Cracks {
+  constructor(elements, edges, ends, levels, count) {
+    Object.assign(this, { elements, edges, ends, levels, joints: edges.length, count });
+    for (let i = edges.length; i < levels.length; ++i) levels[i] += levels[i - edges.length];
+  }
+  /** Levels of all joints at the frame before. */
+  at(at) { return this.levels.subarray(Math.floor(at) * this.joints, (Math.floor(at) + 1) * this.joints); }
+}
+
+/** Bodies that move as one: the number of each element's body in each frame, their names, hinges (io/report/report_bodies.h). */
+class Bodies {
+  constructor({ names, bodies, hinges }, ids, n) {
+    Object.assign(this, { texts: names, bodies, lines: hinges, ids, n });
+    for (let i = n; i < ids.length; ++i) ids[i] += ids[i - n];
+  }
+  at(at) { return this.ids.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
+  names(at) { return this.bodies[Math.floor(at)].map(([id, name]) => ({ id, name: this.texts[name] })); }
+  hinges(at) { return this.lines[Math.floor(at)].map((p) => ({ points: [p.slice(0, 3), p.slice(3)] })); }
+}
+
+/** @param prefix  of the ids of its elements: "" the first run, "second-" the one beside it */
+export async function loadRun(prefix = "") {
+  const element = document.getElementById(`${prefix}facts`);
+  if (!element) return null;
+  const facts = JSON.parse(element.textContent);
+  facts.model = facts.times.length === 0; // no frames yet
+  if (facts.model) facts.times = [0];
+  const get = (id) => inflate(prefix + id);
   const run = {
     facts,
-    vertices: new Float32Array(await inflate("vertices")),
-    cells: new Int32Array(await inflate("cells")),
-    cellTypes: new Uint8Array(await inflate("cell-types")),
-    cellElements: new Int32Array(await inflate("cell-elements")),
-    parts: new Int32Array(await inflate("parts")),
-    coveredElements: new Int32Array(await inflate("covered-elements")),
-    coveredNormals: new Float32Array(await inflate("covered-normals")),
-    openedElements: new Int32Array(await inflate("opened-elements")),
-    openedNormals: new Float32Array(await inflate("opened-normals")),
-    openedTimes: new Float32Array(await inflate("opened-times")),
+    vertices: new Float32Array(await get("vertices")),
+    cells: new Int32Array(await get("cells")),
+    cellTypes: new Uint8Array(await get("cell-types")),
+    cellElements: new Int32Array(await get("cell-elements")),
+    parts: new Int32Array(await get("parts")),
+    materials: new Int32Array(await get("materials")),
+    coveredElements: new Int32Array(await get("covered-elements")),
+    coveredNormals: new Float32Array(await get("covered-normals")),
+    openedElements: new Int32Array(await get("opened-elements")),
+    openedNormals: new Float32Array(await get("opened-normals")),
+    openedTimes: new Float32Array(await get("opened-times")),
   };
-  const centroids = new Float32Array(await inflate("centroids"));
-  run.frames = new Frames(await inflate("frames"), facts.times.length, centroids, facts.quantum);
+  const centroids = new Float32Array(await get("centroids"));
+  run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum);
+  const edges = new Uint8Array(await get("crack-edges"));
+  run.cracks = new Cracks(new Int32Array(await get("crack-elements")), edges, new Float32Array(await get("crack-ends")), facts.model ? new Uint8Array(edges.length) : new Uint8Array(await get("crack-levels")), facts.times.length);
+  const bodies = document.getElementById(`${prefix}bodies`);
+  if (bodies && !facts.model) run.frames.bodies = new Bodies(JSON.parse(bodies.textContent), new Uint8Array(await get("body-ids")), run.frames.n);
   return run;
 }

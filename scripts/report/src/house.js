@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // The house in three dimensions. Nothing is drawn unless something changed.
-import { Box3, GridHelper, Mesh, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Box3, Color, Mesh, PerspectiveCamera, Quaternion, Raycaster, SRGBColorSpace, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { brickMaterial, kBefore, kStride, stateTexture } from "./brick.js";
+import { brickMaterial, kBefore, kStride, shadowMaterial, stateTexture } from "./brick.js";
 import { kRed } from "./colours.js";
+import { CrackLines } from "./cracks.js";
 import { FaceOrder } from "./order.js";
 import { allShapes } from "./shapes.js";
+import { Surroundings } from "./surroundings.js";
+import { fit, kViews } from "./views.js";
 
-const kViews = { corner: [1, -1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1] };
+const kLight = { background: [0.965, 0.96, 0.945], ground: [0.895, 0.875, 0.84], shadow: [0.8, 0.775, 0.735] };
+const kDark = { background: [0.105, 0.11, 0.12], ground: [0.2, 0.195, 0.185], shadow: [0.13, 0.125, 0.12] };
 
 /** Whether the processor draws; smoothing by four samples a pixel would then halve the rate of frames. */
 function drawsInSoftware() {
@@ -20,89 +24,165 @@ function drawsInSoftware() {
 }
 
 export class House {
-  /** @param still  it is for pictures, not for replay: smooth wherever it is drawn, and drawn on white */
+  /** @param still  it is for pictures, not for replay: smooth wherever it is drawn */
   constructor(canvas, run, still) {
     this.run = run;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: still || !drawsInSoftware(), alpha: !still });
-    if (still) this.renderer.setClearColor(0xffffff);
+    this.software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: still || !this.software });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 1, 2);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.draw());
-    this.#build();
+    canvas.style.touchAction = "pan-y"; // a finger that goes up or down moves the page; across, or two fingers, the house
+    this.controls.addEventListener("change", () => this.turned());
+    this.moving = false; // while it plays, what takes long is left out
+    this.hidden = new Uint8Array(run.frames.n + 1);
+    this.partly = false;
     this.#measure();
-    if (run.facts.base !== null) this.#layGround(run.facts.base);
-    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
-    this.#resize();
+    this.around = new Surroundings(this.scene, this.low, this.high, run.facts);
+    this.#build();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
   }
 
-  /** A grid of metres on the base. */
-  #layGround(height) {
-    const metres = Math.max(40, 2 * Math.ceil(2 * this.size));
-    const grid = new GridHelper(metres, metres, 0x888888, 0x888888);
-    grid.rotation.x = Math.PI / 2;
-    grid.position.z = height;
-    grid.material.transparent = true;
-    grid.material.opacity = 0.35;
-    this.scene.add(grid);
+  /** The camera has moved. */
+  turned() {
+    this.draw();
+    this.onTurn?.(this);
   }
 
   #build() {
-    const { geometry, faces, extent } = allShapes(this.run);
+    const { run } = this, { geometry, faces, extent } = allShapes(run);
     this.order = new FaceOrder(geometry, faces);
     this.extent = extent;
-    this.texture = stateTexture(this.run.frames.n);
+    this.texture = stateTexture(run.frames.n);
     this.state = this.texture.image.data;
     this.material = brickMaterial(this.texture, kRed);
     const mesh = new Mesh(geometry, this.material);
     mesh.frustumCulled = false; // the geometry does not know where its elements are
-    this.scene.add(mesh);
+    this.lines = new CrackLines(run, this.texture, kRed);
+    this.scene.add(mesh, this.lines.mesh);
+    if (run.facts.base === null) return;
+    this.shadow = new Mesh(geometry, shadowMaterial(this.texture, run.facts.base, kLight.shadow));
+    this.shadow.frustumCulled = false;
+    this.shadow.renderOrder = -1;
+    this.scene.add(this.shadow);
   }
 
   #measure() {
-    const v = this.run.vertices, low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-    for (let i = 0; i < v.length; i += 3) {
-      low.min(new Vector3(v[i], v[i + 1], v[i + 2]));
-      high.max(new Vector3(v[i], v[i + 1], v[i + 2]));
-    }
-    this.centre = low.clone().add(high).multiplyScalar(0.5);
-    this.size = high.distanceTo(low);
-    this.camera.near = 0.005 * this.size;
-    this.camera.far = 100 * this.size;
+    const v = this.run.vertices, low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate(), p = new Vector3();
+    for (let i = 0; i < v.length; i += 3) low.min(p.set(v[i], v[i + 1], v[i + 2])), high.max(p);
+    Object.assign(this, { low, high, centre: low.clone().add(high).multiplyScalar(0.5), size: high.distanceTo(low) });
+    this.camera.near = 0.01 * this.size;
+    this.camera.far = 60 * this.size;
   }
 
-  /** From one of the views; `distance` in diagonals of the house. */
-  look(name, distance = 2.3) {
-    this.controls.target.copy(this.centre);
-    this.camera.position.copy(new Vector3(...kViews[name]).normalize().multiplyScalar(distance * this.size).add(this.centre));
-    this.controls.update();
+  /** Colours of day or of night. */
+  dress(dark) {
+    const { background, ground, shadow } = dark ? kDark : kLight;
+    this.renderer.setClearColor(new Color().setRGB(...background, SRGBColorSpace));
+    this.dressed = true;
+    this.around.dress(background, ground);
+    if (this.shadow) this.shadow.material.uniforms.colour.value = shadow;
     this.draw();
   }
 
-  #resize() {
+  /** What a picture has to hold: the house as it was, and where its elements are now, but for the few that went far. */
+  #extent() {
+    const { low, high, size, state } = this, points = [];
+    for (let i = 0; i < 8; ++i) points.push(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+    const middle = this.centre;
+    for (let e = 0; this.broken && e < this.run.frames.n; ++e) {
+      const at = kStride * e, far = Math.hypot(state[at] - middle.x, state[at + 1] - middle.y);
+      if (!this.hidden[e] && far < 1.3 * size && far > 0.4 * size) points.push(state[at], state[at + 1], state[at + 2]);
+    }
+    return points;
+  }
+
+  /** From one of the views. */
+  look(name) {
+    this.view = name;
+    this.hideRoof(name === "plan");
+    this.around.distances && (this.around.distances.visible = name === "plan");
+    this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), this.fixed ? 0.76 : 0.88));
+    this.controls.update();
+    this.turned();
+  }
+
+  /** The camera and what it looks at: six numbers. */
+  place(numbers) {
+    this.camera.position.fromArray(numbers);
+    this.controls.target.fromArray(numbers, 3);
+    this.controls.update();
+    this.turned();
+  }
+
+  /** Turns about the target by angles, and goes nearer by a factor. */
+  orbit(across, up, nearer = 1) {
+    const back = this.camera.position.clone().sub(this.controls.target), length = back.length() / nearer;
+    const azimuth = Math.atan2(back.y, back.x) + across, flat = Math.hypot(back.x, back.y);
+    const height = Math.min(1.55, Math.max(-0.3, Math.atan2(back.z, flat) + up));
+    back.set(Math.cos(azimuth) * Math.cos(height), Math.sin(azimuth) * Math.cos(height), Math.sin(height)).multiplyScalar(length);
+    this.camera.position.copy(this.controls.target).add(back);
+    this.controls.update();
+    this.turned();
+  }
+
+  resize() {
+    if (this.fixed) return; // pictures have a size of their own
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;
-    this.#fit(width, height, Math.min(window.devicePixelRatio, 2));
-    this.draw();
+    this.fitTo(width, height, Math.min(window.devicePixelRatio, 2));
+    if (this.onResize) this.onResize();
+    else this.draw();
   }
 
-  #fit(width, height, ratio) {
+  fitTo(width, height, ratio) {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    this.lines.material.uniforms.pixels.value = [width * ratio, height * ratio];
+    this.lines.material.uniforms.scale.value = Math.max(ratio, (height * ratio) / 640);
   }
 
-  /** Puts every element where it is at frame `at` (need not be whole); `paint` writes their colours (see colours.js). Faces that have come
-   *  open by the time `now` are red. */
-  show(at, paint, now = kBefore) {
-    this.run.frames.place(at, this.state, kStride);
-    paint(at, this.state);
+  /** Hides elements of the roof. */
+  hideRoof(on) {
+    this.roofOff = on;
+    this.#hide();
+  }
+  /** Hides what lies before a plane: null, or {axis, at: its place between the ends of the house, 0 to 1}. */
+  cut(plane) {
+    this.plane = plane;
+    this.#hide();
+  }
+  #hide() {
+    const { parts, facts, frames } = this.run, roof = facts.parts.map((name) => /roof|vault|voussoir/.test(name));
+    const { plane, low, high } = this, axis = plane?.axis ?? 0, at = low.getComponent(axis) + (plane?.at ?? 0) * (high.getComponent(axis) - low.getComponent(axis));
+    for (let e = 0; e < frames.n; ++e) this.hidden[e] = (this.roofOff && roof[parts[e]]) || (plane && frames.centroids[3 * e + axis] < at) ? 1 : 0;
+    this.partly = Boolean(this.roofOff || plane);
+    if (this.broken) this.lines.update(this.at, this.hidden);
+  }
+
+  /** Puts every element where it is at frame `at` (need not be whole), in the colours of `colouring` (colours.js). Faces that have come open by
+   *  the time `now` are red, if the colouring says so. */
+  show(at, colouring, now, magnified) {
+    this.at = at;
+    this.run.frames.place(at, this.state, kStride, magnified);
+    if (colouring !== this.colouring || !colouring.steady) colouring.paint(at, this.state);
+    this.colouring = colouring;
     this.broken = this.run.frames.broken(at);
     this.texture.needsUpdate = true;
-    this.material.uniforms.now.value = now;
+    this.material.uniforms.now.value = colouring.opened ? now : kBefore;
+    this.material.uniforms.edges.value = colouring.edges;
+    this.lines.mesh.visible = Boolean(colouring.lines);
+    if (colouring.lines) this.lines.update(at, this.hidden);
+    this.draw();
+  }
+
+  /** Lights up an element; -1: none. */
+  lightUp(element) {
+    this.material.uniforms.picked.value = element;
     this.draw();
   }
 
@@ -112,6 +192,7 @@ export class House {
     caster.setFromCamera(new Vector2((2 * (x - r.left)) / r.width - 1, 1 - (2 * (y - r.top)) / r.height), this.camera);
     let nearest = Infinity, picked = -1;
     for (let e = 0, at = 0; e < this.run.frames.n; ++e, at += kStride) {
+      if (this.hidden[e]) continue;
       turn.fromArray(this.state, at + 4).invert();
       const ray = caster.ray.clone(); // as the element sees it
       ray.origin.sub(new Vector3().fromArray(this.state, at)).applyQuaternion(turn);
@@ -126,23 +207,16 @@ export class House {
     return picked;
   }
 
-  /** A picture from one of the views as a PNG in base64, of so many pixels: nearer than for replay, except from above, where debris counts. */
-  picture(view, width, height) {
-    this.#fit(width, height, 1);
-    this.look(view, view === "top" ? 2.3 : 1.75);
-    this.#render(); // toDataURL must follow at once: the browser does not keep what it has shown
-    const url = this.canvas.toDataURL("image/png");
-    this.#resize();
-    return url.slice(url.indexOf(",") + 1);
-  }
-
-  #render() {
-    this.order.update(this.state, this.broken, this.camera.position);
+  render() {
+    this.order.update(this.state, this.broken, this.camera.position, this.hidden, this.partly);
+    if (this.shadow) this.shadow.visible = !(this.software && this.moving);
     this.renderer.render(this.scene, this.camera);
   }
 
   /** At once, not at the browser's next frame: a picture of the page taken by others then has the house in it, too. */
   draw() {
-    if (this.broken) this.#render();
+    if (!this.broken || !this.dressed) return;
+    this.render();
+    this.onDraw?.(this);
   }
 }

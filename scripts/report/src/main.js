@@ -1,94 +1,245 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-import { colourings } from "./colours.js";
+import { kStride } from "./brick.js";
 import { loadRun } from "./data.js";
-import { House } from "./house.js";
+import { showLegend } from "./legend.js";
+import { drawOverlay } from "./overlay.js";
+import { Pane } from "./pane.js";
+import { compose, kPaper, Recorder } from "./pictures.js";
 import { Plot } from "./plots.js";
-import { showSummary } from "./summary.js";
+import { showSummary, subtitle } from "./summary.js";
+import { showTimeline } from "./timeline.js";
+import { cameraNumbers, cameraText } from "./views.js";
 
 const by = (id) => document.getElementById(id);
+/** Sets a text that has changed: the browser would lay the page out anew for the same one, too. */
+function say(id, text) {
+  if (by(id).textContent !== text) by(id).textContent = text;
+}
+const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
+const kSeldom = 8; // while it plays, only every so many frames are written upon and read in all plots
 
 class Report {
-  /** @param asked  what the page's address asks for after '#': t, view, colour; still: see House */
-  constructor(run, asked) {
-    this.run = run;
-    this.times = run.facts.times;
+  /** @param runs  one, or two to see side by side  @param asked  what the page's address asks for after '#': t, view or camera, colour, motion;
+   *  still: see House */
+  constructor(runs, asked) {
+    this.runs = runs;
+    const ends = runs.map((run) => run.facts.times.at(-1) ?? -Infinity);
+    this.run = runs[ends.indexOf(Math.max(...ends))]; // its frames are those of the slider
+    this.times = this.run.facts.times;
     this.last = this.times.length - 1;
     this.at = 0; // frame; between two while it plays
     this.playing = false;
-    this.colours = colourings(run);
-    // Figures and plots need no frames, and the plots reach as far as their rows.
-    const ends = [this.times, ...run.facts.plots.map((p) => p.t)].map((t) => t.at(-1) ?? 0);
-    this.from = this.times[0] ?? 0;
-    this.until = Math.max(this.from, ...ends);
-    this.plots = run.facts.plots.map((p) => this.#plot(p));
-    by("title").textContent = document.title = run.facts.title;
-    showSummary(by("summary"), run);
-    by("status").textContent = this.last < 0 ? "The run has no frames." : "";
-    if (this.last < 0) return;
-    this.#build(asked.has("still"));
+    this.panes = [];
+    this.dark = matchMedia("(prefers-color-scheme: dark)");
+    this.#describeRun();
+    by("status").textContent = "";
+    this.#build(asked);
     by("time").max = this.last;
     this.#listen();
     this.#open(asked);
   }
 
-  #plot(p) { return new Plot(by("plots"), p, this.from, this.until, (t) => this.seek(t)); }
+  /** Figures and plots need no frames, and the plots reach as far as their rows. */
+  #describeRun() {
+    const { runs } = this, ends = runs.flatMap(({ facts }) => [facts.times, ...facts.plots.map((p) => p.t)]).map((t) => t.at(-1) ?? 0);
+    this.from = this.times[0] ?? 0;
+    this.until = Math.max(this.from, ...ends);
+    by("title").textContent = document.title = runs.map((run, i) => (runs.length > 1 ? `${"AB"[i]}: ` : "") + run.facts.title).join("  |  ");
+    by("subtitle").textContent = runs.map((run) => subtitle(run) + (run.facts.model ? " · the model, before it moves" : "")).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
+    showSummary(by("keys"), by("summary"), by("provenance").lastElementChild, runs);
+    const titles = [...new Set(runs.flatMap((run) => run.facts.plots.map((p) => p.title)))];
+    this.plots = titles.map((title) => new Plot(by("plots"), runs.map((run) => run.facts.plots.find((p) => p.title === title)), this.from, this.until, (t) => this.seek(t)));
+    const end = this.times.at(-1) ?? this.until; // of the slider
+    showTimeline(by("bands"), by("ticks"), this.run.facts, this.from, end, (t) => this.seek(t));
+  }
 
   /** Where the browser cannot draw in three dimensions, the rest of the page is still there. */
-  #build(still) {
+  #build(asked) {
+    const still = asked.has("still");
     try {
-      this.house = new House(by("view"), this.run, still);
+      const first = document.querySelector(".pane");
+      this.runs.forEach((run, i) => {
+        const element = i === 0 ? first : by("panes").appendChild(first.cloneNode(true));
+        if (i > 0) element.querySelector(".view").removeAttribute("id");
+        if (this.runs.length > 1) element.appendChild(Object.assign(document.createElement("div"), { className: "letter", textContent: "AB"[i] }));
+        const pane = new Pane(run, element, still && !asked.has("film"));
+        pane.house.onDraw = () => this.#overlay(pane);
+        pane.house.onTurn = () => this.#turned(pane);
+        pane.house.onResize = () => this.#resized(pane);
+        this.panes.push(pane);
+      });
+      this.pane = this.panes.find((p) => p.run === this.run);
+      this.house = this.pane.house;
+      if (this.run.frames.bodies) by("colour").add(new Option("bodies that move as one", "bodies"));
+      this.#dress(still);
+      for (const { house } of this.panes) house.resize();
     } catch (error) {
       if (still) throw error;
       by("status").textContent = `The house cannot be drawn: ${error.message}`;
     }
   }
 
+  #dress(still) {
+    this.still_ = still || this.still_;
+    if (this.still_) document.body.style.visibility = "hidden"; // pictures are made elsewhere; painting the page would only take time
+    this.ink = this.dark.matches && !this.still_ ? kNight : kPaper;
+    for (const { house } of this.panes) house.dress(this.dark.matches && !this.still_);
+  }
+
+  /** Two houses are seen with one camera. */
+  #turned(from) {
+    if (this.turning) return;
+    this.turning = true;
+    for (const { house } of this.panes) if (house !== from.house) house.place([...from.house.camera.position, ...from.house.controls.target]);
+    this.turning = false;
+    if (this.opened && !this.looking && by("camera").value !== "free") by("camera").value = "free";
+    this.#remember();
+  }
+
+  /** A view named is fitted anew to the room there is; a camera turned by hand stays. */
+  #resized(pane) {
+    if (this.opened && !this.composing && by("camera").value !== "free") this.look(by("camera").value);
+    else pane.house.draw();
+  }
+
+  look(view) {
+    this.looking = true;
+    const camera = [];
+    for (const { house } of this.panes) {
+      this.turning = true;
+      house.look(view);
+      camera.push([...house.camera.position, ...house.controls.target]);
+    }
+    this.turning = false;
+    const far = camera.map((c) => Math.hypot(c[0] - c[3], c[1] - c[4], c[2] - c[5])); // the farther of two sees both whole
+    for (const { house } of this.panes) if (this.panes.length > 1) house.place(camera[far.indexOf(Math.max(...far))]);
+    by("roofless").checked = view === "plan";
+    this.looking = false;
+    this.#remember();
+  }
+
   #listen() {
+    const { panes } = this, redraw = () => this.show(this.at), houses = (act) => () => (panes.forEach(({ house }) => act(house)), redraw());
     by("time").addEventListener("input", (e) => this.show(Number(e.target.value)));
     by("play").addEventListener("click", () => this.play(!this.playing));
-    by("colour").addEventListener("change", () => this.show(this.at));
-    by("camera").addEventListener("change", (e) => this.house?.look(e.target.value));
-    let down = [0, 0];
-    by("view").addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
-    by("view").addEventListener("pointerup", (e) => {
-      if (this.house && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(this.house.pick(e.clientX, e.clientY));
-    });
+    for (const id of ["colour", "magnify", "names"]) by(id).addEventListener("change", redraw);
+    by("camera").addEventListener("change", (e) => this.look(e.target.value));
+    by("roofless").addEventListener("change", houses((house) => house.hideRoof(by("roofless").checked)));
+    by("rooms").addEventListener("change", houses((house) => house.around.rooms && (house.around.rooms.visible = by("rooms").checked)));
+    for (const id of ["section", "cut"]) by(id).addEventListener("input", houses((house) => house.cut(by("section").value === "" ? null : { axis: Number(by("section").value), at: by("cut").value / 100 })));
+    by("record").addEventListener("click", () => this.record(!this.recorder));
+    this.dark.addEventListener("change", () => (this.#dress(), this.plots.forEach((p) => p.dress()), redraw()));
+    panes.forEach((pane) => this.#listenTo(pane));
     document.addEventListener("keydown", (e) => this.#key(e));
   }
 
+  #listenTo(pane) {
+    let down = [0, 0];
+    const view = pane.house.canvas;
+    view.addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
+    view.addEventListener("pointerup", (e) => {
+      if (Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(pane.house.pick(e.clientX, e.clientY), pane);
+    });
+    const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08], "+": [0, 0, 1.15], "=": [0, 0, 1.15], "-": [0, 0, 1 / 1.15] };
+    view.addEventListener("keydown", (e) => {
+      if (!turns[e.key] || e.altKey || e.ctrlKey || e.metaKey) return;
+      pane.house.orbit(...turns[e.key]);
+      e.preventDefault(), e.stopPropagation();
+    });
+  }
+
   #open(asked) {
-    for (const [id, name] of [["camera", "view"], ["colour", "colour"]]) {
-      const known = [...by(id).options].some((o) => o.value === asked.get(name));
-      if (known) by(id).value = asked.get(name);
+    const old = { faces: "cracks" }; // a name of earlier versions
+    for (const [id, name] of [["camera", "view"], ["colour", "colour"], ["magnify", "motion"]]) {
+      const value = old[asked.get(name)] ?? asked.get(name);
+      if ([...by(id).options].some((o) => o.value === value)) by(id).value = value;
     }
-    this.house?.look(by("camera").value);
+    const camera = cameraNumbers(asked.get("camera"));
+    if (by("camera").value === "free") by("camera").value = "corner";
     this.seek(Number(asked.get("t") ?? this.times[0]));
+    this.look(by("camera").value);
+    this.opened = true;
+    if (camera) this.house?.place(camera);
+  }
+
+  /** Keeps time, colours and camera in the page's address, once it is at rest. */
+  #remember() {
+    if (!this.opened || this.still_) return;
+    clearTimeout(this.remembering);
+    this.remembering = setTimeout(() => {
+      const parts = [`t=${+this.time().toFixed(3)}`, `colour=${by("colour").value}`, by("magnify").value !== "auto" && `motion=${by("magnify").value}`];
+      parts.push(by("camera").value === "free" ? `camera=${cameraText(this.house.camera, this.house.controls.target)}` : `view=${by("camera").value}`);
+      history.replaceState(null, "", "#" + parts.filter(Boolean).join("&"));
+    }, 400);
   }
 
   #key(event) {
     const step = event.shiftKey ? 10 : 1, here = Math.round(this.at);
     const to = { ArrowLeft: here - step, ArrowRight: here + step, Home: 0, End: this.last }[event.key];
-    if (event.target.matches("select") || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.key === " " && !event.target.matches("button")) event.repeat || this.play(!this.playing);
+    if (event.target.matches("select, #cut") || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (event.key === " " && !event.target.matches("button, summary, input[type=checkbox]")) event.repeat || this.play(!this.playing);
     else if (to !== undefined) this.show(to);
     else return;
     event.preventDefault();
   }
 
-  /** Shows frame `at`, which need not be whole. */
+  /** Shows frame `at` of the run whose frames are on the slider; it need not be whole. */
   show(at) {
-    if (this.last < 0) return;
     this.at = Math.min(Math.max(at, 0), this.last);
-    const { paint, legend, opened } = this.colours[by("colour").value];
-    this.house?.show(this.at, paint, opened ? this.time() : undefined);
-    if (this.legend !== legend) by("legend").innerHTML = this.legend = legend;
-    const t = this.time();
-    by("clock").textContent = `${t.toFixed(2)} s`;
+    const t = this.time(), name = by("colour").value, size = by("magnify").value;
+    let large = 1;
+    for (const pane of this.panes) {
+      const own = pane === this.pane ? this.at : pane.frameAt(t);
+      large = size === "auto" ? this.pane.magnify(t) : Number(size);
+      if (by("follow").checked && pane.picked >= 0) this.#follow(pane);
+      pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
+    }
+    this.large = large;
+    say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);
+    this.#legend(name);
+    if (this.still_) return; // nobody looks at the page
+    say("clock", `${t.toFixed(2)} s`);
     by("time").value = Math.round(this.at);
     by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
-    for (const plot of this.plots) plot.now(t);
+    this.#plotsNow(t);
     this.#describe();
+    this.#remember();
+    this.recorder?.shot();
+  }
+
+  #legend(name) {
+    if (!this.pane) return;
+    const entries = (this.pane.colours[name] ?? this.pane.colours.cracks).legend(this.at), key = JSON.stringify(entries);
+    if (key !== this.legendKey) showLegend(by("legend"), entries);
+    this.legendKey = key;
+    this.legend = entries;
+  }
+
+  #plotsNow(t) {
+    this.unread = (this.unread ?? 0) + 1;
+    const read = !this.playing || this.unread >= kSeldom;
+    if (read) this.unread = 0;
+    for (const plot of this.plots) plot.now(t, read);
+  }
+
+  #overlayOf(pane) {
+    const t = this.time(), plan = pane.house.view === "plan";
+    return { names: by("names").checked && !plan, ground: pane.groundAt(t), distances: plan, hinges: by("colour").value === "bodies" ? pane.run.frames.bodies?.hinges(pane.house.at) : null };
+  }
+
+  #overlay(pane) {
+    if (this.composing) return;
+    // While it plays, writing it all at every frame would take as long as the house.
+    const camera = cameraText(pane.house.camera, pane.house.controls.target);
+    if (this.playing && camera === pane.written && ++pane.unwritten < kSeldom) return;
+    pane.written = camera, pane.unwritten = 0;
+    const canvas = pane.element.querySelector(".overlay"), ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) canvas.width = Math.round(width * ratio), canvas.height = Math.round(height * ratio);
+    const c = canvas.getContext("2d");
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.clearRect(0, 0, width, height);
+    drawOverlay(c, pane.house, width, height, 13, this.#overlayOf(pane), this.ink);
   }
 
   time() {
@@ -97,23 +248,58 @@ class Report {
   }
 
   seek(t) {
-    const after = this.times.findIndex((x) => x >= t);
+    const after = this.times.findIndex((x) => x >= t - 1e-9);
     this.show(after < 0 ? this.last : after);
   }
 
-  /** A picture from one of the views at the frame nearest to time `t`: a PNG in base64, of so many pixels. */
-  still(t, view, width, height) {
-    const off = (f) => Math.abs(this.times[f] - t);
-    this.show(this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
-    return this.house.picture(view, width, height);
+  #caption() {
+    const time = this.time();
+    return { title: by("title").textContent, subtitle: by("subtitle").textContent, clock: `${time.toFixed(2)} s`, note: by("note").textContent, legend: this.legend };
   }
+
+  /** A picture at the time `t` as bytes in base64. @param view  one of the views; null: the camera as it is  @param between  whether elements
+   *  are put between two frames; else the nearest frame is shown */
+  #picture(t, view, width, height, type, between) {
+    const off = (f) => Math.abs(this.times[f] - t);
+    this.composing = true;
+    for (const { house } of this.panes) house.fixed = true;
+    if (this.sized !== `${width} ${height}`) for (const { house } of this.panes) house.fitTo(width / this.panes.length, height, 1);
+    this.sized = `${width} ${height}`;
+    if (between && view) this.show(this.last), this.look(view), (view = null); // a film has room for the debris from its beginning
+    this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    if (view) this.look(view);
+    else for (const { house } of this.panes) house.render(); // drawImage must follow at once: the browser does not keep what it has shown
+    const canvas = (this.paper ??= document.createElement("canvas"));
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    compose(canvas.getContext("2d"), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
+    this.composing = false;
+    const url = canvas.toDataURL(type, 0.95);
+    return url.slice(url.indexOf(",") + 1);
+  }
+
+  /** A PNG in base64 from one of the views at the frame nearest to time `t`, with title, time, scale and legend. */
+  still(t, view, width, height) {
+    const png = this.#picture(t, view, width, height, "image/png", false);
+    if (!this.still_) {
+      this.sized = "";
+      for (const { house } of this.panes) house.fixed = false, house.resize();
+    }
+    return png;
+  }
+
+  /** A JPEG in base64 of a film: the first from the view named, all others from where that was seen. */
+  shot(t, view, width, height) { return this.#picture(t, view, width, height, "image/jpeg", true); }
 
   play(on) {
     this.playing = on;
     cancelAnimationFrame(this.next);
+    for (const { house } of this.panes) house.moving = on;
     by("play").textContent = on ? "Pause" : "Play";
     for (const id of ["clock", "picked"]) by(id).setAttribute("aria-live", on ? "off" : "polite"); // else every frame is read out
-    if (!on) return;
+    if (!on) {
+      if (this.recorder) this.record(false);
+      return this.show(this.at);
+    }
     if (this.at >= this.last) this.show(0);
     let before = performance.now();
     const tick = (now) => {
@@ -137,31 +323,68 @@ class Report {
     this.show(f);
   }
 
-  /** Follows an element: its displacement over time as a plot. -1: none. */
-  pick(element) {
-    this.picked = element;
-    this.own?.svg.parentElement.remove();
+  /** Plays and writes what is seen into a film, which the browser then saves. */
+  record(on) {
+    by("record").textContent = on ? "Stop recording" : "Record a film";
+    if (on) {
+      const stage = by("stage"), draw = (c) => (this.panes.forEach(({ house }) => house.render()), compose(c, this.panes, this.#caption(), (pane) => this.#overlayOf(pane)));
+      this.recorder = new Recorder(stage.clientWidth, stage.clientHeight, draw, (film) => this.#save(film));
+      if (!this.playing) this.play(true);
+    } else {
+      const { recorder } = this;
+      this.recorder = null;
+      recorder?.stop();
+      if (this.playing) this.play(false);
+    }
+  }
+
+  #save(film) {
+    this.film = film;
+    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(film), download: `${this.run.facts.title.split(":")[0].toLowerCase() || "voussoir"}.webm` });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  /** The camera goes where the picked element goes. */
+  #follow(pane) {
+    const { house } = pane, at = kStride * pane.picked, here = [0, 1, 2].map((k) => house.state[at + k]);
+    if (pane.followed) {
+      const numbers = [...house.camera.position, ...house.controls.target];
+      house.camera.position.fromArray(numbers.slice(0, 3).map((x, k) => x + here[k] - pane.followed[k]));
+      house.controls.target.fromArray(numbers.slice(3).map((x, k) => x + here[k] - pane.followed[k]));
+    }
+    pane.followed = here;
+  }
+
+  /** Lights up an element, with its displacement over time as the first plot. -1: none. */
+  pick(element, pane = this.pane) {
+    for (const p of this.panes) p.picked = p === pane ? element : -1, p.followed = null, p.house.lightUp(p.picked);
+    this.picked = pane;
+    this.own?.remove();
     this.plots = this.plots.filter((p) => p !== this.own);
     this.own = undefined;
     if (element >= 0) {
-      const frames = this.run.frames, along = (k) => this.times.map((_, f) => frames.displacement(f, element, k));
-      const plot = { title: `Displacement of element ${element}`, unit: "m", t: this.times, curves: ["x", "y", "z"].map((name, k) => ({ name, y: along(k) })) };
-      this.own = this.#plot(plot);
-      by("plots").prepend(this.own.svg.parentElement);
+      const { frames } = pane.run, along = (k) => pane.times.map((_, f) => 1000 * frames.displacement(f, element, k));
+      const plot = { title: `Displacement of element ${element}`, unit: "mm", t: pane.times, curves: ["x", "y", "z"].map((name, k) => ({ name, y: along(k) })) };
+      this.own = new Plot(by("plots"), [plot], this.from, this.until, (t) => this.seek(t));
+      by("plots").prepend(this.own.figure);
+      this.own.figure.scrollIntoView({ block: "nearest" });
       this.plots.push(this.own);
     }
     this.show(this.at);
   }
 
   #describe() {
-    const e = this.picked ?? -1, { frames, parts, facts } = this.run;
-    by("picked").textContent = e < 0 ? "" : `Element ${e}, ${facts.parts[parts[e]]}: displaced ${frames.distance(this.at, e).toFixed(3)} m, ${Math.round(frames.broken(this.at)[e] / 2.55)} % of its bonds broken`;
+    const pane = this.picked, e = pane?.picked ?? -1;
+    if (e < 0) return say("picked", "");
+    const { frames, parts, facts } = pane.run, at = pane.house.at;
+    say("picked", `Element ${e}, ${facts.parts[parts[e]]}: displaced ${(1000 * frames.distance(at, e)).toFixed(1)} mm, ${Math.round(frames.broken(at)[e] / 2.55)} % of its bonds broken`);
   }
 }
 
 async function open() {
-  const run = await loadRun();
-  return (window.report = new Report(run, new URLSearchParams(location.hash.slice(1))));
+  const runs = [await loadRun(), await loadRun("second-")].filter(Boolean);
+  return (window.report = new Report(runs, new URLSearchParams(location.hash.slice(1))));
 }
 
 window.opened = open();

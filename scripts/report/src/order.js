@@ -34,19 +34,21 @@ export class FaceOrder {
     for (let e = 0; e < n; ++e) sorted[ends[layer(e)]++] = e;
   }
 
-  /** Orders anew for elements that are where `state` says (brick.js), of which `broken` bonds are gone (0: none), and a camera at `eye`. */
-  update(state, broken, eye) {
+  /** Orders anew for elements that are where `state` says (brick.js), of which `broken` bonds are gone (0: none), and a camera at `eye`.
+   *  @param hidden  1 an element that is not drawn  @param inside  whether faces inside an intact wall are drawn, too: some of it is hidden */
+  update(state, broken, eye, hidden, inside) {
     this.#sort(state, eye);
     const { index, start, plane, first, covered } = this.faces, to = this.index.array;
     let count = 0;
     for (const e of this.sorted) {
+      if (hidden[e]) continue;
       const at = kStride * e, qx = -state[at + 4], qy = -state[at + 5], qz = -state[at + 6], qw = state[at + 7];
       const x = eye.x - state[at], y = eye.y - state[at + 1], z = eye.z - state[at + 2];
       // the eye as the element sees it: v + 2 q × (q × v + w v), with the quaternion turned back
       const tx = qy * z - qz * y + qw * x, ty = qz * x - qx * z + qw * y, tz = qx * y - qy * x + qw * z;
       const ex = x + 2 * (qy * tz - qz * ty), ey = y + 2 * (qz * tx - qx * tz), ez = z + 2 * (qx * ty - qy * tx);
       for (let f = first[e]; f < first[e + 1]; ++f) {
-        if (covered[f] && broken[e] === 0) continue;
+        if (covered[f] && broken[e] === 0 && !inside) continue;
         if (plane[4 * f] * ex + plane[4 * f + 1] * ey + plane[4 * f + 2] * ez <= plane[4 * f + 3]) continue;
         for (let i = start[f]; i < start[f + 1]; ++i) to[count++] = index[i];
       }

@@ -1,18 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// The figures of the run in words.
+// The figures of the run in words: what matters most, large; the rest in tables; where the numbers come from, folded away.
+import { kGrades } from "./timeline.js";
 
 const count = (n) => n.toLocaleString("en");
 const metres = (x) => `${x.toFixed(1)} m`;
 const millimetres = (x) => `${(1000 * x).toFixed(2)} mm`;
 const seconds = (t) => `${t.toFixed(2)} s`;
+const percent = (x) => (x === null || x === undefined ? "–" : `${(100 * x).toFixed(1)} %`);
+const when = (t) => (t === undefined ? "–" : t < 0 ? "never" : seconds(t));
 
-const percent = (x) => (x === null ? "–" : `${(100 * x).toFixed(1)} %`);
-const when = (t) => (t < 0 ? "never" : seconds(t));
-
-function grade(m) {
-  if (m.damage_grade < 0) return "–"; // there are no walls
-  return m.damage_grade === 0 ? "G0" : `G${m.damage_grade} from ${seconds(m.grade_time[m.damage_grade - 1])}`;
+/** "LTV of bam-like, peaks 7.81, 6.23, 9.81 m/s² along x, y, z" */
+export function subtitle({ facts }) {
+  const m = facts.motion;
+  if (!m) return "no ground motion";
+  const scale = new Set(m.scale).size === 1 ? m.scale[0] : m.scale.join(", ");
+  return [
+    m.direction ? `${m.record}, ${m.direction} along x, y, z` : m.record,
+    `scale ${scale}`,
+    m.peak && `peaks ${m.peak.map((a) => a.toFixed(1)).join(", ")} m/s²`,
+  ].filter(Boolean).join(" · ");
 }
 
 /** How deep bodies were in each other. */
@@ -25,31 +32,26 @@ function penetration(m) {
   ];
 }
 
-/** How the building fell; nothing if the run does not say. */
-function collapse(m, collapsed) {
-  if (!m) return [];
+/** What stands in large type: [name, value, small print]. */
+function keys({ facts }) {
+  const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
   return [
-    ["Damage grade (EMS-98)", grade(m)],
-    ["Collapsed", m.collapse_time < 0 ? (collapsed ? "yes" : "no") : `at ${seconds(m.collapse_time)}`],
-    ["First fallen", when(m.first_fallen_time)],
-    m.first_fallen_wall && ["… of the walls", m.first_fallen_wall],
-    ["Debris beyond the walls", m.debris_reach > 0 ? `to ${metres(m.debris_reach)}` : "none"],
-    m.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
-    ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
-    m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
-    ...penetration(m),
-  ];
+    g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${seconds(m.grade_time[g - 1])}` : ""}`],
+    ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `so far, at ${seconds(last ?? 0)}`],
+    ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
+    ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : "no crack"],
+  ].filter(Boolean);
 }
 
-function rows({ facts, frames }) {
-  const s = facts.summary, p = facts.provenance, has = (key) => s[key] !== undefined;
+function damage({ facts }) {
+  const s = facts.summary, m = facts.measures, has = (key) => s[key] !== undefined;
   return [
-    ["Elements", count(frames.n)],
-    has("finished") && ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : "not finished"],
-    has("first_crack_time") && ["First crack", s.first_crack_time < 0 ? "none" : seconds(s.first_crack_time)],
-    !facts.measures && has("collapsed") && ["Collapsed", s.collapsed ? "yes" : "no"],
-    has("fallen_mass_fraction") && ["Fallen mass", percent(s.fallen_mass_fraction)],
-    ...collapse(facts.measures, s.collapsed),
+    has("first_crack_time") && ["First crack", when(s.first_crack_time)],
+    m && ["Debris beyond the walls", m.debris_reach > 0 ? `to ${metres(m.debris_reach)}` : "none"],
+    m?.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
+    m && ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
+    m && m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
+    ...(m ? penetration(m) : []),
     has("first_tension") && ["Sides reached first: tension", count(s.first_tension)],
     has("first_shear") && ["… shear", count(s.first_shear)],
     has("first_compression") && ["… compression", count(s.first_compression)],
@@ -58,32 +60,68 @@ function rows({ facts, frames }) {
     has("compression") && ["… by compression", count(s.compression)],
     has("peak_base_shear") && ["Peak base shear", `${(s.peak_base_shear / 1000).toFixed(1)} kN`],
     has("peak_speed") && ["Peak speed", `${s.peak_speed.toFixed(2)} m/s`],
-    has("worst_residual") && ["Energy residual", s.worst_residual.toExponential(1)],
-    p.version && ["Voussoir", p.version],
-    p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s`],
-    p.threads !== undefined && ["Threads", count(p.threads)],
-    ["Positions within", `${((1000 * facts.quantum) / 2).toFixed(3)} mm`],
   ].filter(Boolean);
 }
 
-/** A row for each wall, and the roof: what has fallen of it, since when, how far it leaned. */
-function showParts(parent, m) {
-  const table = parent.appendChild(document.createElement("table"));
-  const add = (kind, cells) => {
-    const row = table.appendChild(document.createElement("tr"));
-    for (const text of cells) row.appendChild(document.createElement(kind)).textContent = text;
-  };
-  add("th", ["", "fallen", "first", "peak drift", "at the end"]);
-  for (const w of m.walls)
-    add("td", [w.name, percent(w.fallen_mass_fraction), when(w.first_fallen_time), percent(w.peak_drift), percent(w.residual_drift)]);
-  if (m.roof_fallen_mass_fraction !== null) add("td", ["roof", percent(m.roof_fallen_mass_fraction), when(m.roof_first_fallen_time), "", ""]);
+function provenance({ facts, frames }) {
+  const s = facts.summary, p = facts.provenance;
+  return [
+    ["Elements", count(frames.n)],
+    ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : "not finished"],
+    s.worst_residual !== undefined && ["Energy residual, worst", s.worst_residual.toExponential(1)],
+    p.version && ["Voussoir", p.version],
+    p.compiler && ["Compiler", p.compiler],
+    p.cpu && ["Processor", p.cpu],
+    p.started && ["Started", p.started],
+    p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s`],
+    p.threads !== undefined && ["Threads", count(p.threads)],
+    ["Positions in this page within", `${((1000 * facts.quantum) / 2).toFixed(3)} mm`],
+  ].filter(Boolean);
 }
 
-export function showSummary(parent, run) {
-  const list = parent.appendChild(document.createElement("dl"));
-  for (const [name, value] of rows(run)) {
-    list.appendChild(document.createElement("dt")).textContent = name;
-    list.appendChild(document.createElement("dd")).textContent = value;
-  }
-  if (run.facts.measures?.walls.length > 0) showParts(parent, run.facts.measures);
+function table(parent, head, rows, caption) {
+  const t = parent.appendChild(document.createElement("table"));
+  t.createCaption().textContent = caption;
+  const add = (kind, cells) => {
+    const row = t.appendChild(document.createElement("tr"));
+    cells.forEach((text, i) => {
+      const cell = row.appendChild(document.createElement(kind === "th" || i === 0 ? "th" : "td"));
+      cell.textContent = text;
+      if (cell.tagName === "TH") cell.scope = kind === "th" ? "col" : "row";
+    });
+  };
+  if (head) add("th", head);
+  for (const cells of rows) add("td", cells);
 }
+
+/** A row for each wall, and the roof: what has fallen of it, since when, how far it leaned. */
+function partsTable(parent, m, caption) {
+  const drift = (x) => (x === null ? "–" : Math.abs(x) > 0.25 ? "fell" : percent(x)), rows = m.walls.map((w) => [w.name, percent(w.fallen_mass_fraction), when(w.first_fallen_time), drift(w.peak_drift), drift(w.residual_drift)]);
+  if (m.roof_fallen_mass_fraction !== null) rows.push(["roof", percent(m.roof_fallen_mass_fraction), when(m.roof_first_fallen_time), "", ""]);
+  table(parent, ["part", "fallen", "first", "peak drift", "at the end"], rows, caption);
+}
+
+/** Rows of two runs side by side, with what differs marked. */
+function both(runs, rowsOf) {
+  const maps = runs.map((run) => new Map(rowsOf(run))), names = [...new Set(maps.flatMap((m) => [...m.keys()]))];
+  return names.map((name) => [name, ...maps.map((m) => m.get(name) ?? "–")]);
+}
+
+/** @param runs  one, or two side by side */
+export function showSummary(top, rest, folded, runs) {
+  if (runs.length === 1) {
+    for (const [name, value, small] of keys(runs[0])) {
+      const tile = top.appendChild(document.createElement("div"));
+      for (const [kind, text] of [["dt", name], ["dd", value], ["small", small]]) tile.appendChild(document.createElement(kind === "small" ? "dd" : kind)).textContent = text;
+      tile.lastChild.className = "small";
+    }
+  } else {
+    table(rest, ["", "A", "B"], both(runs, (run) => keys(run).map(([name, value]) => [name, value])).map(mark), "Two runs");
+  }
+  table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
+  runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
+  table(folded, runs.length > 1 ? ["", "A", "B"] : null, both(runs, provenance), "Where the numbers come from");
+}
+
+/** The name of a row in which two runs differ has a mark. */
+const mark = ([name, ...values]) => [values.length > 1 && new Set(values).size > 1 ? `${name} ≠` : name, ...values];

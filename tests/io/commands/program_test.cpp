@@ -248,6 +248,35 @@ TEST_CASE("what people look at: written at the end of a run if asked for, or lat
   CHECK(o.code == 3);
   CHECK(says(o, {"/nowhere/chromium", "cannot start", "Debian: chromium"}));
   CHECK_FALSE(std::filesystem::exists(out + "/stills"));
+  CHECK(says(voussoir("report " + out + " --stills 0.005 0.01, 9"), {"--stills", "9 s"}));  // commas and spaces
+  CHECK(says(voussoir("report " + out + " --stills 0.005,1x"), {"--stills", "'1x' is no number"}));
+}
+
+TEST_CASE("a film says what it lacks, two runs make one page, and a run writes its page while it goes on") {
+  const TempFolder folder;
+  std::ofstream(folder.path("case.toml")) << kHead << box("a", "[0,0,0]", "[0.2,0.2,0.2]");
+  const std::string out = folder.path("out"), words = "run " + folder.path("case.toml") + " --quiet -j 1 -o " + out + " --frames 0.005";
+  CHECK(voussoir(words + " --report-every 0").code == 2);
+  CHECK(voussoir(words + " --report-every 30").code == 0);
+  CHECK(std::filesystem::exists(out + "/report.html"));
+
+  Outcome o = voussoir("report " + out + " --film " + folder.path("film.avi"));
+  CHECK(o.code == 2);
+  CHECK(says(o, {"--film", "film.avi", ".mp4, .webm, .gif"}));
+  CHECK(voussoir("report " + out + " --film " + folder.path("film.mp4") + " --stills 0").code == 2);
+  CHECK(voussoir("report " + out + " --film " + folder.path("film.mp4") + " --view front,top").code == 2);
+  ::setenv("FFMPEG", "/nowhere/ffmpeg", 1);
+  o = voussoir("report " + out + " --film " + folder.path("film.mp4"));
+  ::unsetenv("FFMPEG");
+  CHECK(o.code == 3);
+  CHECK(says(o, {"/nowhere/ffmpeg", "cannot start", "Debian: ffmpeg"}));
+  CHECK_FALSE(std::filesystem::exists(folder.path("film.mp4")));
+  std::ofstream(folder.path("film.mp4")) << "mine";
+  CHECK(says(voussoir("report " + out + " --film " + folder.path("film.mp4")), {"film.mp4", "--overwrite"}));
+
+  CHECK(voussoir("report " + out + " " + out).code == 0);
+  CHECK(std::filesystem::exists(out + "/comparison.html"));
+  CHECK(voussoir("report " + out + " " + out + " --paraview").code == 2);
 }
 
 TEST_CASE("a step far too large ends with exit code 1, says what to try, and keeps the results") {

@@ -59,7 +59,7 @@ TEST_CASE("a new folder is made with those above it, and holds the case") {
 }
 
 TEST_CASE("results of another run are refused, or on request removed and nothing else") {
-  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "run.xdmf", "paraview.h5"}) {
+  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5"}) {
     CAPTURE(own);
     const TempFolder dir;
     touch(dir.file(own));
@@ -72,7 +72,7 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
   for (const std::string& name : foreign) touch(dir.file(name));
   { CHECK_NOTHROW(RunFolder::create(dir.path(), false)); }
   for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml",
-                          "stills/front-2.5s.png", "report.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
+                          "stills/front-2.5s.png", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
     touch(dir.file(own));
   const RunFolder folder = RunFolder::create(dir.path(), true);
   std::set<std::string> left = foreign;

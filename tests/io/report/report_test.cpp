@@ -10,7 +10,10 @@
 #include "io/files/errors.h"
 #include "io/files/packed_text.h"
 #include "io/files/text_file.h"
+#include "io/measures/bodies.h"
 #include "io/replay/covered_faces.h"
+#include "io/replay/joint_cracks.h"
+#include "io/replay/joint_openings.h"
 #include "io/replay/opened_faces.h"
 #include "io/report/report_page.h"
 #include "tests/io/results_fixture.h"
@@ -50,7 +53,7 @@ void write_run(const TempFolder& folder, std::uint64_t rows) {
 
 ReportOptions page_of(const TempFolder& folder, const std::string& file = {}) {
   ReportOptions o;
-  o.folder = folder.path();
+  o.folders = {folder.path()};
   o.output = file;
   return o;
 }
@@ -150,7 +153,8 @@ TEST_CASE("a face is open once the springs of half of a joint on it are broken")
     ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
     writer.cracks(cracks);
     writer.finish();
-    return opened_faces(Hdf5File::open(folder.file("run.h5")));
+    const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+    return opened_faces(run, joint_opening_times(run));
   };
   const auto crack = [](double time, std::int32_t from, double area) {
     return solver::CrackRow{time, 0, from, 1 - from, {}, {}, area, solver::FailureMode::tension, solver::FailureMode::tension, time};
@@ -163,6 +167,95 @@ TEST_CASE("a face is open once the springs of half of a joint on it are broken")
   CHECK(opened({crack(1.0, 0, 0.004)}).element.empty());
   CHECK_THROWS_WITH_AS(opened({{1.0, 7, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}}),
                        doctest::Contains("/cracks/joint: row 0 refers to no joint"), FileError);
+}
+
+TEST_CASE("a crack is an edge on the surface, and its level says how wide it is") {
+  CHECK(crack_level(0) == 1);
+  CHECK(crack_level(0.1e-3) == 3);
+  CHECK(crack_level(0.99e-3) == 5);
+  CHECK(crack_level(1e-3) == 6);
+  CHECK(crack_level(5e-3) == 8);
+  CHECK(crack_level(10.0) == 13);
+
+  const TempFolder folder;
+  cases::Model m = two_cubes();  // cubes of 0.1 m side by side along x; the joint between them covers their faces whole
+  ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+  const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
+  const std::array<float, 2> broken{};
+  const auto frame = [&](double time, float apart) {
+    const std::array<float, 6> position{0.05F, 0.05F, 0.05F, 0.15F + apart, 0.05F, 0.05F};
+    writer.frame({time, position, upright, broken});
+  };
+  frame(0.0, 0.002F);  // not open yet: no spring is broken
+  frame(2.0, 0.002F);
+  frame(3.0, 0.006F);
+  writer.cracks(
+      std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
+  writer.finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  const JointCracks cracks = joint_cracks(run, FrameReader(run));
+  CHECK(cracks.elements == std::vector<std::int32_t>{0, 1});
+  CHECK(cracks.level == std::vector<std::uint8_t>{0, 7, 8});
+  CHECK(cracks.shown == std::vector<double>{3.0});
+  REQUIRE(cracks.edges == std::vector<std::uint8_t>{4});  // of the square, all on the outside
+  float length = 0;
+  for (std::size_t e = 0; e < 4; ++e) {
+    for (const std::size_t end : {6 * e, 6 * e + 3}) CHECK(cracks.ends[end] == doctest::Approx(0.1));  // x of the joint
+    length += std::hypot(cracks.ends[6 * e + 4] - cracks.ends[6 * e + 1], cracks.ends[6 * e + 5] - cracks.ends[6 * e + 2]);
+  }
+  CHECK(length == doctest::Approx(0.4));
+}
+
+TEST_CASE("an edge along a face that a joint covers is inside the masonry") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  geometry::Joint on_top = m.assembly.joints[0];  // of the base under the first cube: its lower face is covered
+  on_top.element_b = -1, on_top.face_a = 4;
+  on_top.frame.centre = {0.05, 0.05, 0};
+  m.assembly.joints.push_back(on_top);
+  m.joint_law.push_back(1);
+  ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  CHECK(joint_edges(run, {0})[0].size() == 4);  // the lower edge is still on the surface of the second cube
+}
+
+TEST_CASE("two elements move as one until their joint is open by a millimetre, and a hinge is where they turn") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  m.blocks[1].fixed = false;
+  for (geometry::Element& e : m.assembly.elements) e.mass.volume = 1e-3;
+  ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+  const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
+  writer.frame({0.0, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, std::array<float, 2>{}});
+  writer.cracks(
+      std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
+  writer.finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  const Building building = building_of(run);
+  const std::vector<Pose> start = first_poses(FrameReader(run));
+  BodyFinder finder(run, building, start);
+  std::vector<Pose> moved = start;
+  moved[1].centre.x += 0.9e-3;
+  CHECK(finder.find(2.0, moved).id == std::vector<std::uint8_t>{1, 1});
+  moved[1].centre.x += 0.2e-3;
+  CHECK(finder.find(0.5, moved).id == std::vector<std::uint8_t>{1, 1});  // not open yet
+  const BodiesInFrame two = finder.find(2.0, moved);
+  CHECK(std::set<std::uint8_t>(two.id.begin(), two.id.end()) == std::set<std::uint8_t>{1, 2});
+  CHECK(two.bodies[0].displacement.x + two.bodies[1].displacement.x == doctest::Approx(1.1e-3));
+  CHECK(body_name(two.bodies[0], building).find("stands") != std::string::npos);
+  CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
+}
+
+TEST_CASE("two runs stand in one page, each under its own names") {
+  const TempFolder a, b;
+  write_run(a, 2);
+  write_run(b, 3);
+  ReportOptions o = page_of(a);
+  o.folders.push_back(b.path());
+  CHECK(report_command(o) == 0);
+  const std::string page = read_text_file(a.file("comparison.html"), 1U << 24U);
+  CHECK(unpacked(page, "frames", 15 * 2 * 2).size() == 60);
+  CHECK(unpacked(page, "second-frames", 15 * 2 * 3).size() == 90);
 }
 
 TEST_CASE("an existing page stays unless it may be replaced") {

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "io/files/errors.h"
+#include "io/replay/joint_openings.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr std::size_t kMostBodies = 99;  // at a time; a hundredth of the mass each
+constexpr double kTurns = 2e-3;          // rad: two bodies that turn less against each other have no hinge
+constexpr double kShort = 0.3;           // m
+constexpr double kNear = 0.5;            // m: a hinge lies at the joints between its bodies
+
+/// Disjoint sets.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::int32_t root(std::int32_t i) {
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void join(std::int32_t i, std::int32_t j) {
+    i = root(i), j = root(j);
+    at(std::max(i, j)) = std::min(i, j);
+  }
+
+ private:
+  std::int32_t& at(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<std::int32_t> parent_;
+};
+
+/// Axis times sine of the angle: the rotation vector as long as that is small.
+Vec3 turn_of(const Mat3& r) { return 0.5 * Vec3{r.r2.y - r.r1.z, r.r0.z - r.r2.x, r.r1.x - r.r0.y}; }
+
+}  // namespace
+
+BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vector<Pose> start)
+    : building_(building), start_(std::move(start)), last_id_(start_.size()) {
+  const std::vector<double> since = joint_opening_times(run);
+  const auto a = run.read<std::int32_t>("/model/joint/element_a"), b = run.read<std::int32_t>("/model/joint/element_b");
+  const auto centre = run.read<double>("/model/joint/centre");
+  if (a.size() != since.size() || b.size() != since.size() || centre.size() != 3 * since.size())
+    throw FileError(run.path(), "/model/joint does not fit together");
+  const auto elements = static_cast<std::int64_t>(start_.size());
+  for (std::size_t j = 0; j < since.size(); ++j) {
+    if (a[j] < 0 || a[j] >= elements || b[j] >= elements)
+      throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
+    const Vec3 c{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]};
+    joints_.push_back({since[j], a[j], b[j], c, c - start_[static_cast<std::size_t>(a[j])].centre,
+                       b[j] < 0 ? c : c - start_[static_cast<std::size_t>(b[j])].centre});
+  }
+  all_mass_ = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
+}
+
+std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<Pose>& poses) const {
+  Sets sets(start_.size() + 1);  // the last is the base
+  const auto base = static_cast<std::int32_t>(start_.size());
+  for (const Joint& j : joints_) {
+    const Vec3 at_b = j.b < 0 ? j.from_b : poses[static_cast<std::size_t>(j.b)].point(j.from_b);
+    const bool apart = j.time <= time && norm(at_b - poses[static_cast<std::size_t>(j.a)].point(j.from_a)) >= kMovesAsOne;
+    if (!apart) sets.join(j.a, j.b < 0 ? base : j.b);
+  }
+  std::vector<std::int32_t> component(start_.size() + 1);
+  for (std::int32_t i = 0; i <= base; ++i) component[static_cast<std::size_t>(i)] = sets.root(i);
+  return component;
+}
+
+void BodyFinder::number(std::vector<Body>& bodies, const std::vector<std::int32_t>& component, BodiesInFrame& out) {
+  // The body that has most mass of one of the frame before keeps its number, the heaviest first.
+  std::map<std::int32_t, std::size_t> of_root;
+  std::ranges::stable_sort(bodies, std::greater(), &Body::mass);
+  if (bodies.size() > kMostBodies) bodies.resize(kMostBodies);
+  for (std::size_t i = 0; i < bodies.size(); ++i) of_root[bodies[i].wall] = i;  // the root stands there until now
+  std::vector<std::map<std::uint8_t, double>> shared(bodies.size());
+  std::vector<std::int32_t> body(start_.size(), -1);
+  for (std::size_t e = 0; e < start_.size(); ++e) {
+    const auto at = of_root.find(component[e]);
+    if (at == of_root.end() || building_.mass[e] <= 0) continue;
+    body[e] = static_cast<std::int32_t>(at->second);
+    if (last_id_[e] != 0) shared[at->second][last_id_[e]] += building_.mass[e];
+  }
+  std::array<bool, 256> taken{};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    double most = 0;
+    for (const auto& [id, mass] : shared[i])
+      if (!taken[id] && mass > most) most = mass, bodies[i].id = id;
+    if (bodies[i].id != 0) taken[bodies[i].id] = true;
+  }
+  for (Body& b : bodies) {
+    if (b.id != 0) continue;
+    b.id = static_cast<std::uint8_t>(std::find(taken.begin() + 1, taken.end(), false) - taken.begin());
+    taken[b.id] = true;
+  }
+  out.id.assign(start_.size(), 0);
+  for (std::size_t e = 0; e < start_.size(); ++e)
+    if (body[e] >= 0) out.id[e] = bodies[static_cast<std::size_t>(body[e])].id;
+  last_id_ = out.id;
+}
+
+BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
+  const std::vector<std::int32_t> component = components(time, poses);
+  std::vector<double> mass(start_.size() + 1);
+  for (std::size_t e = 0; e < start_.size(); ++e) mass[static_cast<std::size_t>(component[e])] += building_.mass[e];
+  std::map<std::int32_t, Body> by_root;
+  std::map<std::int32_t, std::map<std::int32_t, double>> of_wall;
+  for (std::size_t e = 0; e < start_.size(); ++e) {
+    const std::int32_t root = component[e];
+    if (building_.mass[e] <= 0 || mass[static_cast<std::size_t>(root)] < kLeastBody * all_mass_) continue;
+    Body& b = by_root[root];
+    const double m = building_.mass[e];
+    b.mass += m;
+    b.centre = b.centre + m * start_[e].centre;
+    b.displacement = b.displacement + m * (poses[e].centre - start_[e].centre);
+    b.rotation = b.rotation + m * turn_of(poses[e].rotation);
+    b.box.include(building_.box[e]);
+    of_wall[root][building_.wall[e]] += m;
+  }
+  std::vector<Body> bodies;
+  for (auto& [root, b] : by_root) {
+    b.centre = (1 / b.mass) * b.centre, b.displacement = (1 / b.mass) * b.displacement, b.rotation = (1 / b.mass) * b.rotation;
+    b.on_ground = root == component.back();
+    b.wall = root;
+    bodies.push_back(b);
+  }
+  BodiesInFrame out;
+  number(bodies, component, out);
+  for (Body& b : bodies) {
+    const auto& walls = of_wall[b.wall];
+    b.wall = std::ranges::max_element(walls, {}, [](const auto& w) { return w.second; })->first;
+  }
+  std::ranges::sort(bodies, {}, &Body::id);
+  out.bodies = std::move(bodies);
+  out.hinges = hinges(time, poses, out);
+  return out;
+}
+
+std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const {
+  const auto body = [&](std::uint8_t id) -> const Body* {
+    const auto at = std::ranges::find(found.bodies, id, &Body::id);
+    return at == found.bodies.end() ? nullptr : &*at;
+  };
+  std::map<std::pair<std::uint8_t, std::uint8_t>, std::vector<const Joint*>> between;
+  for (const Joint& j : joints_) {
+    if (j.b < 0 || j.time > time) continue;
+    const std::uint8_t a = found.id[static_cast<std::size_t>(j.a)], b = found.id[static_cast<std::size_t>(j.b)];
+    if (a != 0 && b != 0 && a != b) between[std::minmax(a, b)].push_back(&j);
+  }
+  std::vector<Hinge> all;
+  for (const auto& [ids, joints] : between) {
+    const Vec3 turn = body(ids.second)->rotation - body(ids.first)->rotation;
+    const double angle = norm(turn);
+    if (angle < kTurns || joints.size() < 3) continue;
+    // What the second does as seen from the first, at the middle of the joints between them.
+    Vec3 middle, moved;
+    for (const Joint* j : joints) {
+      const Vec3 at_a = poses[static_cast<std::size_t>(j->a)].point(j->from_a),
+                 at_b = poses[static_cast<std::size_t>(j->b)].point(j->from_b);
+      const bool in_order = found.id[static_cast<std::size_t>(j->a)] == ids.first;
+      middle = middle + j->centre, moved = moved + (in_order ? at_b - at_a : at_a - at_b);
+    }
+    const double share = 1.0 / static_cast<double>(joints.size());
+    middle = share * middle, moved = share * moved;
+    const Vec3 axis = (1 / angle) * turn, aside = (1 / (angle * angle)) * cross(turn, moved);  // moved = turn × (middle − hinge)
+    if (norm(aside) > kNear) continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Joint* j : joints) {
+      const double s = dot(axis, j->centre - middle);
+      low = std::min(low, s), high = std::max(high, s);
+    }
+    if (high - low < kShort) continue;
+    all.push_back({middle + aside + low * axis, middle + aside + high * axis});
+  }
+  return all;
+}
+
+}  // namespace voussoir::io

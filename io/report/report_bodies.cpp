@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report/report_bodies.h"
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "io/measures/bodies.h"
+#include "io/replay/frame_reader.h"
+
+namespace voussoir::io {
+
+ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
+  const Building building = building_of(run);
+  BodyFinder finder(run, building, first_poses(frames));
+  nlohmann::json out{{"names", nlohmann::json::array()}, {"bodies", nlohmann::json::array()}, {"hinges", nlohmann::json::array()}};
+  std::map<std::string, std::size_t> names;
+  ReportBodies result;
+  for (std::uint64_t f = 0; f < frames.frames(); ++f) {
+    const BodiesInFrame found = finder.find(frames.times()[f], poses_of(frames, f));
+    result.id.insert(result.id.end(), found.id.begin(), found.id.end());
+    nlohmann::json &bodies = out["bodies"].emplace_back(nlohmann::json::array()),
+                   &hinges = out["hinges"].emplace_back(nlohmann::json::array());
+    for (const Body& b : found.bodies) {
+      const auto [name, is_new] = names.emplace(body_name(b, building), names.size());
+      if (is_new) out["names"].push_back(name->first);
+      bodies.push_back({b.id, name->second});
+    }
+    for (const Hinge& h : found.hinges) {
+      nlohmann::json& line = hinges.emplace_back(nlohmann::json::array());
+      for (const Vec3& p : {h.from, h.to})
+        for (const double x : {p.x, p.y, p.z}) line.push_back(std::round(1000 * x) / 1000);
+    }
+  }
+  for (const char c : out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
+    result.json += c == '<' ? std::string("\\u003c") : std::string(1, c);  // nothing in it can end the element
+  return result;
+}
+
+}  // namespace voussoir::io

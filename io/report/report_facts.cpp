@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report/report_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "io/case_file/case_file.h"
+#include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
+#include "io/measures/building.h"
+#include "io/measures/measures_file.h"
+#include "io/motion/motion_files.h"
+#include "io/replay/frame_reader.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of a hundred seconds; the page shows their peaks
+
+/// Every so many rows are shown of `rows`.
+std::size_t stride_of(std::size_t rows) { return std::max<std::size_t>(1, (rows + kPlotPoints - 1) / kPlotPoints); }
+
+/// Component `first` of rows of `width` times a factor, thinned, to six digits.
+Json thinned(const std::vector<double>& values, std::size_t first = 0, std::size_t width = 1, double factor = 1) {
+  Json out = Json::array();
+  const std::size_t rows = values.size() / width, stride = stride_of(rows);
+  for (std::size_t i = 0; i < rows; i += stride) {
+    const double v = factor * values[first + i * width];
+    const double digit = v == 0 || !std::isfinite(v) ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(v))) - 5);
+    out.push_back(std::round(v / digit) * digit);  // JSON has no NaN: it becomes null
+  }
+  return out;
+}
+
+Json curve(const std::string& name, Json values) { return {{"name", name}, {"y", std::move(values)}}; }
+
+/// One diagram: what stands on it, and its curves over one time.
+Json plot(const std::string& title, const std::string& unit, Json time, Json curves) {
+  return {{"title", title}, {"unit", unit}, {"t", std::move(time)}, {"curves", std::move(curves)}};
+}
+
+/// Rows with a column a name, as curves.
+Json columns(const std::vector<double>& values, const std::vector<std::string>& names, double factor = 1) {
+  Json curves = Json::array();
+  for (std::size_t k = 0; k < names.size(); ++k) curves.push_back(curve(names[k], thinned(values, k, names.size(), factor)));
+  return curves;
+}
+
+const std::vector<std::string> kAxes{"x", "y", "z"};
+
+/// Ground acceleration at its own samples, so that its peaks are there.
+Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
+  double step = std::max(until - from, 1e-3);
+  for (const cases::Accelerogram& a : motion.axis)
+    if (a.dt > 0.0) step = std::min(step, a.dt);
+  const auto intervals = static_cast<std::size_t>((until - from) / step + 1e-6);
+  std::vector<double> time, value;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    time.push_back(from + static_cast<double>(i) * step);
+    const Vec3 a = cases::acceleration_at(motion, time.back());
+    value.insert(value.end(), {a.x, a.y, a.z});
+  }
+  return plot("Ground acceleration", "m/s²", thinned(time), columns(value, kAxes));
+}
+
+void add_histories(const Hdf5File& file, Json& plots) {
+  const Json time = thinned(file.read<double>("/history/time"));
+  for (const std::string& name : file.children("/history")) {
+    const std::string group = "/history/" + name;
+    if (!file.is_group(group)) continue;
+    plots.push_back(plot("Displacement of " + name, "mm", time, columns(file.read<double>(group + "/displacement"), kAxes, 1000)));
+  }
+}
+
+void add_base_shear(const Hdf5File& file, Json& plots) {
+  const auto time = file.read<double>("/forces/time"), force = file.read<double>("/forces/base_shear");
+  if (time.empty() || force.size() != 3 * time.size()) return;
+  Json curves = Json::array();
+  for (std::size_t k = 0; k < 2; ++k) curves.push_back(curve(kAxes[k], thinned(force, k, 3, 1e-3)));
+  plots.push_back(plot("Base shear", "kN", thinned(time), std::move(curves)));
+}
+
+/// \param prefix  of the datasets' names in /damage
+void add_sides(const Hdf5File& file, const char* title, const std::string& prefix, std::initializer_list<const char*> names, Json& plots) {
+  Json sides = Json::array();
+  for (const char* name : names) sides.push_back(curve(name, thinned(file.read<double>("/damage/" + prefix + name))));
+  plots.push_back(plot(title, "", thinned(file.read<double>("/damage/time")), std::move(sides)));
+}
+
+/// Sides that broke, and where the energy went: what the ground put in and gravity gave is what is stored and lost.
+void add_tables(const Hdf5File& file, Json& plots) {
+  add_sides(file, "Segment sides by what opened them; those that have slipped and hold", "", {"tension", "shear", "compression", "slipped"},
+            plots);
+  if (file.exists("/damage/first_shear"))
+    add_sides(file, "Segment sides by the limit they reached first", "first_", {"tension", "shear", "compression"}, plots);
+  Json energy = Json::array();
+  const auto time = file.read<double>("/energy/time");
+  std::vector<double> given = file.read<double>("/energy/input"), gravity = file.read<double>("/energy/gravity");
+  if (given.size() != time.size() || gravity.size() != time.size()) throw FileError(file.path(), "/energy does not fit together");
+  for (std::size_t i = 0; i < given.size(); ++i) given[i] -= gravity[i];
+  const std::vector<std::pair<const char*, const char*>> kinds{
+      {"kinetic", "kinetic"},   {"strain", "strain of joints"}, {"contact", "strain of contacts"}, {"dashpot", "lost in impact"},
+      {"friction", "friction"}, {"fracture", "fracture"},       {"damping", "mass damping"}};
+  for (const auto& [column, name] : kinds)
+    energy.push_back(curve(name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)));
+  energy.push_back(curve("from ground and gravity", thinned(given, 0, 1, 1e-3)));
+  plots.push_back(plot("Energy", "kJ", thinned(time), std::move(energy)));
+  plots.back()["stack"] = true;
+}
+
+/// Attributes that are there, as numbers.
+Json numbers(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
+  Json out = Json::object();
+  for (const std::string& name : names)
+    if (file.has_attribute(object, name)) out[name] = file.attribute_double(object, name);
+  return out;
+}
+
+Json texts(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
+  Json out = Json::object();
+  for (const std::string& name : names)
+    if (file.has_attribute(object, name)) out[name] = file.attribute_text(object, name);
+  return out;
+}
+
+void warn(const char* what, const std::exception& e) { std::fprintf(stderr, "warning: the page has no %s: %s\n", what, e.what()); }
+
+/// The name of a record without the folders of whoever ran it.
+std::string record_name(const cases::Motion& m) {
+  if (m.record) return std::filesystem::path(*m.record).filename().string();
+  std::string names;
+  for (const auto& files : {m.xyz, m.ltv})
+    for (const auto& file : files)
+      if (file) names += (names.empty() ? "" : ", ") + std::filesystem::path(*file).filename().string();
+  return names;
+}
+
+/// What shook the run. Its records may be gone: then the page has neither peaks nor the curves.
+void add_ground(const LoadedCase& c, const Hdf5File& file, Json& facts) {
+  const auto times = file.read<double>("/history/time");
+  if (!c.value.motion) return;
+  const cases::Motion& m = *c.value.motion;
+  const bool turned = m.record || std::ranges::any_of(m.ltv, [](const auto& f) { return f.has_value(); });
+  facts["motion"] = {{"record", record_name(m)}, {"direction", turned ? m.direction : ""}, {"scale", m.scale}};
+  try {
+    const cases::GroundMotion motion = load_motion(m, c.value.folder);
+    Json peak = Json::array();
+    for (const cases::Accelerogram& a : motion.axis) peak.push_back(cases::figures(a).peak_acceleration);
+    facts["motion"]["peak"] = peak;
+    if (!times.empty()) facts["plots"].push_back(ground_plot(motion, 0.0, times.back()));
+  } catch (const std::exception& e) {
+    warn("ground motion", e);
+  }
+}
+
+constexpr double kWildDrift = 25;  // %; beyond it a wall is falling, and the figure says no more than that
+
+/// How the building fell.
+void add_measures(const Hdf5File& file, Json& facts) {
+  try {
+    const Measures m = measure(file);
+    facts["measures"] = Json::parse(measures_json(m));
+    facts["measures"].update(
+        {{"fallen_mass_fraction", m.fallen_mass_fraction}, {"first_crack_time", m.first_crack_time}, {"collapsed", m.collapsed}});
+    const Json time = thinned(m.series.time);
+    std::vector<std::string> walls;
+    for (const WallMeasures& w : m.walls) walls.push_back(w.name);
+    if (!walls.empty()) {
+      facts["plots"].push_back(plot("Out-of-plane drift, outward positive", "%", time, columns(m.series.drift, walls, 100)));
+      facts["plots"].back()["clip"] = kWildDrift;
+    }
+    Json fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
+    if (m.initial_free_volume > 0) fallen.push_back(curve("free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)));
+    facts["plots"].push_back(
+        plot(m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)));
+  } catch (const FileError& e) {
+    warn("measures of the collapse", e);
+  }
+}
+
+/// Walls and rooms, for names and for the space that is left, in the scene.
+void add_building(const Hdf5File& file, Json& facts) {
+  facts["walls"] = facts["rooms"] = Json::array();
+  try {
+    const Building b = building_of(file);
+    for (const Wall& w : b.walls)
+      facts["walls"].push_back({{"name", w.name}, {"low", w.box.low}, {"high", w.box.high}, {"across", w.across}, {"outward", w.outward}});
+    for (const Room& r : b.rooms)
+      facts["rooms"].push_back({{"low", {r.low[0], r.low[1], r.floor}}, {"high", {r.high[0], r.high[1], r.ceiling}}});
+  } catch (const FileError& e) {
+    warn("names of walls", e);
+  }
+}
+
+/// The case of the run, unless another version of the program wrote one that this does not know.
+std::optional<LoadedCase> case_of(const Hdf5File& file) {
+  try {
+    return read_case({file.path(), file.attribute_text("/case", "toml")});
+  } catch (const std::exception& e) {
+    warn("ground motion", e);
+    return {};
+  }
+}
+
+/// "roof beam 11" is of the part "roof beam".
+std::string part_of(const std::string& tag) {
+  const std::size_t end = tag.find_last_not_of("0123456789 ");
+  return end == std::string::npos ? tag : tag.substr(0, end + 1);
+}
+
+/// Parts of the building by number, in order of their first element.
+std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
+  std::map<std::string, std::int32_t> numbers;
+  std::vector<std::int32_t> part;
+  facts["parts"] = Json::array();
+  for (const std::string& tag : file.read_strings("/model/element/tag")) {
+    const auto [at, is_new] = numbers.emplace(part_of(tag), static_cast<std::int32_t>(numbers.size()));
+    if (is_new) facts["parts"].push_back(at->first);
+    part.push_back(at->second);
+  }
+  return part;
+}
+
+/// JSON that may stand inside a script element: nothing in it can end the element.
+std::string safe_json(const Json& json) {
+  std::string out;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double quantum) {
+  const std::optional<LoadedCase> c = case_of(file);
+  ReportFacts out;
+  Json facts;
+  facts["title"] = c ? c->value.title : std::filesystem::path(file.path()).parent_path().filename().string();
+  facts["plots"] = Json::array();
+  if (c) add_ground(*c, file, facts);
+  add_measures(file, facts);
+  add_histories(file, facts["plots"]);
+  add_base_shear(file, facts["plots"]);
+  add_tables(file, facts["plots"]);
+  add_building(file, facts);
+  facts["summary"] =
+      numbers(file, "/summary",
+              {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
+               "slipped", "first_tension", "first_shear", "first_compression", "peak_base_shear", "peak_speed", "worst_residual"});
+  facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
+  facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
+  facts["times"] = frames.times();
+  facts["base"] = c && !c->value.base ? Json(nullptr) : Json(c ? c->value.base->z : 0.0);
+  facts["materials"] = file.read_strings("/model/material/name");
+  facts["quantum"] = quantum;
+  out.part = number_parts(file, facts);
+  out.material = file.read<std::int32_t>("/model/element/material");
+  out.json = safe_json(facts);
+  return out;
+}
+
+}  // namespace voussoir::io

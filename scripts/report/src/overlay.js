@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+// What is written into a picture of the house: names of walls, axes, a scale, the ground's acceleration; and what is burnt into stills and
+// films besides: title, time, legend. One program for the page and for pictures.
+import { Vector3 } from "three";
+import { drawLegend } from "./legend.js";
+
+const kType = 'system-ui, "DejaVu Sans", sans-serif';
+
+/** Where a point is in the picture, in pixels, or null behind the camera. */
+function seen(point, camera, width, height) {
+  const p = point.clone().applyMatrix4(camera.matrixWorldInverse);
+  if (p.z > -camera.near) return null;
+  p.applyMatrix4(camera.projectionMatrix);
+  return [(0.5 + 0.5 * p.x) * width, (0.5 - 0.5 * p.y) * height];
+}
+
+/** Text with a rim of the background, so that it can be read on anything. */
+function write(c, text, x, y, ink) {
+  c.strokeStyle = ink.rim, c.lineWidth = 3.5, c.lineJoin = "round", c.fillStyle = ink.text;
+  c.strokeText(text, x, y);
+  c.fillText(text, x, y);
+}
+
+function arrow(c, [x, y], [X, Y], head) {
+  const length = Math.hypot(X - x, Y - y);
+  if (length < 1) return;
+  const dx = (X - x) / length, dy = (Y - y) / length, h = Math.min(head, length);
+  c.beginPath(), c.moveTo(x, y), c.lineTo(X - 0.7 * h * dx, Y - 0.7 * h * dy), c.stroke();
+  c.beginPath(), c.moveTo(X, Y), c.lineTo(X - h * dx - 0.45 * h * dy, Y - h * dy + 0.45 * h * dx), c.lineTo(X - h * dx + 0.45 * h * dy, Y - h * dy - 0.45 * h * dx), c.fill();
+}
+
+function wallNames(c, facts, camera, width, height, u, ink) {
+  c.font = `600 ${u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
+  for (const w of facts.walls) {
+    const at = [0, 1, 2].map((k) => 0.5 * (w.low[k] + w.high[k]));
+    at[w.across] = (w.outward > 0 ? w.high : w.low)[w.across] + 0.35 * w.outward;
+    at[2] = facts.base ?? w.low[2];
+    const normal = [0, 1].map((k) => (k === w.across ? w.outward : 0)), p = new Vector3(...at);
+    const toEye = camera.position.clone().sub(p);
+    if (toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
+    const place = seen(p, camera, width, height);
+    if (place) write(c, w.name, place[0], place[1] + 0.3 * u, ink);
+  }
+}
+
+/** The three axes in a corner, and beside them how long a metre is in the middle of the picture. */
+function axes(c, camera, target, left, bottom, u, ink, height, levels) {
+  const origin = [left + 2.6 * u, bottom - 2.2 * u];
+  c.font = `${0.85 * u}px ${kType}`, c.lineWidth = 1.6, c.textAlign = "center", c.textBaseline = "middle";
+  for (const [name, axis] of [["x", new Vector3(1, 0, 0)], ["y", new Vector3(0, 1, 0)], ["z", new Vector3(0, 0, 1)]]) {
+    const d = axis.transformDirection(camera.matrixWorldInverse), end = [origin[0] + 2 * u * d.x, origin[1] - 2 * u * d.y];
+    c.strokeStyle = c.fillStyle = ink.text;
+    arrow(c, origin, end, 0.5 * u);
+    if (Math.hypot(d.x, d.y) > 0.2) write(c, name, origin[0] + 2.6 * u * d.x, origin[1] - 2.6 * u * d.y, ink);
+  }
+  const metre = height / (2 * Math.tan((camera.fov * Math.PI) / 360) * camera.position.distanceTo(target)); // pixels
+  const bar = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((m) => m * metre > 4.5 * u) ?? 50, x = left + 6.4 * u, y = bottom - 1.2 * u;
+  c.strokeStyle = c.fillStyle = ink.text, c.lineWidth = 2;
+  c.beginPath(), c.moveTo(x, y - 0.35 * u), c.lineTo(x, y), c.lineTo(x + bar * metre, y), c.lineTo(x + bar * metre, y - 0.35 * u), c.stroke();
+  c.textBaseline = "bottom";
+  write(c, `${bar} m`, x + 0.5 * bar * metre, y - 0.25 * u, ink);
+}
+
+/** The acceleration of the ground as an arrow before the house. */
+function groundArrow(c, facts, ground, box, camera, width, height, u, ink) {
+  const size = Math.hypot(...ground);
+  if (size < 0.05 || facts.base === null) return;
+  const from = new Vector3(0.5 * (box.low.x + box.high.x), box.low.y - 1.3, facts.base + 0.02);
+  const to = from.clone().add(new Vector3(...ground).multiplyScalar(0.3));
+  const a = seen(from, camera, width, height), b = seen(to, camera, width, height);
+  if (!a || !b) return;
+  c.strokeStyle = c.fillStyle = ink.arrow, c.lineWidth = 3;
+  arrow(c, a, b, 0.9 * u);
+  c.font = `${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = b[1] > a[1] ? "bottom" : "top"; // away from the arrow
+  write(c, `ground ${size.toFixed(1)} m/s²`, a[0], a[1] + (b[1] > a[1] ? -0.5 : 0.5) * u, { ...ink, text: ink.arrow });
+}
+
+function distanceNames(c, box, base, camera, width, height, u, ink) {
+  c.font = `${0.9 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
+  for (let d = 1; d <= 6; ++d) {
+    for (const [x, y] of [[box.high.x + d, 0.5 * (box.low.y + box.high.y)], [0.5 * (box.low.x + box.high.x), box.low.y - d]]) {
+      const p = seen(new Vector3(x, y, base), camera, width, height);
+      if (p) write(c, `${d} m`, ...p, { ...ink, text: ink.arrow });
+    }
+  }
+}
+
+/** Draws all of these that `on` asks for: names, axes, ground (three numbers, m/s²), distances. */
+export function drawOverlay(c, house, width, height, u, on, ink) {
+  const { camera } = house, facts = house.run.facts;
+  camera.updateMatrixWorld();
+  if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
+  if (on.names) wallNames(c, facts, camera, width, height, u, ink);
+  if (on.ground) groundArrow(c, facts, on.ground, house, camera, width, height, u, ink);
+  axes(c, camera, house.controls.target, 0.6 * u, height - (on.bottom ?? 0.6 * u), u, ink, height);
+  for (const { points, name } of on.hinges ?? []) {
+    const ends = points.map((p) => seen(new Vector3(...p), camera, width, height));
+    if (ends.some((p) => !p)) continue;
+    c.strokeStyle = ink.hinge, c.lineWidth = 3, c.setLineDash([9, 5]);
+    c.beginPath(), c.moveTo(...ends[0]), c.lineTo(...ends[1]), c.stroke(), c.setLineDash([]);
+  }
+}
+
+/** Title and time at the top, the legend at the bottom, on plates; returns the height of the lower plate. */
+export function drawCaption(c, { title, subtitle, clock, note, legend }, width, height, u) {
+  const plate = "rgba(255, 255, 255, 0.86)";
+  c.fillStyle = plate, c.fillRect(0, 0, width, 3.6 * u);
+  c.textBaseline = "middle", c.textAlign = "right", c.fillStyle = "#111";
+  c.font = `600 ${1.7 * u}px ${kType}`;
+  c.fillText(clock, width - u, 1.45 * u);
+  const room = width - 3 * u - c.measureText(clock).width;
+  c.font = `${0.95 * u}px ${kType}`, c.fillStyle = "#444";
+  if (note) c.fillText(note, width - u, 2.9 * u);
+  c.textAlign = "left";
+  c.fillText(subtitle, u, 2.75 * u, width - 3 * u - (note ? c.measureText(note).width : 0));
+  c.font = `600 ${1.25 * u}px ${kType}`, c.fillStyle = "#111";
+  c.fillText(title, u, 1.3 * u, room);
+  const measure = document.createElement("canvas").getContext("2d"), top = drawLegend(measure, legend, u, height - 0.3 * u, width - 2 * u, u);
+  c.fillStyle = plate, c.fillRect(0, top - 0.3 * u, width, height - top + 0.3 * u);
+  drawLegend(c, legend, u, height - 0.3 * u, width - 2 * u, u);
+  return height - top + 0.3 * u;
+}
