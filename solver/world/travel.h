@@ -28,7 +28,7 @@ class Travel {
   /// \param skin  m, see skin()  \param all_active  every batch is active from the start
   Travel(const Elements& e, double skin, bool all_active);
 
-  /// m; a search lists what may come near while two elements move by half of it each.
+  /// The skin [m]: a search lists the pairs that may touch before either element has moved by half of this.
   [[nodiscard]] double skin() const noexcept { return skin_; }
   void set_skin(double skin) noexcept { skin_ = skin; }
   /// m, that an element may move before it is searched again.
@@ -56,7 +56,7 @@ class Travel {
   /// m, by element; those of active batches are kept up to date.
   [[nodiscard]] const double* bounds() const noexcept { return bound_.data(); }
   [[nodiscard]] double bound(std::int32_t element) const noexcept { return bound_[static_cast<std::size_t>(element)]; }
-  /// An element has been put elsewhere, by that distance [m].
+  /// An element has been moved by that distance [m] without a velocity: its bound grows by it.
   void add(std::int32_t element, double distance) noexcept { bound_[static_cast<std::size_t>(element)] += distance; }
   /// Positions have changed in a way that no velocity tells: every element has its displacement computed in the next step.
   void distrust_bounds() noexcept;
@@ -79,7 +79,7 @@ class Travel {
   void set_searched() noexcept { due_at_once_ = false; }
   /// A search is due after so many steps at the latest.
   void ask_for_search(std::int32_t steps) noexcept;
-  /// A search has taken up what was asked for.
+  /// The search that was asked for is being done.
   void answer_search() noexcept { countdown_ = 0; }
   /// Whether a search is due in this step. Call once a step: it counts down to a search that was asked for.
   /// \param displacement  m, the largest that kernels::advance_travel found over the limit
@@ -93,7 +93,7 @@ class Travel {
   };
   /// What a checkpoint must hold of it (field_table.h).
   [[nodiscard]] State state() noexcept;
-  /// Before a state is read: room for so many poses; travel bounds, which follow from the state, begin again.
+  /// Before a state is read: makes room for so many poses and sets all travel bounds to zero.
   void restart(std::size_t poses);
 
   /// Bytes that it holds.
