@@ -4,23 +4,23 @@
 
 #include <omp.h>
 
+#include "io/commands/prepared_case.h"
 #include "io/commands/session.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
 
 namespace voussoir::io {
 
 int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
+  const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.gather = o.gather;
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
+  warn_of_slips(c.value, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));
