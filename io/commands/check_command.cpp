@@ -19,6 +19,7 @@
 #include "io/motion/motion_files.h"
 #include "io/report/drawing.h"
 #include "solver/run/simulation.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::io {
 
@@ -114,14 +115,18 @@ double settling_time(const cases::Case& c) {
 
 void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
-  const double dt = sim.dt(), intact = (c.time.duration + settling_time(c)) / dt * time_a_step(sim);
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
   const double frames = std::floor(c.time.duration / c.output.frame_interval) + 1.0;
   const double rows = c.time.duration / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
-  std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
-              sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
+  try {
+    const double intact = (c.time.duration + settling_time(c)) / sim.dt() * time_a_step(sim);
+    std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
+                sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
+  } catch (const solver::NumericalError& e) {
+    std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
+  }
   std::printf("memory, disk             about %.0f MB, %.0f MB\n", memory / kMegabyte, disk / kMegabyte);
 }
 

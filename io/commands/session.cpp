@@ -81,19 +81,6 @@ void take_measures(ResultsWriter& results) {
   }
 }
 
-/// A run whose files cannot be written: what there is to do then.
-void print_way_on(const std::string& folder) {
-  const char* name = folder.c_str();
-  if (!checkpoint_files(folder).empty()) {
-    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", name);
-  } else {
-    std::fprintf(stderr,
-                 "voussoir: the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, "
-                 "run the case anew ('voussoir run CASE -o %s --overwrite')\n",
-                 name);
-  }
-}
-
 /// The observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
@@ -187,6 +174,18 @@ std::vector<std::string> history_names(const cases::Case& c) {
   std::vector<std::string> names;
   for (const cases::HistoryPoint& h : c.output.history) names.push_back(h.name);
   return names;
+}
+
+void print_way_on(const std::string& folder) {
+  const char* name = folder.c_str();
+  if (!checkpoint_files(folder).empty()) {
+    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", name);
+  } else {
+    std::fprintf(stderr,
+                 "voussoir: the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, "
+                 "run the case anew ('voussoir run CASE -o %s --overwrite')\n",
+                 name);
+  }
 }
 
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,

@@ -72,7 +72,11 @@ TEST_CASE("a disk that is full before the first checkpoint: the message promises
   const std::string data = VOUSSOIR_SOURCE_DIR "/tests/faults/data/";
   for (const char* name : {"wall.toml", "y.csv"}) std::filesystem::copy_file(data + name, folder.path(name));
   const std::string out = folder.path("out"), words = "run " + folder.path("wall.toml") + " --quiet -j 1 --duration 0.1 -o " + out;
-  const Outcome full = voussoir(words, "ulimit -f 300; ");  // kB: run.h5 fits, no checkpoint does
+  const Outcome fuller = voussoir(words, "ulimit -f 100; ");  // half kB: not even run.h5 fits
+  CHECK(fuller.code == 3);
+  CHECK(says(fuller, {"File too large", "before its first checkpoint", "run the case anew", "--overwrite"}));
+  std::filesystem::remove_all(out);
+  const Outcome full = voussoir(words, "ulimit -f 450; ");  // run.h5 fits, no checkpoint does
   CHECK(full.code == 3);
   CHECK(says(full, {"File too large", "before its first checkpoint", "run the case anew", "--overwrite"}));
   CHECK(is_silent_of(full, "resume"));
@@ -154,8 +158,8 @@ default = "weak"
 [base]
 z = 0.0
 [[output.history]]
-name = "right"
-point = [3.1, 1.2, 1.7]
+name = "left"
+point = [0.1, 1.2, 1.7]
 [house]
 inner_size = [2.8, 2.0]
 height = 2.0
@@ -238,9 +242,10 @@ TEST_CASE("a damping frequency that is not the model's is told; auto takes that 
 TEST_CASE("followed points outside the model are refused, with how far the nearest element is") {
   const TempFolder folder;
   const std::string name = folder.write("case.toml", kSmallHouse);
-  const Outcome far = voussoir("check " + name + " -j 1 --set 'output.history[0].point=[4.6, 1.2, 1.7]'");
+  const Outcome far = voussoir("check " + name + " -j 1 --set 'output.history[0].point=[-1.5, 1.2, 1.7]'");
   CHECK(far.code == 2);
-  CHECK(says(far, {"output.history[0].point", "(\"right\") lies outside the model", "right wall", "is 1.4 m away", "(0.4 m)"}));
+  CHECK(
+      says(far, {"output.history[0].point", "(\"left\") lies outside the model", "left wall", "is 1.5 m away", "allowed: in an element"}));
   CHECK(voussoir("run " + name + " --quiet -j 1 -o " + folder.path("out") + " --set 'output.history[0].point=[1.6, 1.2, 0.9]'").code == 2);
   CHECK_FALSE(std::filesystem::exists(folder.path("out")));
   CHECK(voussoir("check " + name + " -j 1 --set 'output.history[0].point=[3.3, 1.2, 1.7]'").code == 0);
