@@ -10,8 +10,8 @@
 #include "io/commands/progress.h"
 #include "io/commands/report_command.h"
 #include "io/commands/run_command.h"
-#include "io/commands/settling_warning.h"
 #include "io/files/errors.h"
+#include "io/measures/settling_warning.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/settling_warning.h"
+#include "io/measures/settling_warning.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/commands/progress.h"
 #include "io/measures/building.h"
 
 namespace voussoir::io {
@@ -72,9 +71,9 @@ std::string settling_warning(const solver::World& world, const solver::RunState&
   std::array<char, 80> where{}, since{};
   std::snprintf(where.data(), where.size(), "; between z = %.2f and %.2f m", b.low, b.high);
   std::snprintf(since.data(), since.size(), "the first at %.3f s", state.settling_crack);
-  return format_count(opened) + " of " + format_count(opened + d.bonded) +
-         " segment sides broke under the building's own weight, before the shaking (" + format_count(d.tension) + " in tension, " +
-         format_count(d.shear) + " in shear, " + format_count(d.compression) + " in compression), " + since.data() +
+  return std::to_string(opened) + " of " + std::to_string(opened + d.bonded) +
+         " segment sides broke under the building's own weight, before the shaking (" + std::to_string(d.tension) + " in tension, " +
+         std::to_string(d.shear) + " in shear, " + std::to_string(d.compression) + " in compression), " + since.data() +
          ". Where: " + shares(b) + where.data();
 }
 
