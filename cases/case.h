@@ -47,6 +47,7 @@ struct Time {
 struct Damping {
   double ratio = 0.0;               // of critical, at `frequency`
   std::optional<double> frequency;  // Hz
+  bool own_frequency = false;       // frequency = "auto": that of the model's mode with the largest mass in y; io fills it in
   std::optional<double> alpha;      // 1/s; instead of ratio and frequency
   bool debris = true;               // "keep" | "off": mass damping of elements without a bond
 };
@@ -172,6 +173,7 @@ struct Opening {
 };
 struct HouseWood {
   std::string material = "wood", within_member = "wood", between_members = "normal";
+  std::optional<std::string> timber_on_timber;  // between members of timber alone; none: between_members
 };
 /// gables: the non-bearing walls go on as under a vault, but there is none.
 enum class RoofKind { none, flat, vault, gables };
@@ -184,10 +186,13 @@ struct Roof {
   int voussoirs = 25;                                // of a ring (vault, gables)
   double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
 };
+/// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
+enum class RingPlace { inside, middle };
 struct Reinforcement {
   std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
   std::vector<double> bearing, nonbearing;                      // column axes, m
   double element = 0.2;                                         // length of an element of a member, m
+  RingPlace ring_beam_place = RingPlace::inside;
 };
 enum class Bond { english, running };
 struct House {

@@ -14,6 +14,7 @@
 #include "io/commands/compare_command.h"
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_command.h"
+#include "io/commands/prepared_case.h"
 #include "io/commands/report_command.h"
 #include "io/commands/resume_command.h"
 #include "io/commands/run_command.h"
@@ -23,7 +24,6 @@
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/motion_keys.h"
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
 #include "solver/world/errors.h"
@@ -54,11 +54,10 @@ struct Words {
 /// A path given on the command line starts at the working folder, not at the case's.
 std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
-/// A record or files on the command line take the place of those that the case names.
+/// A record or files on the command line take the place of those that the case names (apply_overrides).
 std::vector<std::string> motion_overrides(const Words& w) {
-  std::vector<std::string> dropped, given;
+  std::vector<std::string> given;
   const auto give = [&](const std::string& key, const std::string& value) {
-    for (const std::string_view other : io::give_way_to(key)) dropped.push_back("motion." + std::string(other) + "=");
     given.push_back("motion." + key + "=" + io::toml_string(value));
   };
   if (!w.direction.empty()) give("direction", w.direction);
@@ -71,8 +70,7 @@ std::vector<std::string> motion_overrides(const Words& w) {
     }
     give(m.substr(0, equals), from_here(m.substr(equals + 1)));
   }
-  dropped.insert(dropped.end(), given.begin(), given.end());
-  return dropped;
+  return given;
 }
 
 /// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
@@ -203,7 +201,7 @@ void add_summary(CLI::App& app, Words& w) {
 }
 
 void add_check(CLI::App& app, Words& w) {
-  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
+  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, how long a run takes, faults");
   add_case(check, w);
   check->add_option("--draw", w.check.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
   check->add_flag("--overwrite", w.check.overwrite, "replace an existing drawing");
@@ -237,8 +235,10 @@ void add_motion(CLI::App& app, Words& w) {
 }
 
 int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
-  const io::LoadedCase c = io::load_case(w.name, overrides(w));
+  io::LoadedCase c = io::load_case(w.name, overrides(w));
+  for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   try {
+    io::fill_own_frequency(c.value);
     return use(c);
   } catch (const cases::InputError& e) {
     std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());

@@ -17,6 +17,7 @@
 #include "io/bench/bench_stages.h"
 #include "io/bench/bench_table.h"
 #include "io/bench/bench_timing.h"
+#include "io/commands/prepared_case.h"
 #include "io/commands/progress.h"
 #include "io/commands/restored_run.h"
 #include "io/commands/run_command.h"
@@ -25,7 +26,6 @@
 #include "io/files/errors.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
 #include "solver/bench/machine.h"
 #include "solver/bench/memory.h"
 #include "solver/bench/step_work.h"
@@ -165,8 +165,7 @@ struct FreshRun {
 }  // namespace
 
 int bench_command(const LoadedCase& c, const BenchOptions& o) {
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
+  const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
   if (c.value.motion && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
   const auto build = [&](bool gather) {

@@ -42,7 +42,8 @@ Found newest_good(const std::string& folder) {
   if (!faults.empty()) throw FileError(folder, "holds no checkpoint that is whole (" + faults + "); the case must be run anew");
   if (fs::exists(folder + "/checkpoint-failed.h5"))
     throw FileError(folder, "holds a numerical failure only; run the case anew with what the failure's message said");
-  throw FileError(folder, "holds no checkpoint: nothing to go on from");
+  throw FileError(folder,
+                  "holds no checkpoint: nothing to go on from; run the case anew ('voussoir run CASE -o " + folder + " --overwrite')");
 }
 
 /// The first line in which two texts differ, as "'a' there, 'b' here"; empty if none does.

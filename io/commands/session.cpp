@@ -11,6 +11,7 @@
 #include "io/commands/report_command.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
+#include "io/measures/settling_warning.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -39,11 +40,9 @@ class Signals {
 void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder) {
   std::printf("collapsed            %s\n", s.collapsed ? "yes" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
-  if (s.first_crack_time >= 0.0) {
-    std::printf("first crack          %.3f s\n", s.first_crack_time);
-  } else {
-    std::printf("first crack          none\n");
-  }
+  std::printf("first crack          ");
+  if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; of the shaking ", s.settling.first_crack_time);
+  s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf("none\n");
   const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
     std::printf("%-20s %s in tension, %s in shear, %s in compression", what, format_count(tension).c_str(), format_count(shear).c_str(),
                 format_count(compression).c_str());
@@ -52,6 +51,8 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("\n");
   by_mode("sides opened by", s.tension, s.shear, s.compression);
   std::printf("; %s hold and have slipped\n", format_count(s.slipped).c_str());
+  by_mode("of them settling", s.settling.tension, s.settling.shear, s.settling.compression);
+  std::printf("; %s held and had slipped\n", format_count(s.settling.slipped).c_str());
   std::printf("peak base shear      %.1f kN\n", 1e-3 * s.peak_base_shear);
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy residual      %.2g at worst\n", s.worst_residual);
@@ -95,6 +96,8 @@ class Watch {
   bool look(const solver::RunStatus& s) {
     const double now = wall();
     progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual}, now);
+    if (settling_ && !s.settling) warn_of_settling();
+    settling_ = s.settling;
     const bool stop = stop_signal != 0;
     if (stop || save_signal != 0 || checkpoints_.due(s)) {
       save_signal = 0;
@@ -121,6 +124,14 @@ class Watch {
 
   void finish() { progress_.finish(); }
 
+  /// Once, when the shaking begins.
+  void warn_of_settling() {
+    const std::string text = settling_warning(sim_.world(), plan_);
+    if (text.empty()) return;
+    progress_.finish();
+    std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str());
+  }
+
   /// What safety cost.
   void print_checkpoints() const {
     std::printf("checkpoints          %d, with the rows before them %.2f s (%.2f %% of %.1f s)\n", saves_, saving_,
@@ -138,7 +149,7 @@ class Watch {
   LivePage page_;
   Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool saved_ = false;
+  bool saved_ = false, settling_ = false;
   int saves_ = 0;        // also those that failed
   double saving_ = 0.0;  // s
 };
@@ -165,6 +176,18 @@ std::vector<std::string> history_names(const cases::Case& c) {
   return names;
 }
 
+void print_way_on(const std::string& folder) {
+  const char* name = folder.c_str();
+  if (!checkpoint_files(folder).empty()) {
+    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", name);
+  } else {
+    std::fprintf(stderr,
+                 "voussoir: the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, "
+                 "run the case anew ('voussoir run CASE -o %s --overwrite')\n",
+                 name);
+  }
+}
+
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every) {
   const Signals signals;
@@ -189,7 +212,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     return kNumericalFailure;
   } catch (const FileError&) {
     watch.finish();
-    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", folder.c_str());
+    print_way_on(folder);
     throw;
   }
 }

@@ -18,6 +18,9 @@ CheckpointFacts facts_of(const solver::Simulation& sim, const std::string& toml,
 /// Names of the followed elements, in order.
 std::vector<std::string> history_names(const cases::Case& c);
 
+/// Of a run whose files cannot be written: tells whether `resume` goes on once they can, or the case is to be run anew.
+void print_way_on(const std::string& folder);
+
 /// Runs, or goes on from `plan`, to the end of the case; tells people how it goes and what came out.
 ///
 /// Checkpoints are written as scheduled and on signals: SIGUSR1 saves and goes on, SIGINT and SIGTERM save and stop. A checkpoint that

@@ -62,6 +62,9 @@ struct Building {
   }
 };
 
+/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam".
+std::string part_of(const std::string& tag);
+
 /// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
 Building building_of(const Hdf5File& run);
 

@@ -54,7 +54,7 @@ class Measurer {
       all_.mass += building_.mass[e];
       if (Part* part = part_of(e)) part->mass += building_.mass[e];
     }
-    m_.first_crack_time = first_crack(run);
+    read_cracks(run);
     m_.initial_free_volume = volume_.initial();
   }
 
@@ -74,10 +74,12 @@ class Measurer {
   }
 
  private:
-  static double first_crack(const Hdf5File& run) {
-    for (const double t : run.read<double>("/cracks/time"))
-      if (t >= 0) return t;
-    return kNeverReached;
+  void read_cracks(const Hdf5File& run) {
+    m_.settling_first_crack_time = kNone;
+    for (const double t : run.read<double>("/cracks/time")) {
+      if (t < 0 && m_.settling_cracks++ == 0) m_.settling_first_crack_time = t;
+      if (t >= 0 && m_.shaking_cracks++ == 0) m_.first_crack_time = t;
+    }
   }
 
   Part* part_of(std::size_t element) {
@@ -122,6 +124,7 @@ class Measurer {
     WallMeasures& measures = m_.walls[w];
     const std::optional<double> drift = wall_drift(wall, start_, poses, fallen_);
     measures.crack_extent = cracks.fine, measures.large_crack_extent = cracks.large;
+    if (m_.series.time.empty()) measures.settling_crack_extent = cracks.fine;
     measures.residual_drift = drift.value_or(kNone);
     m_.series.drift.push_back(measures.residual_drift);
     if (drift) keep_larger(measures.peak_drift, *drift);
@@ -133,6 +136,7 @@ class Measurer {
     std::vector<std::int64_t>& grade = m_.series.damage_grade;
     for (std::size_t f = grade.size(); f-- > 1;) grade[f - 1] = std::min(grade[f - 1], grade[f]);
     m_.damage_grade = grade.empty() ? -1 : grade.back();
+    m_.settling_damage_grade = grade.empty() ? -1 : grade.front();
     for (std::size_t g = 0; g < m_.grade_time.size(); ++g) {
       const auto first = std::ranges::lower_bound(grade, static_cast<std::int64_t>(g) + 1);
       m_.grade_time[g] = first == grade.end() ? kNeverReached : m_.series.time[static_cast<std::size_t>(first - grade.begin())];

@@ -26,6 +26,7 @@ struct WallMeasures {
   double peak_drift = 0;                            // as long as it stood, the largest in magnitude; NaN: never stood
   double residual_drift = 0;                        // at the end; NaN: it does not stand
   double crack_extent = 0, large_crack_extent = 0;  // at the end: CrackExtent::fine and large
+  double settling_crack_extent = 0;                 // CrackExtent::fine in the first frame
 };
 
 /// A value for each frame.
@@ -43,6 +44,10 @@ struct Measures {
   bool collapsed = false;                   // in the last frame
   double fallen_mass_fraction = 0;          // in the last frame
   double first_crack_time = kNeverReached;  // of the first row of /cracks at or after time zero, s
+  // What the building's own weight did before the shaking began, and what came after: rows of /cracks before and from time zero.
+  std::int64_t settling_cracks = 0, shaking_cracks = 0;
+  double settling_first_crack_time = 0;     // s, below 0; NaN: nothing broke before time zero
+  std::int64_t settling_damage_grade = -1;  // damage_grade that there was in the first frame already; -1: as damage_grade
   double collapse_time = kNeverReached;     // of the first frame in which the building is collapsed, s
   std::int64_t damage_grade = -1;           // EMS-98, 0 to 5; -1: there are no walls, or no frames
   std::array<double, 5> grade_time{};       // from when on damage was of grade 1, ..., 5 at least, s

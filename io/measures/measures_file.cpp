@@ -45,6 +45,10 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
 
 std::vector<Figure> figures_of(const Measures& m) {
   return {{"damage_grade", m.damage_grade, "EMS-98 (below 0: there are no walls)"},
+          {"settling_damage_grade", m.settling_damage_grade, "EMS-98 (below 0: there are no walls)"},
+          {"settling_cracks", m.settling_cracks, "segments"},
+          {"settling_first_crack_time", m.settling_first_crack_time, "s (below 0: before the shaking; NaN: none)"},
+          {"shaking_cracks", m.shaking_cracks, "segments"},
           {"collapse_time", m.collapse_time, "s (below 0: never)"},
           {"first_fallen_time", m.first_fallen_time, "s (below 0: never)"},
           {"first_fallen_wall", m.first_fallen_wall, "a name of wall/name (empty: none)"},

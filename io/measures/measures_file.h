@@ -36,6 +36,7 @@ inline constexpr std::array kWallColumns{
     WallColumn{"peak_drift", &WallMeasures::peak_drift, "1", "out-of-plane drift while it stood, outward positive; NaN: it never stood"},
     WallColumn{"residual_drift", &WallMeasures::residual_drift, "1", "out-of-plane drift at the end; NaN: the wall does not stand"},
     WallColumn{"crack_extent", &WallMeasures::crack_extent, "1", "area of joints 1 mm open or more over the wall's horizontal section"},
+    WallColumn{"settling_crack_extent", &WallMeasures::settling_crack_extent, "1", "crack_extent when the shaking began"},
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
 };
 

@@ -212,12 +212,6 @@ std::optional<LoadedCase> case_of(const Hdf5File& file) {
   }
 }
 
-/// "roof beam 11" is of the part "roof beam".
-std::string part_of(const std::string& tag) {
-  const std::size_t end = tag.find_last_not_of("0123456789 ");
-  return end == std::string::npos ? tag : tag.substr(0, end + 1);
-}
-
 /// Parts of the building by number, in order of their first element.
 std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   std::map<std::string, std::int32_t> numbers;
@@ -256,7 +250,8 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["summary"] =
       numbers(file, "/summary",
               {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
-               "slipped", "first_tension", "first_shear", "first_compression", "peak_base_shear", "peak_speed", "worst_residual"});
+               "slipped", "first_tension", "first_shear", "first_compression", "settling_tension", "settling_shear", "settling_compression",
+               "settling_slipped", "peak_base_shear", "peak_speed", "worst_residual"});
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();

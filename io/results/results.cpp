@@ -58,13 +58,18 @@ void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary
   file.set_attribute(at, "first_tension", s.first.tension);
   file.set_attribute(at, "first_shear", s.first.shear);
   file.set_attribute(at, "first_compression", s.first.compression);
+  file.set_attribute(at, "settling_tension", s.settling.tension);
+  file.set_attribute(at, "settling_shear", s.settling.shear);
+  file.set_attribute(at, "settling_compression", s.settling.compression);
+  file.set_attribute(at, "settling_slipped", s.settling.slipped);
   file.set_attribute(at, "peak_base_shear", s.peak_base_shear);
   file.set_attribute(at, "peak_speed", s.peak_speed);
   file.set_attribute(at, "worst_residual", s.worst_residual);
   file.set_attribute(at, "end_time", s.end_time);
   file.set_attribute(at, "units",
-                     "first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, first_shear, "
-                     "first_compression: segment sides; "
+                     "first_crack_time (of the shaking; below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, "
+                     "first_shear, first_compression, settling_tension, settling_shear, settling_compression, settling_slipped: segment "
+                     "sides; "
                      "peak_base_shear: N; peak_speed: m/s; " +
                          figure_units() + "; the others: 1");
 }

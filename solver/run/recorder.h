@@ -63,12 +63,21 @@ struct FrameView {
   std::span<const float> position, quaternion, broken;
 };
 
+/// What the building's own weight has done to it: segment sides as in DamageRow when the shaking began, or so far.
+struct SettlingDamage {
+  std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;
+  double first_crack_time = 0;  // s, below 0; 0: none
+
+  [[nodiscard]] std::int64_t opened() const noexcept { return tension + shear + compression; }
+};
+
 struct Summary {
   bool collapsed = false;
   double fallen_mass_fraction = 0;
-  double first_crack_time = -1;                                       // s, < 0: none
+  double first_crack_time = -1;                                       // s, of the shaking; < 0: none
   std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides, as in DamageRow
   FirstLimits first;
+  SettlingDamage settling;     // part of the counts above
   double peak_base_shear = 0;  // N
   double peak_speed = 0;       // m/s
   double worst_residual = 0;
