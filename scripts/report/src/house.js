@@ -29,7 +29,9 @@ export class House {
     this.run = run;
     this.canvas = canvas;
     this.software = drawsInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: still || !this.software });
+    // Without a transparent background: the browser would blend the picture with the page below, and the processor would have to do that.
+    const context = canvas.getContext("webgl2", { alpha: false, stencil: false, antialias: still || !this.software });
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 1, 2);
     this.camera.up.set(0, 0, 1);
