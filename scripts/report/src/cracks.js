@@ -81,8 +81,8 @@ function lines({ cracks, frames }) {
   return out;
 }
 
-/** Two faces an edge, on which its line lies: of its first element and of its second; where there is none, the first stands twice, and where
- *  neither has one, the number of all faces. @param faces  as FaceOrder wants them */
+/** Two faces an edge, on which its line lies: of its first element and of its second, or twice of one of them; where neither has one, the
+ *  number of all faces. @param faces  as FaceOrder wants them */
 function facesOf({ cracks, frames }, { plane, first }) {
   const { elements, ends, joints } = cracks, all = plane.length / 4, out = new Uint32Array(ends.length / 3), kNear = 1e-4; // m
   const on = (f, e, edge) => [0, 1].every((end) => {
@@ -98,7 +98,8 @@ function facesOf({ cracks, frames }, { plane, first }) {
   for (let j = 0, edge = 0; j < joints; ++j) {
     for (const last = edge + cracks.edges[j]; edge < last; ++edge) {
       const ofA = along(elements[2 * j], edge), ofB = along(elements[2 * j + 1], edge); // among them the two that met: these are opposite
-      const a = ofA.find((f) => !ofB.some((g) => opposite(f, g))), b = ofB.find((f) => !ofA.some((g) => opposite(f, g)));
+      const a = ofA.find((f) => !ofB.some((g) => opposite(f, g)));
+      const b = elements[2 * j + 1] < 0 ? ofA.at(-1) : ofB.find((f) => !ofA.some((g) => opposite(f, g))); // on the base, either of the first
       out[2 * edge] = a ?? b ?? all, out[2 * edge + 1] = b ?? a ?? all;
     }
   }
