@@ -269,11 +269,11 @@ class Report {
     this.sized = `${width} ${height}`;
     if (between && view) this.show(this.last), this.look(view), (view = null); // a film has room for the debris from its beginning
     this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    // What was drawn last is still in the canvas: drawImage follows at once.
     if (view) this.look(view);
-    else for (const { house } of this.panes) house.render(); // drawImage must follow at once: the browser does not keep what it has shown
     const canvas = (this.paper ??= document.createElement("canvas"));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-    compose(canvas.getContext("2d"), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
+    compose(canvas.getContext("2d", { willReadFrequently: true }), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
     this.composing = false;
     const url = canvas.toDataURL(type, 0.95);
     return url.slice(url.indexOf(",") + 1);
