@@ -7,6 +7,7 @@ import { drawOverlay } from "./overlay.js";
 import { Pane } from "./pane.js";
 import { compose, kPaper, Recorder } from "./pictures.js";
 import { Plot } from "./plots.js";
+import { Sheet } from "./sheet.js";
 import { showSummary, subtitle } from "./summary.js";
 import { showTimeline } from "./timeline.js";
 import { cameraNumbers, cameraText } from "./views.js";
@@ -17,7 +18,9 @@ function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
 const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
-const kSeldom = 8; // while it plays, only every so many frames are written upon and read in all plots
+// While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
+// times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
+const kStepped = 3, kSeldom = 3;
 
 class Report {
   /** @param runs  one, or two to see side by side  @param asked  what the page's address asks for after '#': t, view or camera, colour, motion;
@@ -30,6 +33,7 @@ class Report {
     this.last = this.times.length - 1;
     this.at = 0; // frame; between two while it plays
     this.playing = false;
+    this.unsaid = this.unread = 0; // frames since the page was last written
     this.panes = [];
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.#describeRun();
@@ -199,13 +203,21 @@ class Report {
     say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);
     this.#legend(name);
     if (this.still_) return; // nobody looks at the page
+    if (!this.playing || !this.house?.software || ++this.unsaid >= kStepped) this.#say(t);
+    this.recorder?.shot();
+  }
+
+  /** What stands beside the house at a moment: clock, slider, plots, the element picked, the address. */
+  #say(t) {
+    this.unsaid = 0;
     say("clock", `${t.toFixed(2)} s`);
     by("time").value = Math.round(this.at);
     by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
-    this.#plotsNow(t);
+    const read = !this.playing || !this.house?.software || ++this.unread >= kSeldom;
+    if (read) this.unread = 0;
+    for (const plot of this.plots) plot.now(t, read);
     this.#describe();
     this.#remember();
-    this.recorder?.shot();
   }
 
   #legend(name) {
@@ -214,13 +226,6 @@ class Report {
     if (key !== this.legendKey) showLegend(by("legend"), entries);
     this.legendKey = key;
     this.legend = entries;
-  }
-
-  #plotsNow(t) {
-    this.unread = (this.unread ?? 0) + 1;
-    const read = !this.playing || this.unread >= kSeldom;
-    if (read) this.unread = 0;
-    for (const plot of this.plots) plot.now(t, read);
   }
 
   #overlayOf(pane) {
@@ -232,14 +237,11 @@ class Report {
     if (this.composing) return;
     // While it plays, writing it all at every frame would take as long as the house.
     const camera = cameraText(pane.house.camera, pane.house.controls.target);
-    if (this.playing && camera === pane.written && ++pane.unwritten < kSeldom) return;
+    if (this.playing && camera === pane.written && ++pane.unwritten < kStepped * kSeldom) return;
     pane.written = camera, pane.unwritten = 0;
-    const canvas = pane.element.querySelector(".overlay"), ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) canvas.width = Math.round(width * ratio), canvas.height = Math.round(height * ratio);
-    const c = canvas.getContext("2d");
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    drawOverlay(c, pane.house, width, height, 13, this.#overlayOf(pane), this.ink);
+    const ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
+    pane.sheet ??= new Sheet(pane.element.querySelector(".overlay"));
+    pane.sheet.draw(width, height, ratio, (c) => drawOverlay(c, pane.house, width, height, 13, this.#overlayOf(pane), this.ink));
   }
 
   time() {
@@ -267,11 +269,11 @@ class Report {
     this.sized = `${width} ${height}`;
     if (between && view) this.show(this.last), this.look(view), (view = null); // a film has room for the debris from its beginning
     this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    // What was drawn last is still in the canvas: drawImage follows at once.
     if (view) this.look(view);
-    else for (const { house } of this.panes) house.render(); // drawImage must follow at once: the browser does not keep what it has shown
     const canvas = (this.paper ??= document.createElement("canvas"));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-    compose(canvas.getContext("2d"), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
+    compose(canvas.getContext("2d", { willReadFrequently: true }), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
     this.composing = false;
     const url = canvas.toDataURL(type, 0.95);
     return url.slice(url.indexOf(",") + 1);
