@@ -111,15 +111,9 @@ complete -o default -F _voussoir voussoir  # -o default: where nothing fits, nam
 }
 
 std::string zsh_completion(const OptionTable& table) {
-  std::string text = "#compdef voussoir\n" + std::string(kMade);
-  text += R"(_voussoir_cases() {
-  local program=${words[1]}
-  [[ ${commands[voussoir]+1} ]] && program=voussoir
-  local -a ready=(${(f)" $() " +
-          std::string(kCases) +
-          R"()"
-})
-  _alternative "cases:ready case:($ready)" 'files:case file:_files -g "*.toml"'
+  std::string text = "#compdef voussoir\n" + std::string(kMade) + "_voussoir_cases() {\n  local program=voussoir\n";
+  text += "  local -a ready=(${(f)\"$(" + std::string(kCases) + ")\"})\n";
+  text += R"ZSH(  _alternative "cases:ready case:($ready)" 'files:case file:_files -g "*.toml"'
 }
 _voussoir() {
   local curcontext=$curcontext state line
@@ -128,7 +122,7 @@ _voussoir() {
   case $state in
     command)
       local -a known=(
-)";
+)ZSH";
   for (const CommandRow& c : table.commands) text += "        " + quoted(c.name + ":" + marked(c.text, ":\\")) + "\n";
   text += "      )\n      _describe command known ;;\n    argument)\n      case ${line[1]} in\n";
   for (const CommandRow& c : table.commands) {
