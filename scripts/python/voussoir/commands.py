@@ -106,9 +106,9 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     interrupted = False
     while True:
         try:
-            code = child.wait()
-            for thread in threads:
+            for thread in threads:  # they end with the program; child.wait() would answer a Ctrl-C late
                 thread.join()
+            code = child.wait()
             break
         except KeyboardInterrupt:
             if interrupted:  # the second time: at once
