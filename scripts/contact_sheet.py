@@ -15,9 +15,8 @@ import sys
 
 from PIL import Image
 
-import program
 import run_file
-from run_file import plt
+from run_file import plt, voussoir
 
 WIDTH = 3.2  # of a picture, inches
 
@@ -28,7 +27,7 @@ def end_of(folder):
         return float(run_file.frame_times(file)[-1])
 
 
-def stills(folder, view, times, voussoir):
+def stills(folder, view, times, program):
     """Paths of a run's pictures, one a time up to its end."""
     end = end_of(folder)
     times = [t for t in times if t <= end + 1e-6]
@@ -36,11 +35,11 @@ def stills(folder, view, times, voussoir):
     ran = os.path.getmtime(os.path.join(folder, "run.h5"))
     old = [t for t, path in zip(times, paths) if not os.path.exists(path) or os.path.getmtime(path) < ran]
     if old:
-        words = [voussoir, "report", folder, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
+        words = [program, "report", folder, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
         try:
             done = subprocess.run(words)
         except OSError as error:
-            sys.exit(f"{voussoir}: {error.strerror}; build it, or name the program by --voussoir")
+            sys.exit(f"{program}: {error.strerror}; build it, or name the program by --voussoir")
         if done.returncode != 0:
             sys.exit(done.returncode)  # the program has said why
     return paths
@@ -68,7 +67,7 @@ def main():
     p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
     p.add_argument("--dpi", type=int, default=150, help="pictures are 3.2 inches wide")
     p.add_argument("-o", "--output", default="sheet.png")
-    p.add_argument("--voussoir", default=program.program(), metavar="PROGRAM", help="default: %(default)s")
+    p.add_argument("--voussoir", default=voussoir.program(), metavar="PROGRAM", help="default: %(default)s")
     a = p.parse_args()
     a.times.sort()
     last = max(map(end_of, a.folders))

@@ -109,8 +109,9 @@ TEST_CASE("installed: links of the manual lead to pages, pictures and cases that
 TEST_CASE("installed: scripts find the installed program and the packages beside them") {
   const TempFolder folder;
   const std::string scripts = installed().prefix + "/share/voussoir/scripts";
-  const auto says =
-      there(folder, "cd " + shell::quoted(scripts) + " && python3 -c 'import program; print(program.program()); print(program.CHECKOUT)'");
+  const auto says = there(folder, "cd " + shell::quoted(scripts) +
+                                      " && python3 -c 'import sys; sys.path.insert(0, \"python/voussoir\"); import program; "
+                                      "print(program.program()); print(program.CHECKOUT)'");
   CHECK(says.text == installed().prefix + "/bin/voussoir\nNone\n");
   if (shell::code_of("/usr/bin/python3 -c 'import h5py, matplotlib, numpy' 2>/dev/null") != 0) {
     MESSAGE("skipped: no python3 with h5py, numpy and matplotlib");
@@ -118,6 +119,10 @@ TEST_CASE("installed: scripts find the installed program and the packages beside
   }
   folder.write("two.toml", kCase);
   REQUIRE(there(folder, "voussoir run two.toml --quiet").code == 0);
+  const std::string package = there(folder, "PYTHONPATH=" + shell::quoted(installed().prefix + "/lib/python3/dist-packages") +
+                                                " /usr/bin/python3 -c 'import voussoir; print(voussoir.Run(\"results/two\").finished)'")
+                                  .text;
+  CHECK(package == "True\n");
   for (const char* script : {"plot_energy.py results/two -o x.png", "plot_damage.py results/two -o x.png", "study/run --help"}) {
     const shell::Outcome o = there(folder, "/usr/bin/python3 " + shell::quoted(scripts) + "/" + script);
     CHECK_MESSAGE(o.code == 0, script << ": " << o.text);
