@@ -23,6 +23,7 @@
 #include "io/commands/waiting_threads.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
+#include "io/manual/manual_commands.h"
 #include "io/motion/motion_files.h"
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
@@ -40,6 +41,7 @@ struct Words {
   std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour", format = "text";
   std::vector<std::string> files;  // of `motion`
   std::string first, second;       // of `compare`
+  std::string shell, man_folder;   // of `completion`, `man`
   bool verify = false, markdown = false;
   io::RunOptions run;
   io::BenchOptions bench;
@@ -234,6 +236,15 @@ void add_motion(CLI::App& app, Words& w) {
   motion->footer("example: voussoir motion bam-like --spectra spectra.csv");
 }
 
+void add_manual(CLI::App& app, Words& w) {
+  CLI::App* completion = app.add_subcommand("completion", "print a script that lets the Tab key complete the words of this program");
+  completion->add_option("SHELL", w.shell, "bash, zsh or fish")->required()->check(CLI::IsMember(io::kShells));
+  completion->footer("example: source <(voussoir completion bash)");
+  CLI::App* man = app.add_subcommand("man", "write the manual pages of the program and of its commands into a folder");
+  man->add_option("FOLDER", w.man_folder, "made if it is missing; pages in it are replaced")->required();
+  man->footer("example: voussoir man man1; man man1/voussoir-run.1");
+}
+
 int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
   io::LoadedCase c = io::load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
@@ -255,6 +266,8 @@ int dispatch(const CLI::App& app, Words& w) {
     std::fputs((w.markdown ? io::key_reference_markdown() : io::key_reference()).c_str(), stdout);
     return io::kDone;
   }
+  if (app.got_subcommand("completion")) return io::completion_command(io::option_table(app), w.shell);
+  if (app.got_subcommand("man")) return io::man_command(io::option_table(app), w.man_folder);
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
   if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
   if (app.got_subcommand("summary")) {
@@ -310,6 +323,7 @@ int main(int argc, char** argv) {
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
   app.add_subcommand("keys", "all keys of the case file")->add_flag("--markdown", w.markdown, "as tables, for a page");
+  add_manual(app, w);
   try {
     app.parse(argc, argv);
     return dispatch(app, w);

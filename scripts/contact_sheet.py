@@ -10,16 +10,14 @@ Needs what `scripts/setup plots` installs.
 
 import argparse
 import os
-import pathlib
 import subprocess
 import sys
 
 from PIL import Image
 
 import run_file
-from run_file import plt
+from run_file import plt, voussoir
 
-PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/release/io/voussoir"
 WIDTH = 3.2  # of a picture, inches
 
 
@@ -69,7 +67,7 @@ def main():
     p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
     p.add_argument("--dpi", type=int, default=150, help="pictures are 3.2 inches wide")
     p.add_argument("-o", "--output", default="sheet.png")
-    p.add_argument("--voussoir", default=PROGRAM, metavar="PROGRAM", help="default: build/release/io/voussoir of the repository")
+    p.add_argument("--voussoir", default=voussoir.program(), metavar="PROGRAM", help="default: %(default)s")
     a = p.parse_args()
     a.times.sort()
     last = max(map(end_of, a.folders))
