@@ -161,9 +161,11 @@ void add_resume(CLI::App& app, Words& w) {
 }
 
 void add_compare(CLI::App& app, Words& w) {
-  CLI::App* compare = app.add_subcommand("compare", "are the results of two runs the same, bit for bit (provenance apart)?");
+  CLI::App* compare =
+      app.add_subcommand("compare", "are two runs the same, bit for bit (provenance apart)? If not: their measures side by side");
   compare->add_option("A", w.first, "folder of a run, or a file")->required();
   compare->add_option("B", w.second, "another")->required();
+  compare->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
@@ -281,7 +283,7 @@ int dispatch(const CLI::App& app, Words& w) {
     return io::kDone;
   }
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
-  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
+  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second, w.format == "json");
   if (app.got_subcommand("summary")) {
     w.summary.json = w.format == "json";
     return io::summary_command(w.summary);
