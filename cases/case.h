@@ -108,6 +108,14 @@ struct Contact {
   ContactNormal normal = ContactNormal::slave;
 };
 
+enum class Baseline { none, mean, linear, parabolic };
+/// What is done to the components of a motion before they are scaled (cases/treatment.h).
+struct MotionTreatment {
+  std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
+  Baseline baseline = Baseline::none;     // taken off what the window holds
+  std::array<double, 2> taper{0.0, 0.0};  // s, at the start and at the end
+};
+
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
   std::optional<std::string> record;              // "bam-like", a folder holding record.toml, or a file that holds L, T and V
@@ -115,6 +123,8 @@ struct Motion {
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V
   std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": where a format does not say
+  std::optional<double> dt;                       // s: where a format does not say
+  MotionTreatment treatment;                      // keys from, to, baseline, taper
   std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
 };
 

@@ -7,6 +7,7 @@
 #include "cases/case.h"
 #include "cases/motion.h"
 #include "cases/names.h"
+#include "cases/spectra.h"
 
 namespace voussoir::cases {
 namespace {
@@ -36,15 +37,20 @@ OscillatorStep oscillator_step(double w, double z, double dt) {
   return k;
 }
 
-}  // namespace
-
-double spectral_displacement(const Accelerogram& a, double frequency_hz, double damping_ratio, double t_end) {
+/// \throw InputError for what is no oscillator.
+void check_oscillator(double frequency_hz, double damping_ratio) {
   if (!(frequency_hz > 0.0) || !std::isfinite(frequency_hz)) {
     throw InputError("", "oscillator frequency is " + text(frequency_hz) + " Hz; allowed: above 0");
   }
   if (!(damping_ratio >= 0.0 && damping_ratio < 1.0)) {
     throw InputError("", "damping ratio is " + text(damping_ratio) + "; allowed: from 0 to below 1 (of critical)");
   }
+}
+
+}  // namespace
+
+double spectral_displacement(const Accelerogram& a, double frequency_hz, double damping_ratio, double t_end) {
+  check_oscillator(frequency_hz, damping_ratio);
   if (a.acceleration.empty() || !(t_end >= 0.0)) return 0.0;
   const double last = std::min(std::floor(t_end / a.dt * (1.0 + 1e-12)), static_cast<double>(a.acceleration.size() - 1));
   const auto samples = static_cast<std::size_t>(last) + 1;
@@ -57,6 +63,20 @@ double spectral_displacement(const Accelerogram& a, double frequency_hz, double 
     peak = std::max(peak, std::abs(u));
   }
   return peak;
+}
+
+std::vector<double> displacement_response(const Accelerogram& a, double frequency_hz, double damping_ratio, std::size_t samples) {
+  check_oscillator(frequency_hz, damping_ratio);
+  const OscillatorStep k = oscillator_step(2.0 * std::numbers::pi * frequency_hz, damping_ratio, a.dt);
+  const auto at = [&](std::size_t i) { return i < a.acceleration.size() ? a.acceleration[i] : 0.0; };
+  std::vector<double> response(samples, 0.0);
+  double v = 0.0;
+  for (std::size_t i = 1; i < samples; ++i) {
+    const double a0 = at(i - 1), a1 = at(i), u0 = response[i - 1];
+    response[i] = k.a11 * u0 + k.a12 * v + k.b11 * a0 + k.b12 * a1;
+    v = k.a21 * u0 + k.a22 * v + k.b21 * a0 + k.b22 * a1;
+  }
+  return response;
 }
 
 }  // namespace voussoir::cases

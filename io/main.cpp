@@ -116,7 +116,7 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("-o,--output", w.run.folder, "folder of the results (default: results/CASE)");
   run->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
   run->add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
-  run->add_option("--motion", w.motion, "AXIS=FILE: ground motion of one axis (x, y, z, or L, T, V; may be repeated)");
+  run->add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
   run->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
   run->add_option("--duration", w.duration, "of shaking, s");
   run->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
@@ -161,9 +161,11 @@ void add_resume(CLI::App& app, Words& w) {
 }
 
 void add_compare(CLI::App& app, Words& w) {
-  CLI::App* compare = app.add_subcommand("compare", "are the results of two runs the same, bit for bit (provenance apart)?");
+  CLI::App* compare =
+      app.add_subcommand("compare", "are two runs the same, bit for bit (provenance apart)? If not: their measures side by side");
   compare->add_option("A", w.first, "folder of a run, or a file")->required();
   compare->add_option("B", w.second, "another")->required();
+  compare->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
@@ -221,6 +223,22 @@ void add_modes(CLI::App& app, Words& w) {
   modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
 }
 
+/// The keys of [motion] of the same names.
+void add_treatment(CLI::App* command, cases::MotionTreatment& t) {
+  command->add_option("--from", t.from, "s: begin there, and call it time zero")->check(CLI::NonNegativeNumber);
+  command->add_option("--to", t.to, "s, of the record: end there")->check(CLI::PositiveNumber);
+  const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
+                                                         {"mean", cases::Baseline::mean},
+                                                         {"linear", cases::Baseline::linear},
+                                                         {"parabolic", cases::Baseline::parabolic}};
+  command->add_option("--baseline", t.baseline, "take off what is left of the baseline: none, mean, linear or parabolic")
+      ->transform(CLI::CheckedTransformer(baselines));
+  command
+      ->add_option_function<double>(
+          "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_motion(CLI::App& app, Words& w) {
   CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
   motion
@@ -231,6 +249,15 @@ void add_motion(CLI::App& app, Words& w) {
   motion->add_option("--damping", w.motion_options.damping, "damping ratios of the spectra (default 0.02)");
   motion->add_option("--until", w.motion_options.until, "use the first seconds only");
   motion->add_option("--unit", w.motion_options.unit, "g, m/s2 or cm/s2, where a format does not say");
+  motion->add_option("--dt", w.motion_options.dt, "s between samples, where a format does not say (one column)");
+  add_treatment(motion, w.motion_options.treatment);
+  motion->add_flag("--combine", w.motion_options.combine,
+                   "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
+  motion->add_option("--target", w.motion_options.target,
+                     "compare with a spectrum, and print the factor that fits: a file of period [s] and acceleration, or Eurocode 8 as "
+                     "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");
+  motion->add_option("--fit", w.motion_options.fit, "two periods between which it is compared, s (default 0.05 1)")
+      ->allow_extra_args(false);
   motion->add_option("--write", w.motion_options.write, "write the record as CSV files into this folder");
   motion->add_flag("--overwrite", w.motion_options.overwrite, "replace existing files");
   motion->footer("example: voussoir motion bam-like --spectra spectra.csv");
@@ -269,7 +296,7 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("completion")) return io::completion_command(io::option_table(app), w.shell);
   if (app.got_subcommand("man")) return io::man_command(io::option_table(app), w.man_folder);
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
-  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
+  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second, w.format == "json");
   if (app.got_subcommand("summary")) {
     w.summary.json = w.format == "json";
     return io::summary_command(w.summary);

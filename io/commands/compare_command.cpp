@@ -9,10 +9,14 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
 #include "io/case_file/case_file.h"
+#include "io/commands/compared_measures.h"
+#include "io/commands/summary_command.h"
+#include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
@@ -218,6 +222,23 @@ class Comparer {
 
 std::string results_of(const std::string& path) { return std::filesystem::is_directory(path) ? path + "/run.h5" : path; }
 
+std::string summary_of(const std::string& path) { return summary_json(Hdf5File::open(path)); }
+
+std::string as_json(const Comparison& c, const std::string& a, const std::string& b) {
+  using Json = nlohmann::ordered_json;
+  Json out{
+      {"identical", c.differing == 0}, {"datasets", c.datasets}, {"differing", c.differing}, {"first", nullptr}, {"measures", nullptr}};
+  if (c.first) {
+    out["first"] = Json{{"dataset", c.first->dataset}, {"what", c.first->what}, {"time", nullptr}};
+    if (c.first->time) out["first"]["time"] = *c.first->time;
+  }
+  try {
+    out["measures"] = Json::parse(measures_beside_json(summary_of(a), summary_of(b)));
+  } catch (const FileError&) {  // no runs: null
+  }
+  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 Comparison compare_files(const std::string& a, const std::string& b) {
@@ -225,9 +246,14 @@ Comparison compare_files(const std::string& a, const std::string& b) {
   return Comparer(p, q).all();
 }
 
-int compare_command(const std::string& a, const std::string& b) {
+int compare_command(const std::string& a, const std::string& b, bool json) {
   const Comparison c = compare_files(results_of(a), results_of(b));
-  if (c.differing == 0) {
+  const bool same = c.differing == 0;
+  if (json) {
+    std::printf("%s\n", as_json(c, results_of(a), results_of(b)).c_str());
+    return same ? 0 : 1;
+  }
+  if (same) {
     std::printf("identical: %zu datasets\n", c.datasets);
     return 0;
   }
@@ -241,6 +267,11 @@ int compare_command(const std::string& a, const std::string& b) {
   };
   if (c.input) print("input", *c.input);
   print("first", *c.first);
+  try {
+    std::printf("\n%s", measures_beside(summary_of(results_of(a)), summary_of(results_of(b))).c_str());
+  } catch (const FileError& e) {
+    std::printf("\nno measures: %s\n", e.what());  // files that are no runs can be compared, too
+  }
   return 1;
 }
 

@@ -29,7 +29,10 @@ struct Comparison {
 /// the others of its group only if they do at a time that both have. Cracks are compared in order. \throw FileError
 Comparison compare_files(const std::string& a, const std::string& b);
 
-/// \param a, b  folders of runs, or files. \return 0: the same; 1: not, and standard output says where they part \throw FileError
-int compare_command(const std::string& a, const std::string& b);
+/// Says on standard output whether two runs are the same; if not, where they part, and their measures side by side
+/// (compared_measures.h).
+/// \param a, b  folders of runs, or files. \param json  one object for programs: identical, datasets, differing, first, measures (always;
+/// null if a file is no run). \return 0: the same; 1: not \throw FileError
+int compare_command(const std::string& a, const std::string& b, bool json = false);
 
 }  // namespace voussoir::io

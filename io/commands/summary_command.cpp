@@ -144,6 +144,8 @@ void print_table(const Json& s, const Measures& m) {
 
 }  // namespace
 
+std::string summary_json(const Hdf5File& run) { return summary_of(run, measure(run)).dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 int summary_command(const SummaryOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const Measures m = measure(run);
