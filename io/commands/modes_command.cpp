@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/commands/prepared_case.h"
-#include "io/commands/progress.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/report/vtu_file.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
 #include "solver/analysis/impulse.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"

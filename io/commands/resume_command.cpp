@@ -11,10 +11,10 @@
 
 #include "cases/names.h"
 #include "io/case_file/case_file.h"
-#include "io/commands/restored_run.h"
 #include "io/commands/run_command.h"
-#include "io/commands/session.h"
 #include "io/files/run_folder.h"
+#include "io/session/restored_run.h"
+#include "io/session/session.h"
 
 namespace voussoir::io {
 

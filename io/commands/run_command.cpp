@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "io/commands/prepared_case.h"
-#include "io/commands/session.h"
 #include "io/files/errors.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
+#include "io/session/prepared_case.h"
+#include "io/session/session.h"
 
 namespace voussoir::io {
 

@@ -10,11 +10,11 @@
 #include <memory>
 #include <set>
 
-#include "io/commands/prepared_case.h"
-#include "io/commands/progress.h"
-#include "io/commands/session.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
+#include "io/session/session.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/prepared_case.h"
+#include "io/session/prepared_case.h"
 
 #include <array>
 #include <cmath>

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/session.h"
+#include "io/session/session.h"
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 
-#include "io/commands/progress.h"
-#include "io/commands/report_command.h"
-#include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/measures/settling_warning.h"
+#include "io/session/exit_code.h"
+#include "io/session/progress.h"
+#include "io/session/views.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/restored_run.h"
+#include "io/session/restored_run.h"
 
 #include <cstdio>
 
-#include "io/commands/session.h"
 #include "io/files/errors.h"
+#include "io/session/session.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
