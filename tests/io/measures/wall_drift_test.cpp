@@ -31,8 +31,8 @@ std::vector<std::size_t> first_bed(const Hut& hut, const std::string& tag) {
 
 TEST_CASE("a brick that flies off leaves its wall, whether it sinks or rises") {
   Hut hut;
-  const auto thrown = [&hut, first = true](double by) mutable {
-    return [&hut, by, first](std::size_t e, Vec3 x) mutable {
+  const auto thrown = [&hut](double by) {
+    return [&hut, by, first = true](std::size_t e, Vec3 x) mutable {
       if (hut.tag(e) != "front wall" || x.z < 0.3 || !first) return x;
       first = false;  // one of the uppermost course
       return x + Vec3{0.0, -by, 0.5};
