@@ -107,7 +107,7 @@ void print_estimate(const cases::Case& c, const cases::Census& n, double dt, int
 int check_command(const LoadedCase& c, const CheckOptions& o) {
   cases::Model model = cases::build_model(c.value);
   load_support_motions(model, c.value.folder);
-  if (c.value.motion) load_motion(*c.value.motion, c.value.folder);
+  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   const auto world = solver::build_world(c.value, model, {});
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
@@ -120,6 +120,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_levers(c.value, model);
   print_step(n, model, world->dt);
   print_friction(c.value.contact);
+  if (c.value.motion) std::printf("\n%s", motion_lines(*c.value.motion, motion).c_str());
   print_parts(n);
   print_bill(n, model);
   print_estimate(c.value, n, world->dt, o.threads > 0 ? o.threads : omp_get_max_threads());

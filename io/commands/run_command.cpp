@@ -4,10 +4,13 @@
 
 #include <omp.h>
 
+#include <cstdio>
+
 #include "io/commands/session.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
+#include "io/results/base_motion.h"
 
 namespace voussoir::io {
 
@@ -25,7 +28,10 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));
   folder.write_case(resolved);
-  ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()));
+  ResultsOptions kept;
+  kept.motion = motion_datasets(c.value, motion, sim.dt());
+  ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()), kept);
+  if (c.value.motion && !o.quiet) std::fputs(motion_lines(*c.value.motion, motion).c_str(), stderr);
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;
