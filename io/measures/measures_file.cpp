@@ -39,6 +39,8 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
   put(file, "/measures/deep_pairs", s.deep_pairs, rows, {"1", "pairs deeper in each other than half a segment; -1: not known"});
   put(file, "/measures/drift", s.drift, {s.time.size(), walls},
       {"1", "out-of-plane drift of each wall of /summary/wall, outward positive; NaN: it does not stand"});
+  put(file, "/measures/in_plane_drift", s.in_plane_drift, {s.time.size(), walls},
+      {"1", "in-plane drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
 }
 
 }  // namespace
@@ -58,6 +60,7 @@ std::vector<Figure> figures_of(const Measures& m) {
           {"least_free_volume", m.least_free_volume, "1 (NaN: there is no room)"},
           {"peak_drift", m.peak_drift, "1 (NaN: there is no wall)"},
           {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"},
+          {"peak_in_plane_drift", m.peak_in_plane_drift, "1 (NaN: there is no wall)"},
           {"penetration", m.penetration, "m"},
           {"peak_penetration", m.peak_penetration, "m"},
           {"peak_penetration_time", m.peak_penetration_time, "s (below 0: never)"},

@@ -35,6 +35,8 @@ inline constexpr std::array kWallColumns{
     WallColumn{"first_fallen_time", &WallMeasures::first_fallen_time, "s", "when its first element had fallen; below 0: none has"},
     WallColumn{"peak_drift", &WallMeasures::peak_drift, "1", "out-of-plane drift while it stood, outward positive; NaN: it never stood"},
     WallColumn{"residual_drift", &WallMeasures::residual_drift, "1", "out-of-plane drift at the end; NaN: the wall does not stand"},
+    WallColumn{"peak_in_plane_drift", &WallMeasures::peak_in_plane_drift, "1",
+               "in-plane drift while it stood, along x or y positive; NaN: it never stood"},
     WallColumn{"crack_extent", &WallMeasures::crack_extent, "1", "area of joints 1 mm open or more over the wall's horizontal section"},
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
 };

@@ -7,7 +7,7 @@
 namespace voussoir::io {
 namespace {
 
-/// Out-of-plane displacements of elements that have not fallen.
+/// Displacements of elements that have not fallen.
 struct Sum {
   double metres = 0;
   std::size_t standing = 0, fallen = 0;
@@ -20,7 +20,10 @@ double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : v.y; }
 }  // namespace
 
 std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& start, const std::vector<Pose>& poses,
-                                 const std::vector<std::uint8_t>& fallen) {
+                                 const std::vector<std::uint8_t>& fallen, DriftDirection direction) {
+  const bool out = direction == DriftDirection::out_of_plane;
+  const std::size_t axis = out ? wall.across : 1 - wall.across;
+  const double sign = out ? wall.outward : 1.0;
   const auto sum_of = [&](const std::vector<std::size_t>& elements) {
     Sum sum;
     for (const std::size_t e : elements) {
@@ -28,7 +31,7 @@ std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& star
         ++sum.fallen;
       } else {
         ++sum.standing;
-        sum.metres += wall.outward * component(poses[e].centre - start[e].centre, wall.across);
+        sum.metres += sign * component(poses[e].centre - start[e].centre, axis);
       }
     }
     return sum;

@@ -11,6 +11,7 @@
 #include "tests/io/temp_folder.h"
 
 using namespace voussoir;
+using namespace voussoir::io::test;
 using io::base_motion;
 using io::BaseMotion;
 
