@@ -122,6 +122,8 @@ void print_table(const Json& s, const Measures& m) {
   print_modes(s);
   if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
   if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  for (const PointAcceleration& p : m.accelerations.points)
+    line("peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
 }

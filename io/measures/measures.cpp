@@ -198,6 +198,10 @@ class Measurer {
 
 }  // namespace
 
-Measures measure(const Hdf5File& run) { return Measurer(run).all(); }
+Measures measure(const Hdf5File& run) {
+  Measures m = Measurer(run).all();
+  m.accelerations = point_accelerations(run);
+  return m;
+}
 
 }  // namespace voussoir::io

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/measures/debris.h"
+#include "io/measures/point_accelerations.h"
 
 /// Measures of a collapse, from what a run has recorded: its model, its cracks and its frames. The one place for the summary of a run, the
 /// report page and studies; definitions and limits: io/MEASURES.md. What "fallen" and "collapsed" mean stands in solver/collapse.h.
@@ -66,6 +67,7 @@ struct Measures {
   std::int64_t touching_pairs = 0;                         // in the last frame
   std::vector<WallMeasures> walls;
   MeasureSeries series;
+  PointAccelerations accelerations;
 };
 
 /// \throw FileError

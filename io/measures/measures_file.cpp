@@ -93,6 +93,9 @@ std::string measures_json(const Measures& m) {
     nlohmann::ordered_json& wall = out["walls"].emplace_back(nlohmann::ordered_json{{"name", w.name}});
     for (const WallColumn& column : kWallColumns) wall[column.name] = w.*column.value;
   }
+  out["points"] = nlohmann::ordered_json::array();
+  for (const PointAcceleration& p : m.accelerations.points)
+    out["points"].push_back({{"name", p.name}, {"peak_acceleration", p.peak_horizontal}});
   return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -102,6 +105,7 @@ void write_measures(Hdf5File& file, const Measures& m) {
       {"s", "from when on damage was of grade 1, 2, 3, 4, 5 of EMS-98 at least; below 0: never"});
   write_walls(file, m.walls);
   write_series(file, m.series, m.walls.size());
+  write_accelerations(file, m.accelerations);
 }
 
 }  // namespace voussoir::io

@@ -44,7 +44,7 @@ inline constexpr std::array kWallColumns{
 /// Units of the figures, as the attribute `units` of /summary has them: "name, name: unit; ...".
 std::string figure_units();
 
-/// Figures, `grade_time` and `walls` as one JSON object; null for NaN.
+/// Figures, `grade_time`, `walls` and `points` as one JSON object; null for NaN.
 std::string measures_json(const Measures& m);
 
 /// Writes figures as attributes of /summary (which exists), /summary/wall, /summary/grade_time, and the group /measures. \throw FileError
