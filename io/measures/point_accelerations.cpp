@@ -58,7 +58,7 @@ PointAccelerations point_accelerations(const Hdf5File& run) {
   std::vector<double> time = run.read<double>("/history/time");
   if (time.size() < 2) return {};
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  if (!(interval > 0.0 && interval * kInstrumentCorner * kRowsPerPeriod <= 1.0)) return {};
+  if (!(interval > 0.0 && interval * kInstrumentCorner * kRowsPerPeriod <= 1.0 + 1e-9)) return {};
   std::vector<double> base;
   if (run.exists("/motion/velocity")) base = run.read<double>("/motion/velocity");
   PointAccelerations out;
