@@ -110,6 +110,8 @@ void take_off(Samples& a, const std::array<Samples, N>& columns, const std::arra
 
 void correct_baseline(Accelerogram& a, Baseline baseline, const std::string& prefix) {
   Samples& s = a.acceleration;
+  if (baseline != Baseline::none && s.size() < 4)
+    throw InputError(prefix + "baseline", std::string(name(baseline)) + " needs 4 samples or more of " + quoted(a.name));
   if (baseline == Baseline::mean) {
     const auto columns = powers<1>(s.size());
     take_off(s, columns, fitted(columns, s));
@@ -117,7 +119,6 @@ void correct_baseline(Accelerogram& a, Baseline baseline, const std::string& pre
     const auto columns = powers<2>(s.size());
     take_off(s, columns, fitted(columns, s));
   } else if (baseline == Baseline::parabolic) {
-    if (s.size() < 4) throw InputError(prefix + "baseline", "parabolic needs 4 samples or more of " + quoted(a.name));
     const auto columns = powers<3>(s.size());
     std::array<Samples, 3> velocities;
     for (std::size_t i = 0; i < 3; ++i) velocities[i] = integrated(columns[i]);

@@ -19,7 +19,7 @@ namespace voussoir::cases {
 ///  - taper: half a cosine, 0.5 (1 - cos(pi t / taper)), from zero at the first sample, and the same to zero at the last one.
 /// \param prefix of the keys in messages: "motion." or "--"
 /// \throw InputError at prefix + "from", "to", "taper" or "baseline": a window outside the motion or that leaves a component fewer than two
-/// samples, tapers longer than what stays, fewer than four samples for a parabola.
+/// samples, tapers longer than what stays, a baseline of fewer than four samples.
 void treat(std::array<Accelerogram, 3>& components, const MotionTreatment& treatment, const std::string& prefix);
 
 /// "from 27 to 47 s, baseline parabolic, tapered over 0.5 and 0.5 s"; empty: as recorded.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "io/case_file/case_file.h"
 #include "io/commands/bench_command.h"

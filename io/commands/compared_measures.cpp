@@ -39,6 +39,7 @@ constexpr Shown kShown[] = {
     {"least_free_volume", "least free volume [%]", 100, "%.1f", false},
     {"peak_drift", "out-of-plane drift [%]", 100, "%.2f", false},
     {"residual_drift", "the same at the end [%]", 100, "%.2f", false},
+    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f", false},
     {"peak_base_shear", "peak base shear [kN]", 1e-3, "%.1f", false},
     {"peak_speed", "peak speed [m/s]", 1, "%.2f", false},
     {"peak_penetration", "deepest in another [mm]", 1000, "%.3f", false},
@@ -52,6 +53,7 @@ constexpr Shown kShownOfWall[] = {
     {"first_fallen_time", "first fallen [s]", 1, "%.3f", true},
     {"peak_drift", "drift [%]", 100, "%.2f", false},
     {"residual_drift", "drift at the end [%]", 100, "%.2f", false},
+    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f", false},
     {"crack_extent", "cracks of 1 mm", 1, "%.2f", false},
     {"large_crack_extent", "cracks of 5 mm", 1, "%.2f", false},
 };

@@ -13,6 +13,7 @@
 #include "io/case_file/case_file.h"
 #include "io/commands/run_command.h"
 #include "io/files/run_folder.h"
+#include "io/results/base_motion.h"
 #include "io/session/restored_run.h"
 #include "io/session/session.h"
 
@@ -120,6 +121,7 @@ int resume_command(const ResumeOptions& o) {
   folder.write_case(resolved);
   ResultsOptions keep;
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
+  keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);

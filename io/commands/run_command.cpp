@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/run_command.h"
 
+#include <cstdio>
 #include <optional>
 
 #include "io/files/errors.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
+#include "io/results/base_motion.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
 
@@ -25,14 +27,17 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));
+  ResultsOptions kept;
+  kept.motion = motion_datasets(c.value, motion, sim.dt());
   std::optional<ResultsWriter> results;
   try {
     folder.write_case(resolved);
-    results.emplace(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()));
+    results.emplace(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()), kept);
   } catch (const FileError&) {
     print_way_on(folder.path());
     throw;
   }
+  if (c.value.motion && !o.quiet) std::fputs(motion_lines(*c.value.motion, motion).c_str(), stderr);
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;

@@ -102,12 +102,12 @@ void print_walls(const Measures& m) {
   std::size_t width = 20;
   for (const WallMeasures& w : m.walls) width = std::max(width, w.name.size());
   const int indent = static_cast<int>(width);
-  std::printf("\n%-*s %8s %12s %11s %10s %12s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "cracks 1 mm",
-              "of 5 mm", "of settling");
+  std::printf("\n%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "in plane",
+              "cracks 1 mm", "of 5 mm", "of settling");
   for (const WallMeasures& w : m.walls)
-    std::printf("%-*s %8s %12s %11s %10s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
+    std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
                 seconds(w.first_fallen_time).c_str(), percent(w.peak_drift).c_str(), percent(w.residual_drift).c_str(),
-                text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
+                percent(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
                 text("%.2f", w.settling_crack_extent).c_str());
   if (!std::isnan(m.roof_fallen_mass_fraction))
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
@@ -134,10 +134,13 @@ void print_table(const Json& s, const Measures& m) {
                      text("%.2f m", m.debris.reach_95));
   line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
   line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  line("in-plane drift", percent(m.peak_in_plane_drift) + " at most");
   print_penetration(m);
   print_modes(s);
   if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
   if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  for (const PointAcceleration& p : m.accelerations.points)
+    line("peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
 }

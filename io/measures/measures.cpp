@@ -49,7 +49,8 @@ class Measurer {
         tags_(run.read_strings("/model/element/tag")),
         fallen_(frames_.elements()),
         walls_(building_.walls.size()) {
-    for (const Wall& w : building_.walls) m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone});
+    for (const Wall& w : building_.walls)
+      m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone, .peak_in_plane_drift = kNone});
     for (std::size_t e = 0; e < building_.mass.size(); ++e) {
       all_.mass += building_.mass[e];
       if (Part* part = part_of(e)) part->mass += building_.mass[e];
@@ -128,6 +129,9 @@ class Measurer {
     measures.residual_drift = drift.value_or(kNone);
     m_.series.drift.push_back(measures.residual_drift);
     if (drift) keep_larger(measures.peak_drift, *drift);
+    const std::optional<double> in_plane = wall_drift(wall, start_, poses, fallen_, DriftDirection::in_plane);
+    m_.series.in_plane_drift.push_back(in_plane.value_or(kNone));
+    if (in_plane) keep_larger(measures.peak_in_plane_drift, *in_plane);
     return {cracks, walls_[w].share(), std::abs(drift.value_or(0.0)) * wall.height() / wall.thickness()};
   }
 
@@ -166,7 +170,7 @@ class Measurer {
   }
 
   void finish_walls() {
-    m_.peak_drift = m_.residual_drift = kNone;
+    m_.peak_drift = m_.residual_drift = m_.peak_in_plane_drift = kNone;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       WallMeasures& measures = m_.walls[w];
@@ -177,6 +181,7 @@ class Measurer {
         m_.first_fallen_wall = measures.name;
       }
       if (!std::isnan(measures.peak_drift)) keep_larger(m_.peak_drift, std::abs(measures.peak_drift));
+      if (!std::isnan(measures.peak_in_plane_drift)) keep_larger(m_.peak_in_plane_drift, std::abs(measures.peak_in_plane_drift));
       if (!std::isnan(measures.residual_drift)) keep_larger(m_.residual_drift, std::abs(measures.residual_drift));
     }
   }
@@ -197,6 +202,10 @@ class Measurer {
 
 }  // namespace
 
-Measures measure(const Hdf5File& run) { return Measurer(run).all(); }
+Measures measure(const Hdf5File& run) {
+  Measures m = Measurer(run).all();
+  m.accelerations = point_accelerations(run);
+  return m;
+}
 
 }  // namespace voussoir::io

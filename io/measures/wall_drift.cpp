@@ -30,7 +30,7 @@ struct Displacements {
   }
 };
 
-/// Out-of-plane displacements of the elements that are part of the wall still.
+/// Displacements, one way, of the elements that are part of the wall still.
 struct Sum {
   double metres = 0;
   std::size_t standing = 0, gone = 0;
@@ -49,7 +49,10 @@ Displacements displacements_of(const std::vector<std::size_t>& elements, const s
 }
 
 /// What flew off without sinking is no more part of the wall than what has fallen.
-Sum sum_of(const Wall& wall, const Displacements& d) {
+Sum sum_of(const Wall& wall, const Displacements& d, DriftDirection direction) {
+  const bool out = direction == DriftDirection::out_of_plane;
+  const std::size_t axis = out ? wall.across : 1 - wall.across;
+  const double sign = out ? wall.outward : 1.0;
   Sum sum;
   sum.gone = d.fallen;
   if (d.of.empty()) return sum;
@@ -60,7 +63,7 @@ Sum sum_of(const Wall& wall, const Displacements& d) {
       ++sum.gone;
     } else {
       ++sum.standing;
-      sum.metres += wall.outward * own[wall.across];
+      sum.metres += sign * own[axis];
     }
   }
   return sum;
@@ -69,12 +72,12 @@ Sum sum_of(const Wall& wall, const Displacements& d) {
 }  // namespace
 
 std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& start, const std::vector<Pose>& poses,
-                                 const std::vector<std::uint8_t>& fallen) {
+                                 const std::vector<std::uint8_t>& fallen, DriftDirection direction) {
   std::size_t standing = 0, gone = 0;
   double most = 0;
-  const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen)).mean();
+  const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), direction).mean();
   for (const std::vector<std::size_t>& piece : wall.top) {
-    const Sum sum = sum_of(wall, displacements_of(piece, start, poses, fallen));
+    const Sum sum = sum_of(wall, displacements_of(piece, start, poses, fallen), direction);
     standing += sum.standing, gone += sum.gone;
     if (sum.standing > 0 && std::abs(sum.mean() - foot) > std::abs(most)) most = sum.mean() - foot;
   }

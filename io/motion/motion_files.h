@@ -39,4 +39,7 @@ void write_record_folder(const Record& record, const std::string& folder, bool o
 /// scale, from, to, taper, baseline); FileError.
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder);
 
+/// A line for each axis that moves, with its peaks, and one that says what was done to the record, if anything was.
+std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied);
+
 }  // namespace voussoir::io

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <numbers>
 #include <ostream>
 
@@ -106,7 +105,7 @@ std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& compo
   if (pairs.empty()) {
     throw cases::InputError("--combine",
                             std::to_string(components.size()) +
-                                " components, and not which two are horizontal; allowed: records that have L and T, or two files");
+                                " components, and nothing says which two are horizontal; allowed: records that have L and T, or two files");
   }
   for (const HorizontalPair& p : pairs) {
     const cases::Accelerogram &a = components[p.first].motion, &b = components[p.second].motion;

@@ -86,6 +86,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
+  model_.insert(model_.end(), options_.motion.begin(), options_.motion.end());
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t] = RowBuffer(schema_[t]);
   if (options_.earlier)
     continue_earlier();

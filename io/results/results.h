@@ -28,6 +28,7 @@ struct ResultsOptions {
   std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
   bool merge = true;               // finish() puts all rows into run.h5
   std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
+  std::vector<StaticDataset> motion;      // of the base: motion_datasets
   /// Go on with the results in the folder. Absent: a new run.
   std::optional<EarlierRows> earlier;
 };

@@ -167,7 +167,7 @@ TEST_CASE("drift is outward, relative to the foot, and ends with the wall") {
   Hut hut;
   const auto lean = [&](double top, double foot) {
     return [&hut, top, foot](std::size_t e, Vec3 x) {
-      if (hut.tag(e) == "front wall") x.y -= x.z > 0.3 ? top : foot;
+      if (hut.tag(e) == "front wall") x.y -= x.z > 0.3 ? top : foot, x.x -= x.z > 0.3 ? 0.02 : 0.0;
       return x;
     };
   };
@@ -184,6 +184,7 @@ TEST_CASE("drift is outward, relative to the foot, and ends with the wall") {
   CHECK(wall(m, "left wall").first_fallen_time < 0);
   CHECK(m.first_fallen_wall == "rear wall");
   CHECK(m.peak_drift == doctest::Approx(0.14 / 0.4));
+  CHECK(wall(m, "front wall").peak_in_plane_drift == doctest::Approx(-0.02 / 0.4));
   const std::size_t front = static_cast<std::size_t>(&wall(m, "front wall") - m.walls.data());
   // A lean of 0.14 m is 0.7 thicknesses, serious, but does not last; the top course of four is more than a fifth of a wall.
   CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 0, 0, 4});

@@ -51,7 +51,7 @@ TEST_CASE("motion keys: what is out of range") {
   const std::string m = "[motion]\nrecord = \"bam-like\"\n";
   CHECK(refusal(m + "from = -1").starts_with("test.toml:3: motion.from = -1 s: must be >= 0"));
   CHECK(refusal(m + "to = 0").starts_with("test.toml:3: motion.to = 0 s: must be > 0"));
-  CHECK(refusal(m + "from = 3\nto = 2").starts_with("test.toml:4: motion.to = 2 s must be above motion.from"));
+  CHECK(refusal(m + "from = 3\nto = 2").starts_with("test.toml:4: motion.to = 2 s: must be above motion.from"));
   CHECK(refusal(m + "baseline = \"flat\"").find("must be \"none\" | \"mean\" | \"linear\" | \"parabolic\"") != std::string::npos);
   CHECK(refusal(m + "taper = \"long\"").find("wanted a number or an array [start, end]") != std::string::npos);
   CHECK(refusal(m + "taper = -0.1").find("must be >= 0") != std::string::npos);
