@@ -55,9 +55,11 @@ class Results(InAFolder):
             frames[len(frames)]
 
     def test_rotations(self):
-        half = np.sqrt(0.5)
-        turn = voussoir.results.rotation_matrices(np.array([[half, 0, 0, half]]))[0]  # 90 degrees about z
-        self.assertTrue(np.allclose(turn @ [1, 0, 0], [0, 1, 0]))
+        axis, angle = np.array([2.0, -3.0, 6.0]) / 7.0, 0.7
+        turn = voussoir.results.rotation_matrices(np.array([[np.cos(angle / 2), *(np.sin(angle / 2) * axis)]]))[0]
+        for v in np.eye(3):  # Rodrigues
+            turned = v * np.cos(angle) + np.cross(axis, v) * np.sin(angle) + axis * (axis @ v) * (1.0 - np.cos(angle))
+            self.assertTrue(np.allclose(turn @ v, turned, atol=1e-14))
 
     def test_the_same_twice_and_from_the_command_line(self):
         again = blocks().run(self.folder / "again", until=0.06, threads=2, progress=False)

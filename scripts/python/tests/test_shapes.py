@@ -14,7 +14,7 @@ from voussoir import shapes, toml
 
 class Toml(unittest.TestCase):
     def test_what_is_written_reads_back(self):
-        table = {"a": 1, "b": -0.1, "c": "quote \" backslash \\ line\nend \x7f ü", "d": True, "e": [[1.0, 2.0], [3.0, 1e-300]], "f": [],
+        table = {"a": 1, "b": -0.1, "digits": 0.1 + 0.2, "c": "quote \" backslash \\ line\nend \x7f ü", "d": True, "e": [[1.0, 2.0], [3.0, 1e-300]], "f": [],
                  "with space": {"x": np.float64(0.1), "y": np.int64(7), "z": np.array([1.5, 2.5])},
                  "many": [{"n": 1, "in": {"k": "v"}}, {"n": 2, "deep": [{"q": 0}]}]}
         back = tomllib.loads(toml.document(table))
