@@ -119,6 +119,14 @@ export class House {
     this.turned();
   }
 
+  /** Goes where an element has gone since the last call; `followed` null: from here on. */
+  follow(element) {
+    const at = kStride * element, here = new Vector3(this.state[at], this.state[at + 1], this.state[at + 2]), step = here.clone().sub(this.followed ?? here);
+    this.camera.position.add(step);
+    this.controls.target.add(step);
+    this.followed = here;
+  }
+
   /** Turns about the target by angles, and goes nearer by a factor. */
   orbit(across, up, nearer = 1) {
     const back = this.camera.position.clone().sub(this.controls.target), length = back.length() / nearer;

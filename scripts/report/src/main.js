@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-import { kStride } from "./brick.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { drawOverlay } from "./overlay.js";
@@ -17,6 +16,7 @@ const by = (id) => document.getElementById(id);
 function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
+const afterComma = (url) => url.slice(url.indexOf(",") + 1);
 const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
 // While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
 // times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
@@ -196,7 +196,7 @@ class Report {
     for (const pane of this.panes) {
       const own = pane === this.pane ? this.at : pane.frameAt(t);
       large = size === "auto" ? this.pane.magnify(t) : Number(size);
-      if (by("follow").checked && pane.picked >= 0) this.#follow(pane);
+      if (by("follow").checked && pane.picked >= 0) pane.house.follow(pane.picked);
       pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
     }
     this.large = large;
@@ -259,9 +259,9 @@ class Report {
     return { title: by("title").textContent, subtitle: by("subtitle").textContent, clock: `${time.toFixed(2)} s`, note: by("note").textContent, legend: this.legend };
   }
 
-  /** A picture at the time `t` as bytes in base64. @param view  one of the views; null: the camera as it is  @param between  whether elements
-   *  are put between two frames; else the nearest frame is shown */
-  #picture(t, view, width, height, type, between) {
+  /** Draws a picture at the time `t`; returns its canvas. @param view  one of the views; null: the camera as it is  @param between  whether
+   *  elements are put between two frames; else the nearest frame is shown */
+  #picture(t, view, width, height, between) {
     const off = (f) => Math.abs(this.times[f] - t);
     this.composing = true;
     for (const { house } of this.panes) house.fixed = true;
@@ -275,13 +275,12 @@ class Report {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     compose(canvas.getContext("2d", { willReadFrequently: true }), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
     this.composing = false;
-    const url = canvas.toDataURL(type, 0.95);
-    return url.slice(url.indexOf(",") + 1);
+    return canvas;
   }
 
   /** A PNG in base64 from one of the views at the frame nearest to time `t`, with title, time, scale and legend. */
   still(t, view, width, height) {
-    const png = this.#picture(t, view, width, height, "image/png", false);
+    const png = afterComma(this.#picture(t, view, width, height, false).toDataURL("image/png"));
     if (!this.still_) {
       this.sized = "";
       for (const { house } of this.panes) house.fixed = false, house.resize();
@@ -289,8 +288,15 @@ class Report {
     return png;
   }
 
-  /** A JPEG in base64 of a film: the first from the view named, all others from where that was seen. */
-  shot(t, view, width, height) { return this.#picture(t, view, width, height, "image/jpeg", true); }
+  /** A JPEG in base64 of a film: the first from the view named, all others from where that was seen. @param next  the time of the picture that
+   *  will be asked for next, if there is one: it is drawn while this one is packed */
+  async shot(t, view, width, height, next) {
+    const jpeg = (time, from) => new Promise((done) => this.#picture(time, from, width, height, true).toBlob(done, "image/jpeg", 0.95));
+    const asked = this.ahead?.t === t ? this.ahead.jpeg : jpeg(t, view);
+    this.ahead = next === undefined ? null : { t: next, jpeg: jpeg(next, null) };
+    const blob = await asked, reader = new FileReader();
+    return new Promise((done) => (reader.addEventListener("load", () => done(afterComma(reader.result))), reader.readAsDataURL(blob)));
+  }
 
   play(on) {
     this.playing = on;
@@ -347,20 +353,9 @@ class Report {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
-  /** The camera goes where the picked element goes. */
-  #follow(pane) {
-    const { house } = pane, at = kStride * pane.picked, here = [0, 1, 2].map((k) => house.state[at + k]);
-    if (pane.followed) {
-      const numbers = [...house.camera.position, ...house.controls.target];
-      house.camera.position.fromArray(numbers.slice(0, 3).map((x, k) => x + here[k] - pane.followed[k]));
-      house.controls.target.fromArray(numbers.slice(3).map((x, k) => x + here[k] - pane.followed[k]));
-    }
-    pane.followed = here;
-  }
-
   /** Lights up an element, with its displacement over time as the first plot. -1: none. */
   pick(element, pane = this.pane) {
-    for (const p of this.panes) p.picked = p === pane ? element : -1, p.followed = null, p.house.lightUp(p.picked);
+    for (const p of this.panes) p.picked = p === pane ? element : -1, p.house.followed = null, p.house.lightUp(p.picked);
     this.picked = pane;
     this.own?.remove();
     this.plots = this.plots.filter((p) => p !== this.own);
