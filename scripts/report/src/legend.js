@@ -22,9 +22,14 @@ export function showLegend(parent, entries) {
 
 /** Draws it in one or more rows that end at the height `bottom`; returns where they begin. `u`: a unit of type, pixels. */
 export function drawLegend(c, entries, left, bottom, width, u) {
-  c.font = `${1.0 * u}px system-ui, "DejaVu Sans", sans-serif`;
+  const measure = () => {
+    c.font = `${u}px system-ui, "DejaVu Sans", sans-serif`;
+    return entries.map((e) => ({ e, w: (e.head ? 0 : e.from ? 9 * u : 2.4 * u) + c.measureText(e.head ?? (e.from ? e.low + e.high : e.text)).width + 1.2 * u }));
+  };
   c.textBaseline = "middle";
-  const measured = entries.map((e) => ({ e, w: (e.head ? 0 : e.from ? 9 * u : 2.4 * u) + c.measureText(e.head ?? (e.from ? e.low + e.high : e.text)).width + 1.2 * u }));
+  let measured = measure();
+  const over = measured.reduce((s, m) => s + m.w, 0) / width;
+  if (over > 1 && over < 1.25) u /= 1.01 * over, measured = measure(); // rather a little smaller than one entry in a second row
   const rows = [[]];
   for (const m of measured) {
     const row = rows.at(-1);
