@@ -122,14 +122,18 @@ void write_spectra(const Spectra& s, const std::string& path) {
   for (int i = 0; i < kFrequencies; ++i) frequencies.push_back(kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)));
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
-  for (const double damping : s.damping) {
-    for (const Curve& c : curves(s, damping, frequencies)) {
-      for (std::size_t i = 0; i < frequencies.size(); ++i) write_row(out, c.record, c.name, damping, frequencies[i], c.sd[i]);
+  std::vector<std::vector<Curve>> by_damping;
+  for (const double damping : s.damping) by_damping.push_back(curves(s, damping, frequencies));
+  for (std::size_t k = 0; !by_damping.empty() && k < by_damping[0].size(); ++k) {
+    for (std::size_t z = 0; z < s.damping.size(); ++z) {
+      const Curve& c = by_damping[z][k];
+      for (std::size_t i = 0; i < frequencies.size(); ++i) write_row(out, c.record, c.name, s.damping[z], frequencies[i], c.sd[i]);
     }
-    if (!s.target) continue;
+  }
+  for (std::size_t z = 0; s.target && z < s.damping.size(); ++z) {
     for (const double f : frequencies) {
-      const auto sa = cases::value_at(*s.target, 1.0 / f, damping);
-      if (sa) write_row(out, s.target->name, "target", damping, f, *sa / (angular(f) * angular(f)));
+      const auto sa = cases::value_at(*s.target, 1.0 / f, s.damping[z]);
+      if (sa) write_row(out, s.target->name, "target", s.damping[z], f, *sa / (angular(f) * angular(f)));
     }
   }
   out.close();
