@@ -106,7 +106,8 @@ box = [[0,0,0],[0.2,0.2,0.2]]
   CHECK(o.code == 1);
   CHECK(says(o, {"different: ", "first: ", "measure", "B - A", "peak speed [m/s]"}));
   CHECK(cells(o.text, "run to [s]") == std::vector<std::string>{"0.010", "0.010", "0"});
-  CHECK(cells(o.text, "peak speed [m/s]").at(1) == "0.50");
+  // It starts with 0.5 m/s, and friction has slowed it down a little when speeds are first looked at.
+  CHECK(std::stod(cells(o.text, "peak speed [m/s]").at(1)) == doctest::Approx(0.48).epsilon(0.04));
   o = program("compare " + a + " " + folder.path("c"));
   CHECK(o.code == 0);
   CHECK(says(o, {"identical: "}));
@@ -115,7 +116,7 @@ box = [[0,0,0],[0.2,0.2,0.2]]
   const Json json = Json::parse(o.text);
   CHECK(json["identical"] == false);
   CHECK(json["first"]["dataset"].is_string());
-  CHECK(row(json["measures"], "peak_speed")["b"].get<double>() == doctest::Approx(0.5).epsilon(0.01));
+  CHECK(row(json["measures"], "peak_speed")["b"].get<double>() == doctest::Approx(0.48).epsilon(0.04));
   o = program("compare " + a + " " + folder.path("c") + " --format json");
   CHECK(o.code == 0);
   CHECK(Json::parse(o.text)["identical"] == true);
