@@ -63,7 +63,11 @@ std::string bash_command(const CommandRow& c) {
 std::string zsh_argument(const OptionRow& o) {
   const std::string text = "[" + marked(o.text, "[]") + "]";
   std::string behind;
-  if (!o.value.empty()) behind = ":" + marked(o.value, ":") + ":" + (o.choices.empty() ? "_files" : "(" + joined(o.choices) + ")");
+  if (!o.choices.empty()) {
+    behind = ":" + marked(o.value, ":") + ":(" + joined(o.choices) + ")";
+  } else if (!o.value.empty()) {
+    behind = ":" + marked(o.value, ":") + ":" + (o.value == "TEXT" ? "_files" : " ");  // a number is the user's own
+  }
   if (o.positional) {
     const std::string what = o.names.front() == "CASE" ? "_voussoir_cases" : "_files";
     return quoted((o.repeated ? "*:" : ":") + o.names.front() + ":" + what);

@@ -55,8 +55,8 @@ std::string option_entry(const OptionRow& o) {
   std::string text = ".TP\n" + names + "\n" + escaped(o.text) + "\n";
   std::string choices;
   for (const std::string& c : o.choices) choices += (choices.empty() ? "" : ", ") + c;
-  if (!choices.empty()) text += escaped("Allowed: " + choices + ".") + "\n";
-  if (!o.range.empty()) text += escaped("Allowed: " + o.range + ".") + "\n";
+  if (!choices.empty()) text += ".br\nAllowed: " + escaped(choices) + ".\n";
+  if (!o.range.empty()) text += ".br\nAllowed: " + escaped(o.range) + ".\n";
   return text;
 }
 
