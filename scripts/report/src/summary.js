@@ -89,7 +89,7 @@ function table(parent, head, rows, caption) {
     cells.forEach((text, i) => {
       const cell = row.appendChild(document.createElement(kind === "th" || i === 0 ? "th" : "td"));
       cell.textContent = text;
-      if (text.length > 22) cell.className = "long";
+      if (text.length > 16) cell.className = "long";
       if (cell.tagName === "TH") cell.scope = kind === "th" ? "col" : "row";
     });
   };
