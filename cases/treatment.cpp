@@ -24,12 +24,11 @@ void check_window(const std::array<Accelerogram, 3>& components, const MotionTre
   }
   const double from = t.from.value_or(0.0);
   if (!(from >= 0.0 && from < longest))
-    throw InputError(prefix + "from", "is " + text(from) + " s; allowed: from 0 to below " + text(longest) + ", where the motion ends");
+    throw InputError(prefix + "from", text(from) + " s; allowed: from 0 to below " + text(longest) + ", where the motion ends");
   if (!t.to) return;
-  if (!(*t.to > from))
-    throw InputError(prefix + "to", "is " + text(*t.to) + " s; allowed: above " + text(from) + ", where the window begins");
+  if (!(*t.to > from)) throw InputError(prefix + "to", text(*t.to) + " s; allowed: above " + text(from) + ", where the window begins");
   if (*t.to > longest + half_step)
-    throw InputError(prefix + "to", "is " + text(*t.to) + " s; allowed: up to " + text(longest) + ", where the motion ends");
+    throw InputError(prefix + "to", text(*t.to) + " s; allowed: up to " + text(longest) + ", where the motion ends");
 }
 
 void cut(Accelerogram& a, const MotionTreatment& t, const std::string& prefix) {
@@ -164,9 +163,10 @@ std::string described(const MotionTreatment& t) {
 }
 
 void treat(std::array<Accelerogram, 3>& components, const MotionTreatment& t, const std::string& prefix) {
+  if (std::all_of(components.begin(), components.end(), [](const Accelerogram& a) { return a.acceleration.empty(); })) return;
   if (t.from || t.to) check_window(components, t, prefix);
   for (const double seconds : t.taper) {
-    if (!(seconds >= 0.0) || !std::isfinite(seconds)) throw InputError(prefix + "taper", "is " + text(seconds) + " s; allowed: 0 or more");
+    if (!(seconds >= 0.0) || !std::isfinite(seconds)) throw InputError(prefix + "taper", text(seconds) + " s; allowed: 0 or more");
   }
   for (Accelerogram& a : components) {
     if (a.acceleration.empty()) continue;

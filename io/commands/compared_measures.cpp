@@ -109,7 +109,8 @@ std::string shown_difference(const Shown& s, const Json& a, const Json& b) {
   const Json d = difference(s.name, a, b);
   if (!d.is_number()) return "-";
   const double value = s.factor * d.get<double>();
-  return value == 0.0 ? "0" : formatted((std::string("%+") + (s.format + 1)).c_str(), value);
+  const std::string text = formatted((std::string("%+") + (s.format + 1)).c_str(), value);
+  return value == 0.0 ? "0" : text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;  // no sign of what is not shown
 }
 
 struct Line {
@@ -129,7 +130,10 @@ std::string measures_beside(const std::string& a, const std::string& b) {
   std::vector<Line> lines;
   for (const Shown& s : kShown) add(lines, s, "", p, q);
   for (const std::string& name : wall_names(p, q)) {
-    for (const Shown& s : kShownOfWall) add(lines, s, name + ": ", wall_of(p, name), wall_of(q, name));
+    for (const Shown& s : kShownOfWall) {
+      add(lines, s, name + ": ", wall_of(p, name), wall_of(q, name));
+      if (!lines.empty() && lines.back().label == name + ": " + s.label && lines.back().a == lines.back().b) lines.pop_back();
+    }
   }
   std::size_t width = 10;
   for (const Line& line : lines) width = std::max(width, line.label.size());

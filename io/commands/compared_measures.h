@@ -8,7 +8,8 @@
 namespace voussoir::io {
 
 /// A table: measure, its value in A and in B, B - A. Times that never came are "never", values that do not exist "-"; their difference is
-/// "-", too. Walls are matched by their names. \param a, b  summary_json of the runs
+/// "-", too. Walls are matched by their names; of them only lines in which A and B are shown otherwise. \param a, b  summary_json of the
+/// runs
 std::string measures_beside(const std::string& a, const std::string& b);
 
 /// The same as a JSON array of {"name", "a", "b", "difference"}, in SI units and under the names of `voussoir summary --format json`; a

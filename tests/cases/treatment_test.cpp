@@ -64,6 +64,9 @@ TEST_CASE("treatment: none changes no bit") {
   treat(c, {}, "motion.");
   CHECK(c[0].acceleration == before);
   CHECK(described({}).empty());
+  Components none;
+  treat(none, window(1.0, 2.0), "motion.");  // nothing moves: nothing to cut
+  CHECK(none[0].acceleration.empty());
 }
 
 TEST_CASE("treatment: a window keeps the samples nearest to its ends, and all between, bit for bit") {
@@ -88,10 +91,10 @@ TEST_CASE("treatment: a window keeps the samples nearest to its ends, and all be
 
 TEST_CASE("treatment: windows that are none") {
   const Components c{sampled(0.01, 301, uneven), {}, sampled(0.01, 501, uneven)};
-  check_fault(c, window(5.0, {}), "from", "is 5 s; allowed: from 0 to below 5, where the motion ends");
-  check_fault(c, window(-1.0, {}), "from", "is -1 s; allowed: from 0");
-  check_fault(c, window(2.0, 2.0), "to", "is 2 s; allowed: above 2, where the window begins");
-  check_fault(c, window({}, 5.01), "to", "is 5.01 s; allowed: up to 5, where the motion ends");
+  check_fault(c, window(5.0, {}), "from", "5 s; allowed: from 0 to below 5, where the motion ends");
+  check_fault(c, window(-1.0, {}), "from", "-1 s; allowed: from 0");
+  check_fault(c, window(2.0, 2.0), "to", "2 s; allowed: above 2, where the window begins");
+  check_fault(c, window({}, 5.01), "to", "5.01 s; allowed: up to 5, where the motion ends");
   check_fault(c, window({}, 0.004), "to", "leaves fewer than 2 samples of \"test\"");
   check_fault(c, window(4.0, {}), "from", "leaves fewer than 2 samples of \"test\", which ends at 3 s");  // the first component
 }
@@ -148,7 +151,7 @@ TEST_CASE("treatment: tapers are half cosines, after cut and baseline") {
   CHECK(a[500] == 0.0);
   check_fault(only(sampled(0.01, 101, uneven)), t, "taper", "takes 1.5 s together; allowed: at most the 1 s of \"test\"");
   t.taper = {-1.0, 0.0};
-  check_fault(only(sampled(0.01, 101, uneven)), t, "taper", "is -1 s; allowed: 0 or more");
+  check_fault(only(sampled(0.01, 101, uneven)), t, "taper", "-1 s; allowed: 0 or more");
   // The mean is of the window alone.
   MotionTreatment all = window(3.0, {});
   all.baseline = Baseline::mean;

@@ -141,6 +141,16 @@ TEST_CASE("motion: window, baseline and taper change what is printed and written
   CHECK(now[400] - now[300] == doctest::Approx(whole[800] - whole[700]).epsilon(1e-9));  // but for the mean
 }
 
+TEST_CASE("motion: a window of a file") {
+  const TempFolder folder;
+  MotionOptions o;
+  o.treatment.from = 0.5;
+  o.treatment.to = 1.5;
+  const auto words = words_of(printed({folder.write("pulse.csv", kPulse)}, o), "pulse.csv");
+  CHECK(words[3] == "3");
+  CHECK(words[4] == "1.000");
+}
+
 TEST_CASE("motion: one column, with step and unit") {
   const TempFolder folder;
   const std::string path = folder.write("one.txt", "1\n2\n-3\n");
@@ -173,6 +183,6 @@ TEST_CASE("motion: faults of spectra, combinations and fits") {
   check_fault({"bam-like"}, range, "--fit", "has no value at 4.0");
   check_fault({pulse}, dt, "--dt", "0 s; allowed: from 1e-6 to 10");
   check_fault({pulse}, both, "--until", "does not go with --to");
-  check_fault({"bam-like"}, from, "--from", "is 30 s; allowed: from 0 to below 2");
+  check_fault({"bam-like"}, from, "--from", "30 s; allowed: from 0 to below 2");
   CHECK_FALSE(std::filesystem::exists(*spectra.spectra));
 }

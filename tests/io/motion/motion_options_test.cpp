@@ -56,7 +56,7 @@ TEST_CASE("motion keys: what is out of range") {
   CHECK(refusal(m + "taper = \"long\"").find("wanted a number or an array [start, end]") != std::string::npos);
   CHECK(refusal(m + "taper = -0.1").find("must be >= 0") != std::string::npos);
   CHECK(refusal(m + "dt = 0").find("must be in [1e-06, 10]") != std::string::npos);
-  CHECK_THROWS_WITH_AS(io::load_motion(*read(m + "from = 30").motion, ""), doctest::Contains("motion.from: is 30 s; allowed: from 0"),
+  CHECK_THROWS_WITH_AS(io::load_motion(*read(m + "from = 30").motion, ""), doctest::Contains("motion.from: 30 s; allowed: from 0"),
                        cases::InputError);
 }
 
