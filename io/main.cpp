@@ -12,6 +12,7 @@
 #include "io/case_file/case_file.h"
 #include "io/commands/bench_command.h"
 #include "io/commands/compare_command.h"
+#include "io/commands/limit_command.h"
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_command.h"
 #include "io/commands/report_command.h"
@@ -49,6 +50,8 @@ struct Words {
   io::MotionOptions motion_options;
   io::CheckOptions check;
   io::ModesOptions modes;
+  io::LimitCommandOptions limit;
+  std::string cone = "inner";  // of `limit`
 };
 
 /// A path given on the command line starts at the working folder, not at the case's.
@@ -221,6 +224,20 @@ void add_modes(CLI::App& app, Words& w) {
   modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
 }
 
+void add_limit(CLI::App& app, Words& w) {
+  CLI::App* limit = app.add_subcommand("limit", "collapse multiplier and mechanism of dry blocks by limit analysis; runs nothing");
+  add_case(limit, w);
+  limit->add_option("--direction", w.limit.direction,
+                    "of the live force, which is the multiplier times the weight: x (default), -x, y, -y, or degrees");
+  limit->add_option("--facets", w.limit.facets, "of the friction cone (default 8; plane models need none)")->check(CLI::Range(4, 64));
+  limit->add_option("--cone", w.cone, "facets in the cone, which err to the safe side (default), or round it")
+      ->check(CLI::IsMember({"inner", "outer"}));
+  limit->add_option("--mechanism", w.limit.mechanism, "write the velocities of all elements to this CSV file");
+  limit->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
+  limit->add_flag("--overwrite", w.limit.overwrite, "replace an existing file of the mechanism");
+  limit->footer("example: voussoir limit arch --direction y");
+}
+
 void add_motion(CLI::App& app, Words& w) {
   CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
   motion
@@ -266,6 +283,11 @@ int dispatch(const CLI::App& app, Words& w) {
   w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
+  if (app.got_subcommand("limit")) {
+    w.limit.json = w.format == "json";
+    w.limit.outer = w.cone == "outer";
+    return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });
+  }
   if (app.got_subcommand("bench")) {
     w.bench.threads = w.run.threads;
     if (w.name.ends_with(".h5")) return io::bench_checkpoint(w.name, w.bench);
@@ -306,6 +328,7 @@ int main(int argc, char** argv) {
   add_report(app, w);
   add_check(app, w);
   add_modes(app, w);
+  add_limit(app, w);
   add_motion(app, w);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");

@@ -138,7 +138,7 @@ TEST_CASE("arch under horizontal acceleration" * doctest::skip()) {
   });
   expect_near("arch, t_e/R = 0.15: horizontal acceleration at which it falls [g]", found, continuum, 3e-2);
   expect_near("arch, t_e/R = 0.15: the same against limit analysis of the same voussoirs and contact points [g]", found, discrete, 1e-2);
-  const CollapseFactors programmes = collapse_factors(cases::build_model(shaped(arch)), 60.0, {0.0, 1.0, 0.0});
+  const CollapseFactors programmes = collapse_factors(shaped(arch), 60.0, {0.0, 1.0, 0.0});
   expect_near("arch, t_e/R = 0.15: line of thrust against linear programme [g]", programmes.associated, discrete, 1e-6);
 }
 
