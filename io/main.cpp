@@ -10,9 +10,10 @@
 #include <functional>
 
 #include "io/case_file/case_file.h"
+#include "io/commands/assess/assess_command.h"
+#include "io/commands/assess/limit_command.h"
 #include "io/commands/bench_command.h"
 #include "io/commands/compare_command.h"
-#include "io/commands/limit_command.h"
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_command.h"
 #include "io/commands/report_command.h"
@@ -51,6 +52,7 @@ struct Words {
   io::CheckOptions check;
   io::ModesOptions modes;
   io::LimitCommandOptions limit;
+  io::AssessOptions assess;
   std::string cone = "inner";  // of `limit`
 };
 
@@ -205,6 +207,22 @@ void add_summary(CLI::App& app, Words& w) {
   summary->footer("example: voussoir summary results/flat20n");
 }
 
+void add_assess(CLI::App& app, Words& w) {
+  CLI::App* assess = app.add_subcommand("assess", "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run");
+  assess->add_option("DIR", w.assess.folder, "folder of the run, finished or not")->required();
+  assess->add_option("--time", w.assess.time, "s, of cracks: the frame nearest to it (default: the last)");
+  assess->add_option("--levels", w.assess.levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
+      ->delimiter(',');
+  assess->add_option("--maps", w.assess.maps, "write a crack map of every wall into this folder, as SVG");
+  assess->add_option("--spectra", w.assess.spectra, "write response spectra of the followed points and of the base to this CSV file");
+  assess->add_option("--damping", w.assess.damping, "damping ratios of the spectra (default 0.05)")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 0.99));
+  assess->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
+  assess->add_flag("--overwrite", w.assess.overwrite, "replace existing files");
+  assess->footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");
+}
+
 void add_check(CLI::App& app, Words& w) {
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
   add_case(check, w);
@@ -278,6 +296,10 @@ int dispatch(const CLI::App& app, Words& w) {
     w.summary.json = w.format == "json";
     return io::summary_command(w.summary);
   }
+  if (app.got_subcommand("assess")) {
+    w.assess.json = w.format == "json";
+    return io::assess_command(w.assess);
+  }
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
@@ -325,6 +347,7 @@ int main(int argc, char** argv) {
   add_resume(app, w);
   add_compare(app, w);
   add_summary(app, w);
+  add_assess(app, w);
   add_report(app, w);
   add_check(app, w);
   add_modes(app, w);

@@ -118,6 +118,7 @@ int resume_command(const ResumeOptions& o) {
   const std::string resolved = resolved_toml(r->value);
   folder.write_case(resolved);
   ResultsOptions keep;
+  keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);

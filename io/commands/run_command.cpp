@@ -25,7 +25,9 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));
   folder.write_case(resolved);
-  ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()));
+  ResultsOptions with;
+  with.cuts = cut_names(c.value);
+  ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()), with);
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;

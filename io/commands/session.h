@@ -17,6 +17,8 @@ CheckpointFacts facts_of(const solver::Simulation& sim, const std::string& toml,
 
 /// Names of the followed elements, in order.
 std::vector<std::string> history_names(const cases::Case& c);
+/// Names of the cuts of a case, in order.
+std::vector<std::string> cut_names(const cases::Case& c);
 
 /// Runs, or goes on from `plan`, to the end of the case; tells people how it goes and what came out.
 ///

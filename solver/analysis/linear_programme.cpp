@@ -3,7 +3,6 @@
 #include "solver/analysis/linear_programme.h"
 
 #include <memory>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -27,15 +26,7 @@ LpSolution LinearProgramme::solve() const {
   Clp_loadProblem(lp.get(), static_cast<int>(objective.size()), static_cast<int>(right_.size()), starts.data(), equations_.data(),
                   coefficients_.data(), nullptr, nullptr, objective.data(), right_.data(), right_.data());
   Clp_setOptimizationDirection(lp.get(), -1.0);
-  const char* how = getenv("LPHOW"); int h = how ? atoi(how) : 0;
-  if (getenv("LPLOG")) Clp_setLogLevel(lp.get(), 1);
-  if (h == 0) Clp_initialSolve(lp.get());
-  if (h == 1) Clp_initialPrimalSolve(lp.get());
-  if (h == 2) Clp_initialDualSolve(lp.get());
-  if (h == 3) Clp_initialBarrierSolve(lp.get());
-  if (h == 4) Clp_initialBarrierNoCrossSolve(lp.get());
-  if (h == 5) Clp_primal(lp.get(), 0);
-  if (h == 6) Clp_dual(lp.get(), 0);
+  Clp_initialSolve(lp.get());
   switch (Clp_status(lp.get())) {
     case kSolved:
       break;

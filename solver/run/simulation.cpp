@@ -93,6 +93,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   turned_.resize(followed_.size());
   velocity_before_.resize(followed_.size());
   samples_.resize(followed_.size());
+  cuts_ = Cuts(w, c.output.cuts);
   load_before_.resize(2 * w.loads.size());
   if (c.gravity.settle && norm(full_gravity_) > 0.0) {
     phase_ = Phase::settling;
@@ -293,9 +294,13 @@ void Simulation::step(Due due) {
     if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.gather_stale) build_gather(w);
   }
+  const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
     const StageTimer timer(times_, Stage::forces);
+    if (cuts_due && !w.options.gather) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
+    w.keep_pairs = cuts_due;
     solver::forces(w, t, step_, forces_stage_);
+    if (cuts_due) cuts_.measure(w, cut_samples_);
   }
   {
     const StageTimer timer(times_, Stage::damage);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/commands/limit_command.h"
+#include "io/commands/assess/limit_command.h"
 
 #include <charconv>
 #include <cmath>
