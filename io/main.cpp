@@ -253,6 +253,7 @@ void add_limit(CLI::App& app, Words& w) {
   limit->add_option("--mechanism", w.limit.mechanism, "write the velocities of all elements to this CSV file");
   limit->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
   limit->add_flag("--overwrite", w.limit.overwrite, "replace an existing file of the mechanism");
+  limit->add_flag("--quiet", w.limit.quiet, "no progress");
   limit->footer("example: voussoir limit arch --direction y");
 }
 

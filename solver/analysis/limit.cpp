@@ -46,7 +46,11 @@ std::vector<std::pair<double, double>> facets(const LimitOptions& o, bool plane)
 class Problem {
  public:
   Problem(const cases::Case& c, const cases::Model& model, const LimitOptions& o, const LimitContacts& contacts)
-      : contacts_(contacts), live_(o.live), points_(contacts.points.size()), corners_(facets(o, contacts.plane.has_value())) {
+      : contacts_(contacts),
+        live_(o.live),
+        tick_(o.tick),
+        points_(contacts.points.size()),
+        corners_(facets(o, contacts.plane.has_value())) {
     const Vec3 across = cross({0, 0, 1}, live_);
     if (contacts.plane) {
       axes_ = {live_, {0, 0, 1}, {}, {}, across, {}};
@@ -175,6 +179,7 @@ class Problem {
       throw cases::InputError("", "no multiplier is too large in this direction: nothing falls, whatever the force");
     ++out.programmes;
     out.multiplier = found.unknowns.front();
+    if (tick_) tick_(++programmes_, out.multiplier);
     take_forces(found.unknowns, out);
     take_motion(found.prices, out);
   }
@@ -226,6 +231,8 @@ class Problem {
 
   const LimitContacts& contacts_;
   Vec3 live_;
+  std::function<void(int, double)> tick_;
+  int programmes_ = 0;
   std::array<Vec3, kRowsOfBody> axes_;  // of the equations of a body: forces, moments; zero: there is none
   std::array<int, kRowsOfBody> row_{};  // −1: there is none
   std::size_t rows_of_body_ = 0;

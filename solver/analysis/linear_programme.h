@@ -12,6 +12,9 @@ namespace voussoir::solver {
 
 enum class LpOutcome { solved, infeasible, unbounded };
 
+/// What is larger counts as unbounded: the first unknown has this as its upper bound, so that the dual simplex can start at it.
+inline constexpr double kLpUnbounded = 1e3;
+
 struct LpSolution {
   LpOutcome outcome = LpOutcome::solved;
   std::vector<double> unknowns;  // by column

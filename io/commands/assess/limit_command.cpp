@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "io/assess/limit_words.h"
+#include "io/commands/progress.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
@@ -43,9 +44,16 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   std::error_code none;
   if (!o.mechanism.empty() && !o.overwrite && std::filesystem::exists(o.mechanism, none))
     throw FileError(o.mechanism, "exists; --overwrite replaces it");
-  const LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer}};
+  LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer, {}}};
+  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
+  if (on_terminal) {
+    asked.options.tick = [](int programmes, double multiplier) {
+      std::fprintf(stderr, "\rlinear programme %d of 21 to 41: multiplier %.5f", programmes, multiplier);
+    };
+  }
   const cases::Model model = cases::build_model(c.value);
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
+  if (on_terminal) std::fputc('\n', stderr);
   std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);
   if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(model, found), o.overwrite);
   return found.coulomb_converged() ? kDone : kNumericalFailure;

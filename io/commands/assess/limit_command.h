@@ -13,7 +13,7 @@ struct LimitCommandOptions {
   int facets = 8;               // of the friction cone
   bool outer = false;           // round the cone instead of in it
   std::string mechanism;        // CSV file of the mechanism; empty: none
-  bool json = false, overwrite = false;
+  bool json = false, overwrite = false, quiet = false;
 };
 
 /// `voussoir limit`: the collapse multiplier of a horizontal body force and its mechanism, by limit analysis of dry rigid blocks
