@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "cases/gravity.h"
@@ -65,6 +66,8 @@ class Problem {
   [[nodiscard]] double weight() const { return unit_ * static_cast<double>(contacts_.bodies.size()); }
   void associated(LimitState& out) {
     for (std::size_t i = 0; i < points_.size(); ++i) points_[i].cohesion = 0.0, points_[i].slope = contacts_.points[i].friction;
+    if (!stands())
+      throw cases::InputError("", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts");
     solve(out);
     for (Point& p : points_) p.compression = p.found;
   }
@@ -164,6 +167,15 @@ class Problem {
     lp.right(limit) = p.cohesion;
   }
 
+  /// Whether contacts can bear the dead forces: those are a cone, so they bear all of them or none.
+  [[nodiscard]] bool stands() const {
+    LinearProgramme lp(dead_.size() + points_.size());
+    for (std::size_t row = 0; row < dead_.size(); ++row)
+      if (dead_[row] != 0.0) lp.add(row, dead_[row]);
+    lp.end_column();
+    for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
+    return lp.solve(false, 1.0).outcome == LpOutcome::unbounded;
+  }
   void solve(LimitState& out) {
     LinearProgramme lp(dead_.size() + points_.size());
     for (std::size_t row = 0; row < dead_.size(); ++row) {
@@ -172,9 +184,8 @@ class Problem {
     }
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    const LpSolution found = lp.solve();
-    if (found.outcome == LpOutcome::infeasible)
-      throw cases::InputError("", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts");
+    const LpSolution found = lp.solve(true);
+    if (found.outcome == LpOutcome::infeasible) throw std::runtime_error("limit analysis: Clp finds no forces where there are some");
     if (found.outcome == LpOutcome::unbounded)
       throw cases::InputError("", "no multiplier is too large in this direction: nothing falls, whatever the force");
     ++out.programmes;

@@ -10,10 +10,12 @@ namespace voussoir::solver {
 /// Whether this program was built with Clp (COIN-OR's linear programmes, EPL-2.0), which solves those of limit analysis.
 [[nodiscard]] bool has_linear_programmes() noexcept;
 
-enum class LpOutcome { solved, infeasible, unbounded };
+enum class LpOutcome { solved, infeasible, unbounded };  // unbounded: the first unknown is at its bound
 
-/// What is larger counts as unbounded: the first unknown has this as its upper bound, so that the dual simplex can start at it.
+/// Upper bound of the first unknown: the dual simplex starts from it. What reaches it counts as unbounded.
 inline constexpr double kLpUnbounded = 1e3;
+/// From this number of unknowns on the interior-point method is tried before the dual simplex, which takes too long.
+inline constexpr std::size_t kLpLarge = 5000;
 
 struct LpSolution {
   LpOutcome outcome = LpOutcome::solved;
@@ -35,8 +37,10 @@ class LinearProgramme {
   }
   void end_column() { starts_.push_back(equations_.size()); }
 
+  /// \param feasible  known to be: large ones are solved in another way, which would take long to find that they are not
+  /// \param bound     of the first unknown
   /// \throw std::logic_error if this program has no linear programmes \throw std::runtime_error if Clp gives up
-  [[nodiscard]] LpSolution solve() const;
+  [[nodiscard]] LpSolution solve(bool feasible, double bound = kLpUnbounded) const;
 
  private:
   std::vector<double> right_;
