@@ -9,7 +9,7 @@ _voussoir() {
     words=$("$program" --help 2>/dev/null | sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p')
   elif [[ $word == -* ]]; then
     words=$("$program" "$command" --help 2>/dev/null | sed -nE 's/^  (-.,)?(--[a-z-]+).*/\2/p')
-  elif [[ $COMP_CWORD -eq 2 && $command =~ ^(run|check|modes|bench)$ ]]; then
+  elif [[ $COMP_CWORD -eq 2 && $command =~ ^(run|check|modes|limit|bench)$ ]]; then
     words=$("$program" cases 2>/dev/null | sed -nE 's/^([a-z0-9-]+) .*/\1/p')
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")

@@ -25,6 +25,7 @@ TEST_CASE("completion: commands, options and cases, as the program itself says t
   CHECK(offered("run --check") == "--checkpoint-every --checkpoint-simulated");
   CHECK(offered("check hut.toml --dr") == "--draw");
   CHECK(offered("modes flat40") == "flat40n");
+  CHECK(offered("limit flat40") == "flat40n");
   CHECK(offered("motion flat40").empty());  // takes files
   CHECK(offered("report res").empty());
 }
