@@ -35,13 +35,19 @@ struct Elevation {
   [[nodiscard]] bool has(std::size_t column, std::size_t row) const { return masonry[row * columns() + column] != 0; }
 };
 
+bool overlap(const Box& a, const Box& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a.low[k] > b.high[k] - kSamePlace || b.low[k] > a.high[k] - kSamePlace) return false;
+  return true;
+}
+
 Elevation elevation_of(const Building& b, std::int32_t wall) {
   const Wall& w = b.walls[static_cast<std::size_t>(wall)];
   const std::size_t axis = 1 - w.across;
   std::vector<const Box*> boxes;
   std::vector<double> u{w.box.low[axis], w.box.high[axis]}, z{w.box.low[2], w.box.high[2]};
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
-    if (b.wall[e] != wall || b.box[e].low[2] > w.box.high[2] - kSamePlace) continue;
+    if (!overlap(b.box[e], w.box)) continue;  // also of the walls beside it, whose bricks take turns with its own at the corners
     boxes.push_back(&b.box[e]);
     for (const double at : {b.box[e].low[axis], b.box[e].high[axis]}) u.push_back(std::clamp(at, w.box.low[axis], w.box.high[axis]));
     for (const double at : {b.box[e].low[2], b.box[e].high[2]}) z.push_back(std::clamp(at, w.box.low[2], w.box.high[2]));

@@ -21,7 +21,9 @@ inline CollapseFactors collapse_factors(cases::Case c, double friction, Vec3 alo
   REQUIRE_MESSAGE(solver::has_linear_programmes(), "this build has no Clp (Debian: coinor-libclp-dev)");
   c.contact.friction = friction;
   c.contact.between.clear();
-  const solver::LimitResult found = solver::limit_analysis(c, cases::build_model(c), {.live = along});
+  solver::LimitOptions options;
+  options.live = along;
+  const solver::LimitResult found = solver::limit_analysis(c, cases::build_model(c), options);
   REQUIRE(found.coulomb_converged());
   return {found.associated.multiplier, found.coulomb.multiplier};
 }
