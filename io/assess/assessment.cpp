@@ -22,11 +22,15 @@ constexpr double kSameLevel = 1e-3;  // m
 
 double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : v.y; }
 
+constexpr double kGone = 1.0;  // m: what has moved so far is no part of its wall any more
+
+/// What has fallen, or has left its place.
 std::vector<std::uint8_t> fallen_in(const Building& b, const std::vector<Pose>& start, const std::vector<Pose>& poses) {
   std::vector<std::uint8_t> fallen(start.size());
   for (std::size_t e = 0; e < start.size(); ++e) {
     const double sunk = start[e].centre.z - poses[e].centre.z;
-    fallen[e] = b.mass[e] > 0 && solver::FallenMass::has_fallen(sunk, start[e].centre.z - b.base) ? 1 : 0;
+    const bool gone = norm(poses[e].centre - start[e].centre) > kGone;
+    fallen[e] = b.mass[e] > 0 && (gone || solver::FallenMass::has_fallen(sunk, start[e].centre.z - b.base)) ? 1 : 0;
   }
   return fallen;
 }
@@ -179,11 +183,19 @@ class Assessor {
     if (now) out_.fallen = fallen;
   }
 
+  /// As for drift (wall_drift.h): at least half of its uppermost course is there.
+  static bool stands(const Wall& w, const std::vector<std::uint8_t>& fallen) {
+    std::size_t up = 0, down = 0;
+    for (const std::vector<std::size_t>& piece : w.top)
+      for (const std::size_t e : piece) ++(fallen[e] != 0 ? down : up);
+    return down < up;
+  }
+
   /// Over the thickness; NaN: nothing of the wall stands.
   [[nodiscard]] double out_of_plane(const Wall& w, const std::vector<std::vector<std::size_t>>& pieces, const std::vector<Pose>& poses,
                                     const std::vector<std::uint8_t>& fallen) const {
     const std::optional<Vec3> foot = mean_of(w.foot, building_, start_, poses, fallen);
-    if (!foot) return kNone;
+    if (!foot || !stands(w, fallen)) return kNone;
     double most = kNone;
     for (const std::vector<std::size_t>& piece : pieces) {
       const std::optional<Vec3> u = mean_of(piece, building_, start_, poses, fallen);

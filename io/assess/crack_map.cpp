@@ -18,7 +18,7 @@ using geometry::Point2;
 constexpr double kMargin = 40.0, kHead = 62.0, kFoot = 92.0;  // user units
 constexpr double kWidest = 1000.0;                            // of the elevation
 constexpr double kLargestScale = 240.0;                       // units per metre
-constexpr double kLeastSheet = 660.0;                         // for the legend
+constexpr double kLeastSheet = 820.0;                         // for the legend
 constexpr double kOnFace = 1e-4;                              // m
 constexpr std::size_t kLabels = 6;                            // widths that are written
 constexpr double kApart = 0.4;                                // m, two of these at least
@@ -83,7 +83,7 @@ class Map {
       const bool timber = building_.kind[e] == cases::PartKind::lintel;
       const std::array<Point2, 4> corners{at(b.low[axis_], b.low[2]), at(b.high[axis_], b.low[2]), at(b.high[axis_], b.high[2]),
                                           at(b.low[axis_], b.high[2])};
-      svg.polygon(corners, fallen[e] != 0 ? "#c9c9c9" : timber ? "#cdb38f" : "#f7f3ec");
+      svg.polygon(corners, fallen[e] != 0 ? "#c9c9c9" : timber ? "#dcc9ab" : "#fbf8f3", "#d8cebf");
     }
   }
 
@@ -105,7 +105,7 @@ class Map {
         length_[static_cast<std::size_t>(&c - kCrackClasses.data())] += norm(e.to - e.from);
         any = true;
       }
-      if (any) drawn.push_back(here[i]);
+      if (any && here[i].width >= CrackFigures::kHair) drawn.push_back(here[i]);
     }
     write_widths(svg, drawn);
   }

@@ -151,7 +151,7 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   CHECK(assess(file, building, {}, {}).walls[0].cracks.joints == 0);   // under a hair crack's width
   CHECK(assess(file, building, 0.0, {}).walls[0].cracks.joints == 0);  // not open yet
   const std::string map = crack_map(file, "wall", building, 0, a.time, a.joints, a.fallen);
-  const std::string colour = std::string("stroke=\"") + kCrackClasses[1].colour;  // 1 to 5 mm
+  const std::string colour = std::string("stroke=\"") + kCrackClasses[2].colour;  // 1 to 5 mm
   CHECK(count(map, colour) == 1 + [&] {
     std::size_t on_face = 0;  // one edge a joint lies on the outer face, and one in the legend
     for (const std::size_t j : bed) on_face += run.model().assembly.joints[j].frame.centre.y < 0.11 ? 1 : 0;
@@ -159,7 +159,7 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   }());
   CHECK(map.find("cracks at 1.000 s, seen from outside") != std::string::npos);
   CHECK(map.find(">1 m<") != std::string::npos);
-  CHECK(count(map, std::string("stroke=\"") + kCrackClasses[4].colour) == 1);
+  CHECK(count(map, std::string("stroke=\"") + kCrackClasses[5].colour) == 1);
 }
 
 TEST_CASE("assess: out of plane over the thickness, storey drift, what has fallen does not count") {
