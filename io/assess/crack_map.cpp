@@ -21,6 +21,7 @@ constexpr double kLargestScale = 240.0;                       // units per metre
 constexpr double kLeastSheet = 820.0;                         // for the legend
 constexpr double kOnFace = 1e-4;                              // m
 constexpr std::size_t kLabels = 6;                            // widths that are written
+constexpr double kWidestNumber = 0.2;                         // m: what is wider is no crack, but something that has fallen
 constexpr double kApart = 0.4;                                // m, two of these at least
 
 std::string text(const char* format, double value) {
@@ -105,7 +106,7 @@ class Map {
         length_[static_cast<std::size_t>(&c - kCrackClasses.data())] += norm(e.to - e.from);
         any = true;
       }
-      if (any && here[i].width >= CrackFigures::kHair) drawn.push_back(here[i]);
+      if (any && here[i].width >= CrackFigures::kHair && here[i].width <= kWidestNumber) drawn.push_back(here[i]);
     }
     write_widths(svg, drawn);
   }
@@ -117,7 +118,7 @@ class Map {
       if (std::ranges::any_of(taken, [&](Vec3 t) { return std::hypot(along(t) - along(j->centre), t.z - j->centre.z) < kApart; })) continue;
       taken.push_back(j->centre);
       const Point2 p = at(along(j->centre), j->centre.z);
-      svg.text({p.s + 5.0, p.t - 5.0}, text("%.2g", 1e3 * j->width), 12.0, "start", "#111");
+      svg.text({p.s + 5.0, p.t - 5.0}, text(j->width < 10e-3 ? "%.2g" : "%.0f", 1e3 * j->width), 12.0, "start", "#111");
     }
   }
 
