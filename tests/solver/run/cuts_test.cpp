@@ -97,6 +97,41 @@ TEST_CASE("cuts: balance of the part above, forces on the base, parts of a cut, 
   CHECK(next.damage().bonded < 0.5 * solver::Simulation(c, m, motion, with(1)).damage().bonded);  // it has come apart
 }
 
+TEST_CASE("cuts: bodies that overlap, where edges cross") {
+  cases::Case c = small_wall(1, 2);  // one brick on another; the cut needs a joint to part
+  cases::BlockSpec below, above;
+  below.name = "below", below.material = "adobe", below.fixed = true;
+  below.box = {{Vec3{0.8, -0.2, -0.2}, Vec3{1.2, 0.2, 0.2}}};
+  below.rotate = cases::Rotation{{0, 1, 0}, 45.0, {1.0, 0.0, 0.0}};
+  above.name = "above", above.material = "adobe", above.free = true;
+  const double top = 0.2 * std::sqrt(2.0), middle = top + 0.1 * std::sqrt(2.0) + 1e-4;
+  above.box = {{Vec3{0.9, -0.1, middle - 0.1}, Vec3{1.1, 0.1, middle + 0.1}}};
+  above.rotate = cases::Rotation{{1, 0, 0}, 45.0, {1.0, 0.0, middle}};
+  for (cases::BlockSpec* b : {&below, &above}) {
+    c.blocks.push_back(*b);
+  }
+  for (cases::BlockSpec& b : c.blocks)
+    if (!b.rotate) (*b.box)[0].z += 0.2, (*b.box)[1].z += 0.2;
+  c.base.reset();
+  c.blocks[0].fixed = true;
+  cases::Cut cut;
+  cut.name = "between", cut.point = {0.0, 0.0, 0.3};
+  c.output.cuts = {cut};
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, with(1)), next(c, m, {}, with(1));
+  bool overlapped = false;
+  for (int i = 0; i < 8000; ++i) {
+    next.step({true, true});
+    const solver::CutSample got = by_balance(sim.world(), next.world(), cut.point, {0, 0, -9.8}, {});
+    sim.step({true, true});
+    INFO("step " << i);
+    REQUIRE(norm(next.cuts()[0].force + got.force) < 1e-9 * (1e3 + norm(got.force)));
+    REQUIRE(norm(next.cuts()[0].moment + got.moment) < 1e-9 * (1e3 + norm(got.force)));
+    overlapped = overlapped || !next.world().overlaps.springs.empty();
+  }
+  CHECK(overlapped);
+}
+
 TEST_CASE("cuts: the same bits for any threads and either scatter; they change nothing of the run") {
   const cases::Case c = cut_wall();
   cases::Case without = c;
