@@ -145,7 +145,8 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   for (const auto& [corner, figures] : a.corners) near[corner.name] = figures.joints;
   for (const auto& [name, joints] : near) {
     INFO(name);
-    CHECK(joints > 0);  // 0.4 and 0.6 m from the bed: the upper ones are too far
+    if (name.find("lower") != std::string::npos) CHECK(joints > 0);
+    if (name.find("upper") != std::string::npos) CHECK(joints == 0);  // 0.6 m from the bed
     CHECK(joints < bed.size() / 2);
   }
   CHECK(assess(file, building, {}, {}).walls[0].cracks.joints == 0);   // under a hair crack's width
@@ -235,10 +236,11 @@ TEST_CASE("assess: acceleration of a point and its spectrum") {
     CHECK(moved[0].axis[0].acceleration[i] == doctest::Approx(exact + 2.0).epsilon(1e-4));
     CHECK(moved[0].axis[1].acceleration[i] == doctest::Approx(2.0));
   }
-  // Steady state of a damped oscillator over the peak of what drives it: 1/√((1 − r²)² + (2ζr)²) at r = 1 is 1/2ζ; stiff ones follow.
+  // Steady state of a damped oscillator over the peak of what drives it: 1/√((1 − r²)² + (2ζr)²) at r = 1 is 1/2ζ; a stiff one follows, and
+  // overshoots where the motion sets in, by exp(−πζ/√(1 − ζ²)).
   const std::vector<double> s = spectrum(still[0].axis[0], {2.0 * 3.14159265358979 / kOmega, 0.02}, 0.2);
   CHECK(s[0] == doctest::Approx(kSpeed * kOmega / 0.4).epsilon(2e-2));
-  CHECK(s[1] == doctest::Approx(kSpeed * kOmega).epsilon(0.15));
+  CHECK(s[1] == doctest::Approx(kSpeed * kOmega * (1.0 + std::exp(-3.14159265358979 * 0.2 / std::sqrt(0.96)))).epsilon(1e-2));
   const std::string csv = spectra_csv(moved, base, {0.05});
   CHECK(csv.starts_with("point,axis,damping,period,acceleration\n\"base\",x,0.05,0.02,"));
   CHECK(count(csv, "\"top\",") == 3 * spectrum_periods().size());
