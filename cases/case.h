@@ -132,11 +132,18 @@ struct HistoryPoint {
   std::string name;
   Vec3 point;  // m
 };
+/// A plane along which the structure is thought to be parted; what goes through it is written (Output::cuts).
+struct Cut {
+  std::string name;
+  Vec3 point, normal{0, 0, 1};             // m; of any length but zero, towards what acts
+  std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements whose middle is in it
+};
 struct Output {
   double history_interval = 0.001;  // s
   double frame_interval = 0.02;     // s
   double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
+  std::vector<Cut> cuts;  // key: cut
 };
 
 struct Rotation {

@@ -126,6 +126,26 @@ Table<HistoryPoint> history_table() {
           }};
 }
 
+Table<Cut> cut_table() {
+  using S = Cut;
+  return {"a plane; the force and the moment that pass it are written",
+          {required(value<S>("name", &S::name, "", filled(), "its name in the results: /cuts/<name>")),
+           required(value<S>("point", &S::point, "m", any(), "a point of the plane; moments are about it")),
+           value<S>("normal", &S::normal, "", any(),
+                    "across the plane, need not be a unit vector; what lies there (by centroids) acts on what lies behind"),
+           value<S>("box", &S::box, "m", any(),
+                    "two opposite corners: of the pairs of elements that the plane parts those count whose middle is in it; none: all do")},
+          [](const S& s, const RuleCheck& check) {
+            if (!can_name_history(s.name))
+              check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
+            if (s.normal == Vec3{}) check.fault("normal", "has no direction");
+            if (!s.box) return;
+            const auto& [low, high] = *s.box;
+            if (!(low.x < high.x && low.y < high.y && low.z < high.z))
+              check.fault("box", "has no room in it: each coordinate of the first corner must be below that of the second");
+          }};
+}
+
 }  // namespace
 
 Table<BlockSpec> block_table() {
@@ -194,8 +214,12 @@ Table<Output> output_table() {
           {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories"),
            value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
            value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
-           table<S>("history", &S::history, history_table())},
+           table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
           [](const S& s, const RuleCheck& check) {
+            std::set<std::string> cuts;
+            for (std::size_t i = 0; i < s.cuts.size(); ++i) {
+              if (!cuts.insert(s.cuts[i].name).second) return check.fault(path_to("cut", i) + ".name", "is the name of another cut, too");
+            }
             std::set<std::string> names;
             for (std::size_t i = 0; i < s.history.size(); ++i) {
               if (!names.insert(s.history[i].name).second)

@@ -94,6 +94,7 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
                   int batches, BenchTable& table) {
   ResultsOptions when_told;
   when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
+  when_told.cuts = cut_names(run.value);
   std::filesystem::create_directory(folder);
   ResultsWriter results(folder, run.model, "", history_names(run.value), provenance(0), when_told);
   std::vector<int> counts, steps;

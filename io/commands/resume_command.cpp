@@ -120,6 +120,7 @@ int resume_command(const ResumeOptions& o) {
   const std::string resolved = resolved_toml(r->value);
   folder.write_case(resolved);
   ResultsOptions keep;
+  keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);

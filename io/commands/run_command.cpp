@@ -29,6 +29,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   const std::string resolved = resolved_toml(anchored(c.value));
   ResultsOptions kept;
   kept.motion = motion_datasets(c.value, motion, sim.dt());
+  kept.cuts = cut_names(c.value);
   std::optional<ResultsWriter> results;
   try {
     folder.write_case(resolved);

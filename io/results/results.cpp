@@ -82,7 +82,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       case_toml_(std::move(case_toml)),
       elements_(model.blocks.size()),
       histories_(history_names.size()),
-      schema_(row_schema(history_names, model.blocks.size())),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts)),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
@@ -144,6 +144,18 @@ void ResultsWriter::forces(const solver::ForcesRow& row) {
   if (!to.begin(row.time)) return;
   to.put(1, row.base_shear);
   to.put(2, row.base_moment);
+  write_if_due();
+}
+
+void ResultsWriter::cuts(double time, std::span<const solver::CutSample> samples) {
+  if (samples.size() != options_.cuts.size()) throw std::logic_error("a row of cuts has another number of samples than there are names");
+  RowBuffer& to = table(RowTable::cuts);
+  if (!to.begin(time)) return;
+  std::size_t column = 1;
+  for (const solver::CutSample& s : samples) {
+    to.put(column++, s.force);
+    to.put(column++, s.moment);
+  }
   write_if_due();
 }
 

@@ -29,6 +29,7 @@ struct ResultsOptions {
   bool merge = true;               // finish() puts all rows into run.h5
   std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
   std::vector<StaticDataset> motion;      // of the base: motion_datasets
+  std::vector<std::string> cuts;          // names, one for each sample of cuts(), in order
   /// Go on with the results in the folder. Absent: a new run.
   std::optional<EarlierRows> earlier;
 };
@@ -55,6 +56,7 @@ class ResultsWriter final : public solver::Recorder {
   void history(double time, std::span<const solver::HistorySample> samples) override;
   void energy(const solver::EnergyRow& row) override;
   void forces(const solver::ForcesRow& row) override;
+  void cuts(double time, std::span<const solver::CutSample> samples) override;
   void damage(const solver::DamageRow& row) override;
   void cracks(std::span<const solver::CrackRow> rows) override;
   void frame(const solver::FrameView& frame) override;

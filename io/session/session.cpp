@@ -188,6 +188,12 @@ void print_way_on(const std::string& folder) {
   }
 }
 
+std::vector<std::string> cut_names(const cases::Case& c) {
+  std::vector<std::string> names;
+  for (const cases::Cut& cut : c.output.cuts) names.push_back(cut.name);
+  return names;
+}
+
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every) {
   const Signals signals;

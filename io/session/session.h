@@ -17,6 +17,8 @@ CheckpointFacts facts_of(const solver::Simulation& sim, const std::string& toml,
 
 /// Names of the followed elements, in order.
 std::vector<std::string> history_names(const cases::Case& c);
+/// Names of the cuts of a case, in order.
+std::vector<std::string> cut_names(const cases::Case& c);
 
 /// Of a run whose files cannot be written: tells whether `resume` goes on once they can, or the case is to be run anew.
 void print_way_on(const std::string& folder);

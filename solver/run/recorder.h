@@ -34,6 +34,12 @@ struct ForcesRow {
   Vec3 base_shear, base_moment;  // N, N m
 };
 
+/// What goes through a cut: force that the part before its plane (where the normal points) exerts on the part behind it, and moment of that
+/// force about the cut's point. So the force times the normal is tension.
+struct CutSample {
+  Vec3 force, moment;  // N, N m
+};
+
 /// Segment sides that have failed, by the limit they reached first.
 struct FirstLimits {
   std::int64_t tension = 0, shear = 0, compression = 0;
@@ -92,6 +98,8 @@ class Recorder {
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
+  /// One sample per Output::cuts entry, in order; not called where there are none.
+  virtual void cuts(double /*time*/, std::span<const CutSample> /*samples*/) {}
   virtual void damage(const DamageRow& row) = 0;
   virtual void cracks(std::span<const CrackRow> rows) = 0;
   virtual void frame(const FrameView& frame) = 0;

@@ -148,6 +148,7 @@ class Plan {
       if (history) report_.samples(time);
       if (!ledger) continue;
       out_.forces(sim_.forces());
+      if (!sim_.cuts().empty()) out_.cuts(time, sim_.cuts());
       report_.ledger(time);
       check_residual(sim_);
     }

@@ -215,6 +215,16 @@ TEST_CASE("faults: rules of motion and histories") {
         "test.toml:6: output.history[1].name = \"a\" is the name of another history, too");
 }
 
+TEST_CASE("faults of cuts: names, planes without a direction, boxes without room") {
+  const std::string cut = "[[output.cut]]\npoint = [0,0,1]\nname = ";
+  CHECK(refusal("[[output.cut]]\nname = \"a\"").find("output.cut[0].point") != std::string::npos);
+  CHECK(refusal(cut + "\"a/b\"").starts_with("test.toml:3: output.cut[0].name = \"a/b\" cannot name a group"));
+  CHECK(refusal(cut + "\"a\"\nnormal = [0,0,0]").find("output.cut[0].normal") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0], [1,0,1]]").find("has no room in it") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0]]").find("output.cut[0].box") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\n" + cut + "\"a\"") == "test.toml:6: output.cut[1].name = \"a\" is the name of another cut, too");
+}
+
 TEST_CASE("faults: the first in the file is reported, then those of overrides") {
   CHECK(refusal("[time]\nduration = -1\n[contact]\nfriction = 99\n").starts_with("test.toml:2: "));
   CHECK(refusal("[contact]\nfriction = 99\n[time]\nduration = -1\n").starts_with("test.toml:2: contact.friction"));

@@ -26,6 +26,7 @@ TEST_CASE("completion: commands, options and cases, as the program itself says t
   CHECK(offered("check hut.toml --dr") == "--draw");
   CHECK(offered("run flat20n --kernels r") == "reference");
   CHECK(offered("modes flat40") == "flat40n");
+  CHECK(offered("limit flat40") == "flat40n");
   CHECK(offered("motion flat40").empty());  // takes files
   CHECK(offered("report res").empty());
 }
