@@ -109,7 +109,7 @@ struct Contact {
 };
 
 enum class Baseline { none, mean, linear, parabolic };
-/// What is done to the components of a motion before they are scaled (cases/treatment.h).
+/// What is done to the components of a motion before they are scaled (cases/motion/treatment.h).
 struct MotionTreatment {
   std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
   Baseline baseline = Baseline::none;     // taken off what the window holds

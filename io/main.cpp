@@ -12,24 +12,25 @@
 
 #include "io/case_file/case_file.h"
 #include "io/commands/assess/assess_command.h"
+#include "io/commands/assess/assess_options.h"
 #include "io/commands/assess/limit_command.h"
 #include "io/commands/bench_command.h"
 #include "io/commands/compare_command.h"
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_command.h"
-#include "io/session/prepared_case.h"
 #include "io/commands/report_command.h"
 #include "io/commands/resume_command.h"
 #include "io/commands/run_command.h"
 #include "io/commands/summary_command.h"
 #include "io/commands/verify_command.h"
-#include "io/session/waiting_threads.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/manual/manual_commands.h"
 #include "io/motion/motion_files.h"
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
+#include "io/session/prepared_case.h"
+#include "io/session/waiting_threads.h"
 #include "solver/world/errors.h"
 
 namespace {
@@ -56,7 +57,6 @@ struct Words {
   io::ModesOptions modes;
   io::LimitCommandOptions limit;
   io::AssessOptions assess;
-  std::string cone = "inner";  // of `limit`
 };
 
 /// A path given on the command line starts at the working folder, not at the case's.
@@ -210,22 +210,6 @@ void add_summary(CLI::App& app, Words& w) {
   summary->footer("example: voussoir summary results/flat20n");
 }
 
-void add_assess(CLI::App& app, Words& w) {
-  CLI::App* assess = app.add_subcommand("assess", "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run");
-  assess->add_option("DIR", w.assess.folder, "folder of the run, finished or not")->required();
-  assess->add_option("--time", w.assess.time, "s, of cracks: the frame nearest to it (default: the last)");
-  assess->add_option("--levels", w.assess.levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
-      ->delimiter(',');
-  assess->add_option("--maps", w.assess.maps, "write a crack map of every wall into this folder, as SVG");
-  assess->add_option("--spectra", w.assess.spectra, "write response spectra of the followed points and of the base to this CSV file");
-  assess->add_option("--damping", w.assess.damping, "damping ratios of the spectra (default 0.05)")
-      ->delimiter(',')
-      ->check(CLI::Range(0.0, 0.99));
-  assess->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
-  assess->add_flag("--overwrite", w.assess.overwrite, "replace existing files");
-  assess->footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");
-}
-
 void add_check(CLI::App& app, Words& w) {
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, how long a run takes, faults");
   add_case(check, w);
@@ -259,21 +243,6 @@ void add_treatment(CLI::App* command, cases::MotionTreatment& t) {
       ->add_option_function<double>(
           "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
       ->check(CLI::NonNegativeNumber);
-}
-
-void add_limit(CLI::App& app, Words& w) {
-  CLI::App* limit = app.add_subcommand("limit", "collapse multiplier and mechanism of dry blocks by limit analysis; runs nothing");
-  add_case(limit, w);
-  limit->add_option("--direction", w.limit.direction,
-                    "of the live force, which is the multiplier times the weight: x (default), -x, y, -y, or degrees");
-  limit->add_option("--facets", w.limit.facets, "of the friction cone (default 8; plane models need none)")->check(CLI::Range(4, 64));
-  limit->add_option("--cone", w.cone, "facets in the cone, which err to the safe side (default), or round it")
-      ->check(CLI::IsMember({"inner", "outer"}));
-  limit->add_option("--mechanism", w.limit.mechanism, "write the velocities of all elements to this CSV file");
-  limit->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
-  limit->add_flag("--overwrite", w.limit.overwrite, "replace an existing file of the mechanism");
-  limit->add_flag("--quiet", w.limit.quiet, "no progress");
-  limit->footer("example: voussoir limit arch --direction y");
 }
 
 void add_motion(CLI::App& app, Words& w) {
@@ -339,7 +308,6 @@ int dispatch(const CLI::App& app, Words& w) {
     return io::summary_command(w.summary);
   }
   if (app.got_subcommand("assess")) {
-    w.assess.json = w.format == "json";
     return io::assess_command(w.assess);
   }
   if (app.got_subcommand("report")) return io::report_command(w.report);
@@ -348,8 +316,6 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
   if (app.got_subcommand("limit")) {
-    w.limit.json = w.format == "json";
-    w.limit.outer = w.cone == "outer";
     return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });
   }
   if (app.got_subcommand("bench")) {
@@ -389,11 +355,13 @@ int main(int argc, char** argv) {
   add_resume(app, w);
   add_compare(app, w);
   add_summary(app, w);
-  add_assess(app, w);
+  io::add_assess_options(*app.add_subcommand("assess", io::kAssess), w.assess);
   add_report(app, w);
   add_check(app, w);
   add_modes(app, w);
-  add_limit(app, w);
+  CLI::App* limit = app.add_subcommand("limit", io::kLimit);
+  add_case(limit, w);
+  io::add_limit_options(*limit, w.limit);
   add_motion(app, w);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");

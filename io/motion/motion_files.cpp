@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "cases/names.h"
-#include "cases/treatment.h"
+#include "cases/motion/treatment.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_text.h"

@@ -34,7 +34,7 @@ Record read_record_file(const std::string& path, const Unstated& unstated);
 /// \throw FileError, before anything is written if one of the files exists and `overwrite` is false.
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite);
 
-/// The motion on x, y, z in m/s2: cut, corrected and tapered (cases/treatment.h), turned by the direction and scaled. Relative paths start
+/// The motion on x, y, z in m/s2: cut, corrected and tapered (cases/motion/treatment.h), turned by the direction and scaled. Relative paths start
 /// at `case_folder` (empty: the working folder). \throw cases::InputError with the key (motion, or motion.record, direction, unit, dt,
 /// scale, from, to, taper, baseline); FileError.
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder);

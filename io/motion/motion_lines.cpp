@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
-#include "cases/treatment.h"
+#include "cases/motion/treatment.h"
 #include "io/motion/motion_files.h"
 
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/motion.h"
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 /// The response spectra that `voussoir motion` writes and compares.
 namespace voussoir::io {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 /// Target spectra as users name them.
 namespace voussoir::io {

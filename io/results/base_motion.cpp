@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "cases/treatment.h"
+#include "cases/motion/treatment.h"
 
 namespace voussoir::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 #include <doctest/doctest.h>
 

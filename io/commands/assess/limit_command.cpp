@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "io/assess/limit_words.h"
-#include "io/session/progress.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/session/progress.h"
 #include "solver/analysis/linear_programme.h"
 
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cases/case.h"
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 #include "io/commands/motion_command.h"
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"

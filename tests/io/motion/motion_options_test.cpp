@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "cases/treatment.h"
+#include "cases/motion/treatment.h"
 #include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 #include "io/motion/motion_files.h"

@@ -7,7 +7,7 @@
 #include "cases/case.h"
 #include "cases/motion.h"
 #include "cases/names.h"
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 namespace voussoir::cases {
 namespace {

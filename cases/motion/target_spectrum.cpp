@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 namespace voussoir::cases {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "cases/case.h"
-#include "cases/spectra.h"
+#include "cases/motion/spectra.h"
 
 namespace voussoir::cases {
 namespace {
