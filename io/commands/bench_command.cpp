@@ -117,7 +117,7 @@ std::vector<Limits> limits_of(std::span<const int> counts) {
   return limits;
 }
 
-/// The tables of one subject: `build(gather)` makes it re_search.
+/// The tables of one subject: `build(gather)` makes it again.
 template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   namespace fs = std::filesystem;

@@ -57,7 +57,7 @@ std::span<const std::byte> unsealed(const std::string& name, const std::string& 
   Seal s;
   const std::string header(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kSealBytes));
   if (!header.starts_with(what + " ")) throw DamagedFile(name, "is no " + what);
-  // The header itself is checked by writing it re_search.
+  // The header itself is checked by writing it again.
   if (!read_seal(what, header, s) || text_of(what, s) != header) throw DamagedFile(name, "is damaged: its header makes no sense");
   const std::span<const std::byte> contents = bytes.subspan(kSealBytes);
   if (contents.size() != s.bytes) {

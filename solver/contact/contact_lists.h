@@ -22,7 +22,7 @@ struct Found {
   std::vector<double> gap;  // m, that one face of the element keeps from the whole patch
 };
 
-/// Puts what was found in the place of what was looked for re_search. Patches lie in the order of their numbers; the candidates of one are
+/// Puts what was found in the place of what was there before. Patches lie in the order of their numbers; the candidates of one are
 /// those that stayed, then those found, in the order of `found`. Points whose partner is no candidate any more are free.
 void replace_candidates(World& w, const ReSearch& re_search, std::span<const Found> found);
 

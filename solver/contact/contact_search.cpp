@@ -144,7 +144,7 @@ struct Here {
   geometry::Box3 box;
 };
 
-/// Candidates of the patches of an element that are looked for re_search.
+/// Candidates of the patches of an element that is searched again.
 void search_own_patches(const SearchPass& t, const Here& here, const Neighbours& near, double gap, Found& found) {
   const World& w = t.w;
   const Elements& el = w.elements;

@@ -52,7 +52,7 @@ class Simulation {
   [[nodiscard]] bool at_rest() const;
   /// While settling: the time limit has passed.
   [[nodiscard]] bool settled_too_long() const;
-  /// Ends settling: velocities, clock and ledger start re_search, the case's own damping acts.
+  /// Ends settling: velocities, clock and ledger start from zero, the case's own damping acts.
   void start_shaking();
 
   // Results of the last step.

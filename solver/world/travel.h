@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernels/rows.h"
-#include "kernels/travel.h"
+#include "kernels/travel_bound.h"
 #include "solver/world/array.h"
 
 namespace voussoir::solver {

@@ -44,6 +44,19 @@ Moments of_polygon(const Polygon& p, Point2 about) {
   return m;
 }
 
+/// Third moments of points and polygon along direction (s, t) about a point, and their scale.
+void check_third_moment(const std::vector<Segment>& points, const Polygon& p, Point2 about, Point2 along) {
+  const auto x = [&](double s, double t) { return (s - about.s) * along.s + (t - about.t) * along.t; };
+  double got = 0.0, exact = 0.0, scale = 0.0;
+  for (const Segment& q : points) got += q.area * std::pow(x(q.s, q.t), 3), scale += q.area * std::pow(std::abs(x(q.s, q.t)), 3);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point2 a = p[i], b = p[(i + 1) % p.size()];
+    const double w = (a.s - about.s) * (b.t - about.t) - (a.t - about.t) * (b.s - about.s), u = x(a.s, a.t), v = x(b.s, b.t);
+    exact += w * (u * u * u + u * u * v + u * v * v + v * v * v) / 20.0;
+  }
+  CHECK(near(got, exact, 1e-12 * scale));
+}
+
 bool has(const std::vector<Segment>& points, Point2 p, double tolerance) {
   return std::ranges::any_of(points, [&](const Segment& q) { return std::hypot(q.s - p.s, q.t - p.t) <= tolerance; });
 }
@@ -116,6 +129,18 @@ TEST_SUITE("rim points") {
   TEST_CASE("triangles to octagons, coarse and fine") {
     Random random(12);
     for (int k = 0; k < 300; ++k) check_rule(random_polygon(random, 3 + k % 6), random.uniform(0.03, 0.5));
+  }
+
+  TEST_CASE("triangles are exact to the third degree, which fixes the weights") {
+    // Second moments alone leave one of the seven weights free.
+    Random random(15);
+    for (int k = 0; k < 120; ++k) {
+      const Polygon p = random_polygon(random, k % 4 == 0 ? 3 : 4 + k % 4);
+      if (p.size() == 4) continue;
+      const auto points = check_rule(p, random.uniform(0.03, 0.5));
+      for (const Point2 along : {Point2{1.0, 0.0}, {0.0, 1.0}, {0.6, 0.8}, {0.8, -0.6}})
+        check_third_moment(points, p, region(p).centroid, along);
+    }
   }
 
   TEST_CASE("what two rectangles share when one is turned: up to an octagon") {

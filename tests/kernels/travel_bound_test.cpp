@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/travel.h"
+#include "kernels/travel_bound.h"
 
 #include <doctest/doctest.h>
 
