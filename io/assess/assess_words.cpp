@@ -74,7 +74,7 @@ Json json_of(const CrackFigures& f) {
 
 }  // namespace
 
-std::string assessment_text(const Assessment& a, const std::vector<PointAcceleration>& points, const cases::GroundMotion& base) {
+std::string assessment_text(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base) {
   std::string out = format("cracks and \"now\": at %.3f s\n", a.time);
   out += format("weight                   %.1f kN\n", 1e-3 * a.weight);
   out += format("base shear               %.1f kN at most, at %.2f s: %.3f of the weight\n", 1e-3 * a.base_shear.value, a.base_shear.time,
@@ -85,12 +85,12 @@ std::string assessment_text(const Assessment& a, const std::vector<PointAccelera
   if (points.empty()) return out;
   out += format("\n%-24s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z");
   out += format("%-24s %13.2f %13.2f %13.2f\n", "base", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]));
-  for (const PointAcceleration& p : points)
+  for (const FloorAcceleration& p : points)
     out += format("%-24s %13.2f %13.2f %13.2f\n", p.name.c_str(), peak(p.axis[0]), peak(p.axis[1]), peak(p.axis[2]));
   return out;
 }
 
-std::string assessment_json(const Assessment& a, const std::vector<PointAcceleration>& points, const cases::GroundMotion& base) {
+std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base) {
   Json out{
       {"time", a.time}, {"weight", a.weight}, {"base_shear", json_of(a.base_shear)}, {"base_shear_over_weight", a.base_shear_over_weight}};
   for (const char* list : {"walls", "corners", "storeys", "cuts", "points"}) out[list] = Json::array();
@@ -124,7 +124,7 @@ std::string assessment_json(const Assessment& a, const std::vector<PointAccelera
                            {"torsion", json_of(c.torsion)}});
   const auto peaks = [](const auto& axis) { return Json{peak(axis[0]), peak(axis[1]), peak(axis[2])}; };
   out["base_acceleration"] = peaks(base.axis);
-  for (const PointAcceleration& p : points) out["points"].push_back({{"name", p.name}, {"acceleration", peaks(p.axis)}});
+  for (const FloorAcceleration& p : points) out["points"].push_back({{"name", p.name}, {"acceleration", peaks(p.axis)}});
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

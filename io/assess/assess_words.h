@@ -11,7 +11,7 @@
 /// What `voussoir assess` says, in words or as one object of JSON.
 namespace voussoir::io {
 
-std::string assessment_text(const Assessment& a, const std::vector<PointAcceleration>& points, const cases::GroundMotion& base);
-std::string assessment_json(const Assessment& a, const std::vector<PointAcceleration>& points, const cases::GroundMotion& base);
+std::string assessment_text(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base);
+std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base);
 
 }  // namespace voussoir::io

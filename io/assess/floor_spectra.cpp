@@ -43,17 +43,17 @@ void add_rows(std::string& out, const std::string& name, const std::array<cases:
 
 }  // namespace
 
-std::vector<PointAcceleration> point_accelerations(const Hdf5File& run, const std::vector<std::string>& names,
+std::vector<FloorAcceleration> floor_accelerations(const Hdf5File& run, const std::vector<std::string>& names,
                                                    const cases::GroundMotion& base) {
   const auto time = run.read<double>("/history/time");
-  std::vector<PointAcceleration> all;
+  std::vector<FloorAcceleration> all;
   if (time.size() < 3) return all;
   const double dt = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (const std::string& name : names) {
     const std::string from = "/history/" + name + "/velocity";
     const auto v = run.read<double>(from);
     if (v.size() != 3 * time.size()) throw FileError(run.path(), from + " does not fit /history/time");
-    PointAcceleration& p = all.emplace_back();
+    FloorAcceleration& p = all.emplace_back();
     p.name = name;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       p.axis[axis].name = name, p.axis[axis].dt = dt;
@@ -79,11 +79,11 @@ std::vector<double> spectrum(const cases::Accelerogram& a, const std::vector<dou
   return values;
 }
 
-std::string spectra_csv(const std::vector<PointAcceleration>& points, const cases::GroundMotion& base,
+std::string spectra_csv(const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base,
                         const std::vector<double>& dampings) {
   std::string out = "point,axis,damping,period,acceleration\n";
   add_rows(out, "base", base.axis, dampings);
-  for (const PointAcceleration& p : points) add_rows(out, p.name, p.axis, dampings);
+  for (const FloorAcceleration& p : points) add_rows(out, p.name, p.axis, dampings);
   return out;
 }
 

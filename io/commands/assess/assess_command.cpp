@@ -49,7 +49,7 @@ int assess_command(const AssessOptions& o) {
   const cases::GroundMotion base = c.motion ? load_motion(*c.motion, c.folder) : cases::GroundMotion{};
   std::vector<std::string> names;
   for (const cases::HistoryPoint& h : c.output.history) names.push_back(h.name);
-  const std::vector<PointAcceleration> points = point_accelerations(run, names, base);
+  const std::vector<FloorAcceleration> points = floor_accelerations(run, names, base);
   std::fputs((o.json ? assessment_json(a, points, base) : assessment_text(a, points, base)).c_str(), stdout);
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_text_file(o.spectra, spectra_csv(points, base, o.damping), o.overwrite);

@@ -228,7 +228,7 @@ TEST_CASE("assess: acceleration of a point and its spectrum") {
   base.axis[0].dt = 10.0, base.axis[0].acceleration = {2.0, 2.0};
   base.axis[1] = base.axis[0];
   const std::vector<std::string> names{"top"};
-  const std::vector<PointAcceleration> still = point_accelerations(file, names, {}), moved = point_accelerations(file, names, base);
+  const std::vector<FloorAcceleration> still = floor_accelerations(file, names, {}), moved = floor_accelerations(file, names, base);
   REQUIRE(still.size() == 1);
   for (const std::size_t i : {100UL, 1234UL, 3999UL}) {
     const double exact = kSpeed * kOmega * std::cos(kOmega * kStep * static_cast<double>(i));
