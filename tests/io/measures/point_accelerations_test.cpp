@@ -12,7 +12,6 @@
 #include "io/measures/measures.h"
 #include "io/results/base_motion.h"
 #include "tests/io/results_fixture.h"
-#include "tests/io/temp_folder.h"
 
 using namespace voussoir;
 using namespace voussoir::io;
@@ -77,7 +76,7 @@ TEST_CASE("a followed point on a shaken base: what an accelerometer there would 
     results.measure();
     results.flush();
   }
-  const Hdf5File run = Hdf5File::open(folder.path("run.h5"));
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   const PointAccelerations a = point_accelerations(run);
   REQUIRE(a.points.size() == 2);
   const PointAcceleration &top = a.points[0].name == "top" ? a.points[0] : a.points[1],
@@ -101,5 +100,5 @@ TEST_CASE("rows too far apart for the filter give no acceleration") {
   for (int i = 0; i < 100; ++i) results.history(i * 0.006, std::array<solver::HistorySample, 2>{});
   results.measure();
   results.flush();
-  CHECK(point_accelerations(Hdf5File::open(folder.path("run.h5"))).points.empty());
+  CHECK(point_accelerations(Hdf5File::open(folder.file("run.h5"))).points.empty());
 }

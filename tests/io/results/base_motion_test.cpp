@@ -8,7 +8,6 @@
 
 #include "io/files/hdf5_file.h"
 #include "tests/io/results_fixture.h"
-#include "tests/io/temp_folder.h"
 
 using namespace voussoir;
 using namespace voussoir::io::test;
@@ -57,7 +56,7 @@ TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a
   io::ResultsOptions options = by_hand();
   options.motion = io::motion_datasets(c, m, 5e-4);
   const io::ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);
-  const io::Hdf5File run = io::Hdf5File::open(folder.path("run.h5"));
+  const io::Hdf5File run = io::Hdf5File::open(folder.file("run.h5"));
   CHECK(run.shape("/motion/time") == io::Shape{501});
   CHECK(run.shape("/motion/velocity") == io::Shape{501, 3});
   CHECK(run.read<double>("/motion/velocity")[3 * 400 + 2] == doctest::Approx(0.4));
