@@ -107,7 +107,9 @@ box = [[0,0,0],[0.2,0.2,0.2]]
   CHECK(o.code == 1);
   CHECK(says(o, {"different: ", "first: ", "measure", "B - A", "peak speed [m/s]"}));
   CHECK(cells(o.text, "run to [s]") == std::vector<std::string>{"0.010", "0.010", "0"});
-  CHECK(cells(o.text, "peak speed [m/s]").at(1) == "0.50");
+  const auto peak = Json::parse(the_program("summary " + b + " --format json").text)["peak_speed"].get<double>();
+  CHECK(peak > 0.4);  // the push, less friction
+  CHECK(std::stod(cells(o.text, "peak speed [m/s]").at(1)) == doctest::Approx(peak).epsilon(0.01));
   o = the_program("compare " + a + " " + folder.path("c"));
   CHECK(o.code == 0);
   CHECK(says(o, {"identical: "}));
@@ -116,7 +118,7 @@ box = [[0,0,0],[0.2,0.2,0.2]]
   const Json json = Json::parse(o.text);
   CHECK(json["identical"] == false);
   CHECK(json["first"]["dataset"].is_string());
-  CHECK(row(json["measures"], "peak_speed")["b"].get<double>() == doctest::Approx(0.5).epsilon(0.01));
+  CHECK(row(json["measures"], "peak_speed")["b"] == peak);
   o = the_program("compare " + a + " " + folder.path("c") + " --format json");
   CHECK(o.code == 0);
   CHECK(Json::parse(o.text)["identical"] == true);
