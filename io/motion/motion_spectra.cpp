@@ -61,6 +61,16 @@ void write_row(std::ostream& out, const std::string& record, const std::string& 
   out << csv_field(record) << ',' << csv_field(name) << line;
 }
 
+/// Rows of the target within its range.
+void write_target(std::ostream& out, const Spectra& s, const std::vector<double>& frequencies) {
+  for (const double damping : s.damping) {
+    for (const double f : frequencies) {
+      const auto sa = cases::value_at(*s.target, 1.0 / f, damping);
+      if (sa) write_row(out, s.target->name, "target", damping, f, *sa / (angular(f) * angular(f)));
+    }
+  }
+}
+
 /// Target accelerations at the periods. \throw InputError at "--fit" outside of its range
 std::vector<double> target_values(const Spectra& s, const std::vector<double>& periods, double damping) {
   std::vector<double> values;
@@ -122,20 +132,16 @@ void write_spectra(const Spectra& s, const std::string& path) {
   for (int i = 0; i < kFrequencies; ++i) frequencies.push_back(kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)));
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
-  std::vector<std::vector<Curve>> by_damping;
-  for (const double damping : s.damping) by_damping.push_back(curves(s, damping, frequencies));
-  for (std::size_t k = 0; !by_damping.empty() && k < by_damping[0].size(); ++k) {
+  std::vector<std::vector<Curve>> of_damping;
+  for (const double damping : s.damping) of_damping.push_back(curves(s, damping, frequencies));
+  for (std::size_t c = 0; c < of_damping.front().size(); ++c) {
     for (std::size_t z = 0; z < s.damping.size(); ++z) {
-      const Curve& c = by_damping[z][k];
-      for (std::size_t i = 0; i < frequencies.size(); ++i) write_row(out, c.record, c.name, s.damping[z], frequencies[i], c.sd[i]);
+      const Curve& curve = of_damping[z][c];
+      for (std::size_t i = 0; i < frequencies.size(); ++i)
+        write_row(out, curve.record, curve.name, s.damping[z], frequencies[i], curve.sd[i]);
     }
   }
-  for (std::size_t z = 0; s.target && z < s.damping.size(); ++z) {
-    for (const double f : frequencies) {
-      const auto sa = cases::value_at(*s.target, 1.0 / f, s.damping[z]);
-      if (sa) write_row(out, s.target->name, "target", s.damping[z], f, *sa / (angular(f) * angular(f)));
-    }
-  }
+  if (s.target) write_target(out, s, frequencies);
   out.close();
   if (!out) throw FileError(path, "cannot be written");
 }
