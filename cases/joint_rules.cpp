@@ -80,10 +80,13 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   for (std::size_t i = 0; i < n; ++i) {
     if (used[i]) continue;
     const JointRule& rule = c.joints.between[i];
-    words.push_back(indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
-                    (taken[i] ? "wherever these touch, the house's own keys (house.joint, house.wood.*, house.roof.between_beams) or an "
-                                "earlier rule come first"
-                              : "no faces of these two touch"));
+    words.push_back(
+        indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
+        (taken[i] ? std::string("wherever these touch, ") +
+                        (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.between_beams) or an earlier rule come"
+                                 : "an earlier rule comes") +
+                        " first"
+                  : "no faces of these two touch"));
   }
   return words;
 }

@@ -211,7 +211,7 @@ Table<Motion> motion_table() {
 Table<Output> output_table() {
   using S = Output;
   return {"what is written, and how often",
-          {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories"),
+          {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories; time.step = \"auto\" takes a step that divides it"),
            value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
            value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
            table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},

@@ -149,7 +149,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_levers(c.value, model);
   print_step(n, model, sim.dt());
   print_friction(c.value.contact);
-  if (c.value.motion) std::printf("\n%s", motion_lines(*c.value.motion, motion).c_str());
+  std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);
   print_bill(n, model);
   print_estimate(c.value, n, sim);

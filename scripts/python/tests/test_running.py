@@ -21,6 +21,14 @@ class Running(InAFolder):
         self.assertEqual(commands.parse_progress("settling, -0.500 s  12 steps/s  time left unknown  0 broken  residual 0.0e+00").time, -0.5)
         self.assertIsNone(commands.parse_progress("voussoir: warning: something else"))
 
+    def test_warnings_of_the_program_are_warnings_of_python(self):
+        model = blocks(0.01)
+        model["damping.ratio"], model["damping.frequency"] = 0.05, 300.0
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "damping.frequency"):
+            model.check()
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "damping.frequency"):
+            model.run(self.folder / "run", threads=1, progress=False)
+
     def test_ctrl_c_stops_cleanly_and_the_run_goes_on(self):
         script = textwrap.dedent(f"""
             import sys

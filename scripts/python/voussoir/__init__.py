@@ -17,7 +17,7 @@ scripts/python/README.md tells the rest.
 """
 
 from .commands import Progress, call, motion, ready_cases, version
-from .errors import FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, Stopped, VoussoirError
+from .errors import FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, ProgramWarning, Stopped, VoussoirError
 from .model import Model, opening
 from .program import program
 from .results import Array, Frame, Frames, History, Results, Table
@@ -25,5 +25,5 @@ from .run import Run
 from .study import Study
 
 __all__ = ["Array", "FileError", "Frame", "Frames", "History", "InputError", "Model", "NumericalFailure", "ProcessorError", "Progress",
-           "ProgramNotFound", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "motion", "opening", "program",
+           "ProgramNotFound", "ProgramWarning", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "motion", "opening", "program",
            "ready_cases", "version"]

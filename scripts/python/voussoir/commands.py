@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from .errors import ProgramNotFound, Stopped, error_of
+from .errors import ProgramNotFound, Stopped, error_of, warn_of
 from .program import program
 
 Word = str | os.PathLike[str] | float  # of the command line
@@ -40,16 +40,18 @@ def call(*words: Word, folder: str | os.PathLike[str] | None = None) -> str:
     Raises what errors.py lists.
     """
     done = _ended(words, folder)
+    said = warn_of(done.stderr)
     if done.returncode != 0:
-        raise error_of(done.returncode, done.stderr)
+        raise error_of(done.returncode, said)
     return done.stdout
 
 
 def holds(*words: Word) -> bool:
     """The answer of a command that asks a question, as `compare`: exit code 0 is yes, 1 no. Raises for others."""
     done = _ended(words, None)
+    said = warn_of(done.stderr)
     if done.returncode not in (0, 1):
-        raise error_of(done.returncode, done.stderr)
+        raise error_of(done.returncode, said)
     return done.returncode == 0
 
 
@@ -119,12 +121,13 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     os.close(terminal)
     if child.stdout:
         child.stdout.close()
+    others = warn_of("\n".join(line.strip() for line in said))
     if failed:
         raise failed[0]
     if code in (128 + signal.SIGINT, 128 + signal.SIGTERM):
         raise Stopped("the run was stopped; its state is saved, and Run(folder).resume() goes on")
     if code != 0:
-        raise error_of(code, "\n".join(said))
+        raise error_of(code, others)
     if interrupted:  # it came to its end meanwhile
         raise KeyboardInterrupt
     return "".join(out)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What can go wrong. The message of each error is the program's own, without "voussoir: " before it."""
 
+import warnings
+
 
 class VoussoirError(Exception):
     """Any failure of the program or of this package."""
@@ -42,6 +44,24 @@ class Stopped(KeyboardInterrupt):
 
     A KeyboardInterrupt, so that Ctrl-C also ends a script that does not expect it.
     """
+
+
+class ProgramWarning(UserWarning):
+    """A warning or a note of the program: what is likely a slip, or what the reader of results should know."""
+
+
+_SAID = ("voussoir: warning: ", "voussoir: note: ")
+
+
+def warn_of(said: str) -> str:
+    """Passes the program's warnings and notes on to Python's `warnings`. Returns the other lines of what it said."""
+    others = []
+    for line in said.splitlines():
+        if line.startswith(_SAID):
+            warnings.warn(line.removeprefix("voussoir: "), ProgramWarning, stacklevel=4)
+        else:
+            others.append(line)
+    return "\n".join(others)
 
 
 def error_of(code: int, message: str) -> VoussoirError:
