@@ -12,6 +12,8 @@ import voussoir
 from fixture import HERE, InAFolder, blocks
 from voussoir import commands
 
+LONG = 600.0  # s of two blocks: some seconds of computing, so that a run is still going on when it has told its first progress
+
 
 class Running(InAFolder):
     def test_lines_of_progress(self):
@@ -35,11 +37,11 @@ class Running(InAFolder):
             sys.path[:0] = [{str(HERE)!r}, {str(HERE.parent)!r}]
             import voussoir, fixture
             try:
-                fixture.blocks().run({str(self.folder / "run")!r}, until=60.0, threads=1, progress=lambda p: print(p.time, flush=True))
+                fixture.blocks().run({str(self.folder / "run")!r}, until={LONG}, threads=1, progress=lambda p: print(p.time, flush=True))
             except voussoir.Stopped as error:
                 print("stopped:", error)
         """)
-        straight = blocks().run(self.folder / "straight", until=60.0, threads=1, progress=False)
+        straight = blocks().run(self.folder / "straight", until=LONG, threads=1, progress=False)
         child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
         first = child.stdout.readline()
         child.send_signal(signal.SIGINT)
@@ -49,7 +51,7 @@ class Running(InAFolder):
         self.assertIn("stopped: the run was stopped", rest)
         run = voussoir.Run(self.folder / "run")
         self.assertFalse(run.finished)
-        self.assertLess(float(first), 60.0)
+        self.assertLess(float(first), LONG)
         run.resume(progress=False)
         self.assertTrue(run.finished)
         self.assertTrue(run.same_as(straight))
@@ -58,7 +60,7 @@ class Running(InAFolder):
         def bad(_):
             raise RuntimeError("of the caller")
         with self.assertRaisesRegex(RuntimeError, "of the caller"):
-            blocks().run(self.folder / "run", until=60.0, threads=1, progress=bad)
+            blocks().run(self.folder / "run", until=LONG, threads=1, progress=bad)
         self.assertFalse(voussoir.Run(self.folder / "run").finished)
 
 
