@@ -12,7 +12,7 @@ import voussoir
 from fixture import HERE, InAFolder, blocks
 from voussoir import commands
 
-LONG = 600.0  # s of two blocks: some seconds of computing, so that a run is still going on when it has told its first progress
+LONG = 300.0  # s of two blocks: some seconds of computing, so that a run is still going on when it has told its first progress
 
 
 class Running(InAFolder):
@@ -42,7 +42,9 @@ class Running(InAFolder):
                 print("stopped:", error)
         """)
         straight = blocks().run(self.folder / "straight", until=LONG, threads=1, progress=False)
-        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        # A shell starts what runs in its background with SIGINT ignored, and that is inherited; a user's Python is not started so.
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True,
+                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         first = child.stdout.readline()
         child.send_signal(signal.SIGINT)
         rest = child.stdout.read()
