@@ -8,7 +8,7 @@
 
 #include "cases/model.h"
 
-/// Which law a joint has. Internal to cases/.
+/// Which law a joint has. Internal to cases/, but for unused_joint_rules.
 namespace voussoir::cases {
 
 /// The joint keys of a case with every name resolved.

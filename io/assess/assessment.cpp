@@ -7,8 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "cases/gravity.h"
-#include "io/assess/case_of_run.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "solver/run/collapse.h"
@@ -19,8 +17,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPiece = 0.5;       // m, along a wall and up it
 constexpr double kSameLevel = 1e-3;  // m
-
-double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : v.y; }
 
 constexpr double kGone = 1.0;  // m: what has moved so far is no part of its wall any more
 
@@ -84,9 +80,11 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
   } else {
     for (double& h : heights) h += b.base;
     std::ranges::sort(heights);
+    heights.erase(std::ranges::unique(heights).begin(), heights.end());
   }
   std::vector<Level> levels;
   for (const double z : heights) {
+    if (z < box.low[2] - kSameLevel || z > box.high[2] + kSameLevel) continue;  // passes no course of this house
     Level level{z, {}};
     const double inside = std::clamp(z, box.low[2] + kSameLevel, box.high[2] - kSameLevel);
     for (std::size_t e = 0; e < b.wall.size(); ++e) {
@@ -172,7 +170,7 @@ class Assessor {
     const std::vector<std::uint8_t> fallen = fallen_in(building_, start_, poses);
     for (std::size_t w = 0; w < out_.walls.size(); ++w) {
       const double value = out_of_plane(building_.walls[w], pieces_[w], poses, fallen);
-      out_.walls[w].out_of_plane.take(std::isnan(value) ? 0.0 : value, time);
+      out_.walls[w].out_of_plane.take(value, time);
       if (now) out_.walls[w].out_of_plane_now = value;
     }
     std::size_t storey = 0;
@@ -212,7 +210,7 @@ class Assessor {
                above = mean_of(high.elements, building_, start_, poses, fallen);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double drift = below && above ? component(*above - *below, axis) / (high.z - low.z) : kNone;
-      to.peak[axis].take(std::isnan(drift) ? 0.0 : drift, time);
+      to.peak[axis].take(drift, time);
       if (now) to.now[axis] = drift;
     }
   }
@@ -227,10 +225,10 @@ class Assessor {
 
 }  // namespace
 
-Assessment assess(const Hdf5File& run, const Building& building, std::optional<double> time, const std::vector<double>& levels) {
-  const cases::Case c = case_of_run(run);
+Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
+                  const std::vector<double>& levels) {
   Assessment out = Assessor(run, building, levels).all(run, time);
-  for (const double m : building.mass) out.weight += m * norm(cases::gravity_on_base(c));
+  for (const double m : building.mass) out.weight += m * norm(c.gravity.acceleration);
   read_base_shear(run, out);
   read_cuts(run, c, out);
   return out;

@@ -15,7 +15,7 @@
 /// What engineers read off a run, from its results after the fact: definitions in io/MEASURES.md.
 namespace voussoir::io {
 
-/// A largest magnitude, with its sign, and when.
+/// A largest magnitude, with its sign, and when. A value that is no number does not count.
 struct Peak {
   double value = 0, time = 0;  // s
   void take(double v, double t) {
@@ -61,8 +61,9 @@ struct Assessment {
   std::vector<std::uint8_t> fallen;
 };
 
-/// \param time    of the frame nearest to it [s]; none: the last \param levels  heights of storeys above the base [m], none: the walls'
-/// foot and top \throw FileError
-Assessment assess(const Hdf5File& run, const Building& building, std::optional<double> time, const std::vector<double>& levels);
+/// \param c  the case of the run \param time  of the frame nearest to it [s]; none: the last \param levels  heights of storeys above the
+/// base [m], none: the walls' foot and top \throw FileError
+Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
+                  const std::vector<double>& levels);
 
 }  // namespace voussoir::io

@@ -67,11 +67,11 @@ class Map {
 
  private:
   [[nodiscard]] Point2 at(double along, double z) const {
-    const double u = right_of(wall_) > 0 ? along - extent_.low[axis_] : extent_.high[axis_] - along;
+    const double u = wall_.right() > 0 ? along - extent_.low[axis_] : extent_.high[axis_] - along;
     return {left_ + scale_ * u, kHead + scale_ * (extent_.high[2] - z)};
   }
-  [[nodiscard]] double along(Vec3 v) const { return axis_ == 0 ? v.x : v.y; }
-  [[nodiscard]] double out(Vec3 v) const { return axis_ == 0 ? v.y : v.x; }
+  [[nodiscard]] double along(Vec3 v) const { return component(v, axis_); }
+  [[nodiscard]] double out(Vec3 v) const { return component(v, wall_.across); }
 
   /// Those that show on the outer face, where they were at first; what has fallen is grey.
   void draw_elements(Svg& svg, const std::vector<std::uint8_t>& fallen) const {

@@ -112,11 +112,14 @@ void print_state(std::string& out, const char* rule, const solver::LimitState& s
 
 Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
-Json state_json(const solver::LimitState& s, const cases::Model& model, const solver::LimitContacts& c) {
+Json state_json(const solver::LimitState& s, const cases::Model& model, const solver::LimitResult& r) {
+  const solver::LimitContacts& c = r.contacts;
   const solver::Mechanism m = solver::mechanism_of(c, s);
-  Json out{{"multiplier", s.multiplier},   {"tilt", tilt(s.multiplier)},   {"programmes", s.programmes},
-           {"last_change", s.last_change}, {"off_balance", s.off_balance}, {"over_friction", s.over_friction},
-           {"standing_mass", m.standing},  {"parts", Json::array()},       {"seams", Json::array()}};
+  Json out{{"multiplier", s.multiplier},   {"tilt", r.is_tilt ? Json(tilt(s.multiplier)) : Json()},
+           {"programmes", s.programmes},   {"last_change", s.last_change},
+           {"off_balance", s.off_balance}, {"over_friction", s.over_friction},
+           {"standing_mass", m.standing},  {"parts", Json::array()},
+           {"seams", Json::array()}};
   for (const solver::MechanismPart& p : m.parts) {
     const std::vector<std::int32_t> elements = elements_of(p, c);
     out["parts"].push_back({{"mass", p.mass},
@@ -171,7 +174,7 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   if (r.contacts.bonded > 0) put("bonds", std::to_string(r.contacts.bonded) + " joints have mortar, whose strength is not counted");
   if (r.has_loads) put("loads", "those of the case act in full and do not grow");
   const auto multiplier = [&](const solver::LimitState& s) {
-    return format("%.5f", s.multiplier) + (r.has_loads ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
+    return format("%.5f", s.multiplier) + (!r.is_tilt ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
   };
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
   put("multiplier, Coulomb",
@@ -200,8 +203,8 @@ std::string limit_json(const LimitQuestion& asked, const cases::Model& model, co
            {"mortar_joints", r.contacts.bonded},
            {"loads", r.has_loads},
            {"converged", r.coulomb_converged()},
-           {"associated", state_json(r.associated, model, r.contacts)},
-           {"coulomb", state_json(r.coulomb, model, r.contacts)}};
+           {"associated", state_json(r.associated, model, r)},
+           {"coulomb", state_json(r.coulomb, model, r)}};
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

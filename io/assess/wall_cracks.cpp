@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // m
 
-double along_of(Vec3 v, const Wall& w) { return w.across == 0 ? v.y : v.x; }
-
 /// Sorted, without doubles.
 std::vector<double> lines(std::vector<double> at) {
   std::ranges::sort(at);
@@ -76,14 +74,14 @@ std::vector<int> openings_of(const Elevation& e, bool from_right) {
     for (std::size_t row = 0; row < e.rows(); ++row) {
       if (e.has(column, row) || number[row * e.columns() + column] != 0) continue;
       ++last;
-      std::vector<std::pair<std::size_t, std::size_t>> todo{{column, row}};
-      while (!todo.empty()) {
-        const auto [i, k] = todo.back();
-        todo.pop_back();
+      std::vector<std::pair<std::size_t, std::size_t>> pending{{column, row}};
+      while (!pending.empty()) {
+        const auto [i, k] = pending.back();
+        pending.pop_back();
         if (i >= e.columns() || k >= e.rows() || e.has(i, k) || number[k * e.columns() + i] != 0) continue;
         number[k * e.columns() + i] = last;
         for (const auto& [di, dk] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-          todo.emplace_back(i + static_cast<std::size_t>(di), k + static_cast<std::size_t>(dk));
+          pending.emplace_back(i + static_cast<std::size_t>(di), k + static_cast<std::size_t>(dk));
       }
     }
   }
@@ -94,25 +92,17 @@ std::vector<int> openings_of(const Elevation& e, bool from_right) {
 
 std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& building, const std::vector<Pose>& start, double time,
                                      const std::vector<Pose>& poses) {
-  const std::vector<double> since = joint_opening_times(run);
-  const auto a = run.read<std::int32_t>("/model/joint/element_a"), b = run.read<std::int32_t>("/model/joint/element_b");
-  const auto area = run.read<double>("/model/joint/area"), centre = run.read<double>("/model/joint/centre"),
-             normal = run.read<double>("/model/joint/normal");
-  if (a.size() != since.size() || b.size() != since.size() || centre.size() != 3 * since.size() || normal.size() != 3 * since.size())
-    throw FileError(run.path(), "/model/joint does not fit together");
-  const auto elements = static_cast<std::int64_t>(start.size());
+  const auto area = run.read<double>("/model/joint/area"), normal = run.read<double>("/model/joint/normal");
+  if (normal.size() != 3 * area.size()) throw FileError(run.path(), "/model/joint does not fit together");
   std::vector<JointWidth> out;
-  for (std::size_t j = 0; j < since.size(); ++j) {
-    if (a[j] < 0 || a[j] >= elements || b[j] >= elements)
-      throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
-    if (since[j] > time) continue;
-    const auto ea = static_cast<std::size_t>(a[j]), eb = static_cast<std::size_t>(b[j]);
-    const Vec3 c{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]}, n{normal[3 * j], normal[3 * j + 1], normal[3 * j + 2]};
-    const Vec3 apart = (b[j] < 0 ? c : poses[eb].point(c - start[eb].centre)) - poses[ea].point(c - start[ea].centre);
-    const Vec3 across = b[j] < 0 ? n : normalised(poses[ea].rotation * n + poses[eb].rotation * n);  // the mean, as in THEORY.md (7)
-    JointWidth w{j, dot(apart, across), 0, norm(apart), area[j], c, {building.wall[ea], -1}};
+  for (const OpenJoint& j : open_joints(run, start)) {
+    if (j.time > time) continue;
+    const auto ea = static_cast<std::size_t>(j.a), eb = static_cast<std::size_t>(std::max(j.b, 0));
+    const Vec3 n{normal[3 * j.row], normal[3 * j.row + 1], normal[3 * j.row + 2]}, apart = j.apart(poses);
+    const Vec3 across = j.b < 0 ? n : normalised(poses[ea].rotation * n + poses[eb].rotation * n);  // the mean, as in THEORY.md (7)
+    JointWidth w{j.row, dot(apart, across), 0, norm(apart), area[j.row], j.centre, {building.wall[ea], -1}};
     w.sliding = norm(apart - w.opening * across);
-    if (b[j] >= 0 && building.wall[eb] != w.wall[0]) w.wall[1] = building.wall[eb];
+    if (j.b >= 0 && building.wall[eb] != w.wall[0]) w.wall[1] = building.wall[eb];
     out.push_back(w);
   }
   return out;
@@ -121,7 +111,7 @@ std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& buildi
 std::vector<OpeningCorner> opening_corners(const Building& building, std::int32_t wall) {
   const Wall& w = building.walls[static_cast<std::size_t>(wall)];
   const Elevation e = elevation_of(building, wall);
-  const bool mirrored = right_of(w) < 0;
+  const bool mirrored = w.right() < 0;
   const std::vector<int> opening = openings_of(e, mirrored);
   std::vector<OpeningCorner> corners;
   for (std::size_t i = 1; i < e.columns(); ++i) {
@@ -168,7 +158,7 @@ CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Buildin
   CrackFigures f;
   for (const JointWidth& j : joints) {
     const bool of_wall = j.wall[0] == corner.wall || j.wall[1] == corner.wall;
-    if (of_wall && std::hypot(along_of(j.centre, w) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear) f.add(j);
+    if (of_wall && std::hypot(component(j.centre, 1 - w.across) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear) f.add(j);
   }
   f.finish();
   return f;

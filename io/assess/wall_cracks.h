@@ -58,7 +58,4 @@ struct CrackFigures {
 CrackFigures wall_figures(const std::vector<JointWidth>& joints, std::int32_t wall);
 CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Building& building, const OpeningCorner& corner);
 
-/// 1: the wall's axis runs to the right for somebody who looks at it from outside, −1: to the left.
-inline double right_of(const Wall& w) noexcept { return w.across == 1 ? -w.outward : w.outward; }
-
 }  // namespace voussoir::io

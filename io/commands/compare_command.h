@@ -24,8 +24,8 @@ struct Comparison {
   std::optional<Difference> input;  // the first of /case and /model: why they part
 };
 
-/// Compares every dataset of two HDF5 files, and the attributes of /case and /summary; provenance apart. Rows are compared byte by byte, so
-/// a NaN equals itself. Rows of one time belong together: where two runs wrote at other intervals, the dataset of the times differs, and
+/// Compares every dataset of two HDF5 files, and the attributes of /, /case and /summary; provenance apart. Rows are compared byte by byte,
+/// so a NaN equals itself. Rows of one time belong together: where two runs wrote at other intervals, the dataset of the times differs, and
 /// the others of its group only if they do at a time that both have. Cracks are compared in order. \throw FileError
 Comparison compare_files(const std::string& a, const std::string& b);
 

@@ -22,40 +22,39 @@ struct Shown {
   const char* label;   // with the unit
   double factor;       // from SI to that unit
   const char* format;  // of a value
-  bool time;           // below 0: never
 };
 constexpr Shown kShown[] = {
-    {"end_time", "run to [s]", 1, "%.3f", true},
-    {"damage_grade", "damage grade (EMS-98)", 1, "%.0f", false},
-    {"collapse_time", "collapsed at [s]", 1, "%.3f", true},
-    {"first_crack_time", "first crack [s]", 1, "%.3f", true},
-    {"first_fallen_time", "first fallen [s]", 1, "%.3f", true},
-    {"fallen_mass_fraction", "fallen mass [%]", 100, "%.1f", false},
-    {"roof_fallen_mass_fraction", "fallen mass of the roof [%]", 100, "%.1f", false},
-    {"debris_area", "debris [m2]", 1, "%.2f", false},
-    {"debris_reach", "reach of debris [m]", 1, "%.2f", false},
-    {"debris_reach_95", "reach of 95 % of it [m]", 1, "%.2f", false},
-    {"free_volume", "free volume [%]", 100, "%.1f", false},
-    {"least_free_volume", "least free volume [%]", 100, "%.1f", false},
-    {"peak_drift", "out-of-plane drift [%]", 100, "%.2f", false},
-    {"residual_drift", "the same at the end [%]", 100, "%.2f", false},
-    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f", false},
-    {"peak_base_shear", "peak base shear [kN]", 1e-3, "%.1f", false},
-    {"peak_speed", "peak speed [m/s]", 1, "%.2f", false},
-    {"peak_penetration", "deepest in another [mm]", 1000, "%.3f", false},
-    {"tension", "sides opened in tension", 1, "%.0f", false},
-    {"shear", "sides opened in shear", 1, "%.0f", false},
-    {"compression", "sides opened in compression", 1, "%.0f", false},
-    {"slipped", "sides that hold, slipped", 1, "%.0f", false},
+    {"end_time", "run to [s]", 1, "%.3f"},
+    {"damage_grade", "damage grade (EMS-98)", 1, "%.0f"},
+    {"collapse_time", "collapsed at [s]", 1, "%.3f"},
+    {"first_crack_time", "first crack [s]", 1, "%.3f"},
+    {"first_fallen_time", "first fallen [s]", 1, "%.3f"},
+    {"fallen_mass_fraction", "fallen mass [%]", 100, "%.1f"},
+    {"roof_fallen_mass_fraction", "fallen mass of the roof [%]", 100, "%.1f"},
+    {"debris_area", "debris [m2]", 1, "%.2f"},
+    {"debris_reach", "reach of debris [m]", 1, "%.2f"},
+    {"debris_reach_95", "reach of 95 % of it [m]", 1, "%.2f"},
+    {"free_volume", "free volume [%]", 100, "%.1f"},
+    {"least_free_volume", "least free volume [%]", 100, "%.1f"},
+    {"peak_drift", "out-of-plane drift [%]", 100, "%.2f"},
+    {"residual_drift", "the same at the end [%]", 100, "%.2f"},
+    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f"},
+    {"peak_base_shear", "peak base shear [kN]", 1e-3, "%.1f"},
+    {"peak_speed", "peak speed [m/s]", 1, "%.2f"},
+    {"peak_penetration", "deepest in another [mm]", 1000, "%.3f"},
+    {"tension", "sides opened in tension", 1, "%.0f"},
+    {"shear", "sides opened in shear", 1, "%.0f"},
+    {"compression", "sides opened in compression", 1, "%.0f"},
+    {"slipped", "sides that hold, slipped", 1, "%.0f"},
 };
 constexpr Shown kShownOfWall[] = {
-    {"fallen_mass_fraction", "fallen mass [%]", 100, "%.1f", false},
-    {"first_fallen_time", "first fallen [s]", 1, "%.3f", true},
-    {"peak_drift", "drift [%]", 100, "%.2f", false},
-    {"residual_drift", "drift at the end [%]", 100, "%.2f", false},
-    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f", false},
-    {"crack_extent", "cracks of 1 mm", 1, "%.2f", false},
-    {"large_crack_extent", "cracks of 5 mm", 1, "%.2f", false},
+    {"fallen_mass_fraction", "fallen mass [%]", 100, "%.1f"},
+    {"first_fallen_time", "first fallen [s]", 1, "%.3f"},
+    {"peak_drift", "drift [%]", 100, "%.2f"},
+    {"residual_drift", "drift at the end [%]", 100, "%.2f"},
+    {"peak_in_plane_drift", "in-plane drift [%]", 100, "%.2f"},
+    {"crack_extent", "cracks of 1 mm", 1, "%.2f"},
+    {"large_crack_extent", "cracks of 5 mm", 1, "%.2f"},
 };
 
 /// The member, or null.
@@ -84,7 +83,10 @@ std::vector<std::string> wall_names(const Json& a, const Json& b) {
 }
 
 /// Is it the time of something that never came?
-bool never(std::string_view name, const Json& value) { return name.ends_with("_time") && value.is_number() && value.get<double>() < 0.0; }
+bool never(std::string_view name, const Json& value) {
+  if (name == "end_time" || name.starts_with("settling_")) return false;  // these may lie before the shaking
+  return name.ends_with("_time") && value.is_number() && value.get<double>() < 0.0;
+}
 
 /// B - A, or null where there is none.
 Json difference(std::string_view name, const Json& a, const Json& b) {
@@ -101,7 +103,7 @@ std::string formatted(const char* format, double value) {
 
 std::string shown(const Shown& s, const Json& value) {
   if (!value.is_number()) return "-";
-  if (s.time && value.get<double>() < 0.0) return "never";
+  if (never(s.name, value)) return "never";
   return formatted(s.format, s.factor * value.get<double>());
 }
 

@@ -4,15 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <cstdio>
-#include <filesystem>
 
 #include "cases/case.h"
-#include "io/files/errors.h"
-#include "io/files/text_file.h"
-#include "io/report/paraview_files.h"
-#include "io/report/report_data.h"
 #include "io/report/stills.h"
 #include "io/session/exit_code.h"
 #include "io/session/views.h"

@@ -38,7 +38,12 @@ struct Wall {
   [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
   [[nodiscard]] double thickness() const noexcept { return box.size(across); }
   [[nodiscard]] double height() const noexcept { return box.size(2); }
+  /// 1: the wall's axis runs to the right for somebody who looks at it from outside, −1: to the left.
+  [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
 };
+
+/// Along x (0), y (1) or z (2).
+inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// The space between the walls of one house, up to their height.
 struct Room {

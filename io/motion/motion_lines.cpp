@@ -19,7 +19,7 @@ std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion&
     text += line + a.name + "\n";
   }
   const std::string done = cases::described(motion.treatment);
-  if (!done.empty()) text += "motion is of the record  " + done + "\n";
+  if (!done.empty()) text += "done to the record       " + done + "\n";
   return text;
 }
 

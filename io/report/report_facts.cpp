@@ -225,15 +225,13 @@ std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   return part;
 }
 
-/// JSON that may stand inside a script element: nothing in it can end the element.
-std::string safe_json(const Json& json) {
+}  // namespace
+
+std::string safe_json(const std::string& json) {
   std::string out;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
-    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : json) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
-
-}  // namespace
 
 ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double quantum) {
   const std::optional<LoadedCase> c = case_of(file);
@@ -260,7 +258,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["quantum"] = quantum;
   out.part = number_parts(file, facts);
   out.material = file.read<std::int32_t>("/model/element/material");
-  out.json = safe_json(facts);
+  out.json = safe_json(facts.dump(-1, ' ', false, Json::error_handler_t::replace));
   return out;
 }
 

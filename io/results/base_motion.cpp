@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "cases/motion/treatment.h"
+#include "solver/run/run.h"
 
 namespace voussoir::io {
 namespace {
@@ -73,7 +74,7 @@ BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_
 
 std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt) {
   if (!c.motion) return {};
-  const std::int64_t every = std::max<std::int64_t>(1, std::llround(c.output.history_interval / dt));  // as solver::run counts
+  const std::int64_t every = solver::in_steps(c.output.history_interval, dt);
   const BaseMotion m = base_motion(motion, dt, every, std::llround(c.time.duration / dt));
   const std::string done = cases::described(c.motion->treatment);
   const Shape rows{m.time.size()}, vectors{m.time.size(), 3};

@@ -5,7 +5,8 @@
 /// How the program ends.
 namespace voussoir::io {
 
-/// Exit codes of the program; a stop by signal N exits with 128 + N.
+/// Exit codes of commands; a stop by signal N exits with 128 + N. 4 is that of a processor that is too old (io/processor), which no command
+/// sees.
 enum ExitCode : int { kDone = 0, kNumericalFailure = 1, kInputFault = 2, kFileFault = 3 };
 
 }  // namespace voussoir::io

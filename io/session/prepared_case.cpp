@@ -42,7 +42,7 @@ bool frequency_matters(const cases::Case& c) {
 }
 
 void warn_of_frequency(const cases::Case& c, const cases::Model& model) {
-  if (!frequency_matters(c) || model.blocks.size() > kMostElements) return;
+  if (c.damping.own_frequency || !frequency_matters(c) || model.blocks.size() > kMostElements) return;
   std::array<solver::MainMode, 2> modes;
   try {
     modes = solver::main_modes(c, model);
@@ -78,7 +78,6 @@ void fill_own_frequency(cases::Case& c) {
                                                      " lowest modes moves a tenth of the mass along y (voussoir modes lists them once a "
                                                      "number stands here); give a number of Hz");
   c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
-  c.damping.own_frequency = false;
   std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s\n", described(mode, 1).c_str());
 }
 

@@ -52,6 +52,8 @@ console.log(`${megabytes.toFixed(1)} MB, loaded in ${((performance.now() - start
 async function checkTwo(page) {
   const two = await page.evaluate(`({ panes: report.panes.length, last: report.last })`);
   if (two.panes !== 2) return faults.push(`${two.panes} houses, not two; a page of one run needs its run.h5`);
+  const letters = await page.locator(".pane .letter").allTextContents();
+  if (letters.join() !== "A,B") faults.push(`houses have the letters ${letters.join()}, not A,B`);
   for (const part of [0.2, 0.6, 1]) {
     await page.locator("#time").fill(String(Math.round(part * two.last)));
     const times = await page.evaluate(`report.panes.map(({ house, times }) => times[Math.floor(house.at)] + (house.at % 1) * ((times[Math.floor(house.at) + 1] ?? 0) - times[Math.floor(house.at)]))`);

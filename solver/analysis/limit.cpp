@@ -16,7 +16,7 @@
 namespace voussoir::solver {
 namespace {
 
-constexpr int kMostIterations = 40, kLeastIterations = 20;
+constexpr int kMostIterations = LimitResult::kMostProgrammes - 1, kLeastIterations = LimitResult::kLeastProgrammes - 1;
 constexpr double kTurn = 0.7;       // of the slope of the limit, from one iteration to the next
 constexpr double kLevel = 0.01;     // of the slope of friction: what is left of it
 constexpr double kNoChange = 1e-7;  // of the multiplier: nothing more will come
@@ -174,7 +174,7 @@ class Problem {
       if (dead_[row] != 0.0) lp.add(row, dead_[row]);
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    return lp.solve(false, 1.0).outcome == LpOutcome::unbounded;
+    return lp.solve(false, 1.0).outcome == LpOutcome::at_bound;
   }
   void solve(LimitState& out) {
     LinearProgramme lp(dead_.size() + points_.size());
@@ -186,11 +186,12 @@ class Problem {
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
     const LpSolution found = lp.solve(true);
     if (found.outcome == LpOutcome::infeasible) throw std::runtime_error("limit analysis: Clp finds no forces where there are some");
-    if (found.outcome == LpOutcome::unbounded)
-      throw cases::InputError("", "no multiplier is too large in this direction: nothing falls, whatever the force");
+    if (found.outcome == LpOutcome::at_bound)
+      throw cases::InputError("", "has no collapse multiplier in this direction: nothing falls, whatever the force");
     ++out.programmes;
     out.multiplier = found.unknowns.front();
-    if (tick_) tick_(++programmes_, out.multiplier);
+    ++programmes_;
+    if (tick_) tick_(programmes_, out.multiplier);
     take_forces(found.unknowns, out);
     take_motion(found.prices, out);
   }
@@ -269,6 +270,7 @@ LimitResult limit_analysis(const cases::Case& c, const cases::Model& model, cons
   out.contacts = limit_contacts(model, options.live, loads_stay_in_plane(c, options.live));
   if (out.contacts.bodies.empty()) throw cases::InputError("", "has no block that could move");
   out.has_loads = !c.loads.empty();
+  out.is_tilt = !out.has_loads && (!c.base || (c.base->tilt[0] == 0.0 && c.base->tilt[1] == 0.0));
   if (!out.contacts.plane) {
     const double half = std::numbers::pi / options.facets;
     out.cone_error = options.outer ? 1.0 / std::cos(half) - 1.0 : 1.0 - std::cos(half);

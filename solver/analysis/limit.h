@@ -37,20 +37,22 @@ struct LimitResult {
   double weight = 0.0;      // N, of all bodies
   double cone_error = 0.0;  // by how much, at most, the facets take friction too low (outer: too high): a ratio
   bool has_loads = false;   // [[load]] of the case act as dead loads, at their full size
+  bool is_tilt = false;     // no loads, on a level base: a multiplier is the tangent of the base's tilt at collapse
   /// Slip opens joints by tan φ of its amount. By the static theorem the largest multiplier under which forces keep every body in balance.
   /// Where slip does not open joints, as in Coulomb's law, no collapse multiplier is higher (Drucker 1954, Radenkovic 1961).
   LimitState associated;
-  /// Slip opens nothing: a collapse multiplier by the iterations of Gilbert, Casapulla and Ahmed (2006), in which the limit of shear at
-  /// each point is turned about the compression last found until it is all but level. There may be others: forces before collapse are not
-  /// unique.
+  /// Slip opens nothing: a collapse multiplier by the iterations of Gilbert, Casapulla and Ahmed (2006), in which
+  /// each point's yield line T = c + m N is rotated about the compression last found, until its slope m is almost 0. There may be other
+  /// collapse multipliers: forces before collapse are not unique.
   LimitState coulomb;
   [[nodiscard]] bool coulomb_converged() const noexcept { return coulomb.last_change <= kConverged; }
 
   static constexpr double kConverged = 1e-3;
+  static constexpr int kLeastProgrammes = 21, kMostProgrammes = 41;  // of both rules together
 };
 
-/// \throw cases::InputError if there is no gravity, nothing can move, the blocks do not stand under dead loads alone, or no multiplier is
-/// too large \throw std::logic_error without linear programmes (has_linear_programmes)
+/// \throw cases::InputError if there is no gravity, nothing can move, the blocks do not stand under dead loads alone, or the
+/// multiplier is unbounded \throw std::logic_error without linear programmes (has_linear_programmes)
 LimitResult limit_analysis(const cases::Case& c, const cases::Model& model, const LimitOptions& options);
 
 }  // namespace voussoir::solver

@@ -43,7 +43,7 @@ LpSolution LinearProgramme::solve(bool feasible, double bound) const {
   if (status == kInfeasible) return {LpOutcome::infeasible, {}, {}};
   if (status != kSolved) throw std::runtime_error("limit analysis: Clp ends with the status " + std::to_string(status));
   const double *unknowns = Clp_primalColumnSolution(lp.get()), *prices = Clp_dualRowSolution(lp.get());
-  const LpOutcome outcome = unknowns[0] > (1.0 - 1e-9) * bound ? LpOutcome::unbounded : LpOutcome::solved;
+  const LpOutcome outcome = unknowns[0] > (1.0 - 1e-9) * bound ? LpOutcome::at_bound : LpOutcome::solved;
   return {outcome, {unknowns, unknowns + objective.size()}, {prices, prices + right_.size()}};
 }
 

@@ -10,10 +10,10 @@ namespace voussoir::solver {
 /// Whether this program was built with Clp (COIN-OR's linear programmes, EPL-2.0), which solves those of limit analysis.
 [[nodiscard]] bool has_linear_programmes() noexcept;
 
-enum class LpOutcome { solved, infeasible, unbounded };  // unbounded: the first unknown is at its bound
+enum class LpOutcome { solved, infeasible, at_bound };  // at_bound: the first unknown is
 
-/// Upper bound of the first unknown: the dual simplex starts from it. What reaches it counts as unbounded.
-inline constexpr double kLpUnbounded = 1e3;
+/// Upper bound of the first unknown: the dual simplex starts from it.
+inline constexpr double kLpBound = 1e3;
 /// From this number of unknowns on the interior-point method is tried before the dual simplex, which takes too long.
 inline constexpr std::size_t kLpLarge = 5000;
 
@@ -40,7 +40,7 @@ class LinearProgramme {
   /// \param feasible  known to be: large ones are solved in another way, which would take long to find that they are not
   /// \param bound     of the first unknown
   /// \throw std::logic_error if this program has no linear programmes \throw std::runtime_error if Clp gives up
-  [[nodiscard]] LpSolution solve(bool feasible, double bound = kLpUnbounded) const;
+  [[nodiscard]] LpSolution solve(bool feasible, double bound = kLpBound) const;
 
  private:
   std::vector<double> right_;

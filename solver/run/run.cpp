@@ -12,12 +12,12 @@
 
 namespace voussoir::solver {
 
+std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
+
 namespace {
 
 constexpr std::int64_t kTickInterval = 20;  // steps
 constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
-
-std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
 
 /// Keeps the buffers and the running figures of one run.
 class Reporter {

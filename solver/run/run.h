@@ -10,6 +10,9 @@
 /// The run plan: settle, shake, and tell a Recorder at the intervals the case asks for.
 namespace voussoir::solver {
 
+/// Whole steps of dt [s] between two rows that an interval [s] asks for.
+std::int64_t in_steps(double interval, double dt);
+
 /// What a run carries from step to step beside the simulation.
 struct RunState {
   Damage settling;              // when the shaking began; until then nothing

@@ -11,10 +11,10 @@
 #include "io/assess/assess_words.h"
 #include "io/assess/case_of_run.h"
 #include "io/assess/crack_map.h"
-#include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/motion/motion_files.h"
+#include "io/session/exit_code.h"
+#include "io/session/session.h"
 
 namespace voussoir::io {
 namespace {
@@ -28,7 +28,6 @@ std::string map_name(std::string wall, double time) {
 }
 
 void write_maps(const Hdf5File& run, const cases::Case& c, const Building& building, const Assessment& a, const AssessOptions& o) {
-  if (building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
   std::error_code error;
   std::filesystem::create_directories(o.maps, error);
   if (error) throw FileError(o.maps, "cannot make the folder: " + error.message());
@@ -45,11 +44,13 @@ int assess_command(const AssessOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const cases::Case c = case_of_run(run);
   const Building building = building_of(run);
-  const Assessment a = assess(run, building, o.time, o.levels);
-  const cases::GroundMotion base = c.motion ? load_motion(*c.motion, c.folder) : cases::GroundMotion{};
-  std::vector<std::string> names;
-  for (const cases::HistoryPoint& h : c.output.history) names.push_back(h.name);
-  const std::vector<FloorAcceleration> points = floor_accelerations(run, names, base);
+  if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
+  std::error_code none;
+  if (!o.spectra.empty() && !o.overwrite && std::filesystem::exists(o.spectra, none))
+    throw FileError(o.spectra, "exists; --overwrite replaces it");
+  const Assessment a = assess(run, c, building, o.time, o.levels);
+  const cases::GroundMotion base = base_of_run(run, c);
+  const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
   std::fputs((o.json ? assessment_json(a, points, base) : assessment_text(a, points, base)).c_str(), stdout);
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_text_file(o.spectra, spectra_csv(points, base, o.damping), o.overwrite);

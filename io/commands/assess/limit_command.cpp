@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "io/assess/limit_words.h"
-#include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/session/exit_code.h"
 #include "io/session/progress.h"
 #include "solver/analysis/linear_programme.h"
 
@@ -48,7 +48,8 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   if (on_terminal) {
     asked.options.tick = [](int programmes, double multiplier) {
-      std::fprintf(stderr, "\rlinear programme %d of 21 to 41: multiplier %.5f", programmes, multiplier);
+      std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, solver::LimitResult::kLeastProgrammes,
+                   solver::LimitResult::kMostProgrammes, multiplier);
     };
   }
   const cases::Model model = cases::build_model(c.value);

@@ -71,9 +71,11 @@ class Study:
         try:
             for job in concurrent.futures.as_completed(jobs):
                 job.result()
-        except BaseException:
+        except BaseException as error:
             stop.append(True)  # each run at work sees it with its next line of progress, saves and stops
             pool.shutdown(wait=True, cancel_futures=True)
+            if isinstance(error, KeyboardInterrupt) and not isinstance(error, Stopped):
+                raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from error
             raise
         pool.shutdown()
         return self

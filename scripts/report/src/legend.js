@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of a legend, as HTML and burnt into pictures: {head}, {line, strength, colour, text}, {chip, text} or {from, to, low, high}.
 
-const make = (name, className, style = {}, text = "") => {
+const make = (className, style = {}, text = "") => {
   const element = Object.assign(document.createElement("span"), { className, textContent: text });
   Object.assign(element.style, style);
-  element.dataset.kind = name;
   return element;
 };
 
 export function showLegend(parent, entries) {
   parent.replaceChildren(...entries.map((e) => {
-    const item = make("item", "item");
-    if (e.head) item.append(make("head", "head", {}, e.head));
-    else if (e.line) item.append(make("line", "line", { borderTopWidth: `${e.line}px`, borderTopColor: e.colour, opacity: e.strength }), e.text);
-    else if (e.chip) item.append(make("chip", "chip", { background: e.chip }), e.text);
-    else item.append(e.low, make("bar", "bar", { background: `linear-gradient(90deg, ${e.from}, ${e.to})` }), e.high);
+    const item = make("item");
+    if (e.head) item.append(make("head", {}, e.head));
+    else if (e.line) item.append(make("line", { borderTopWidth: `${e.line}px`, borderTopColor: e.colour, opacity: e.strength }), e.text);
+    else if (e.chip) item.append(make("chip", { background: e.chip }), e.text);
+    else item.append(e.low, make("bar", { background: `linear-gradient(90deg, ${e.from}, ${e.to})` }), e.high);
     return item;
   }));
 }

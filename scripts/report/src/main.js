@@ -63,9 +63,10 @@ class Report {
     const still = asked.has("still");
     try {
       const first = document.querySelector(".pane");
+      const blank = first.cloneNode(true);
+      blank.querySelector(".view").removeAttribute("id");
       this.runs.forEach((run, i) => {
-        const element = i === 0 ? first : by("panes").appendChild(first.cloneNode(true));
-        if (i > 0) element.querySelector(".view").removeAttribute("id");
+        const element = i === 0 ? first : by("panes").appendChild(blank);
         if (this.runs.length > 1) element.appendChild(Object.assign(document.createElement("div"), { className: "letter", textContent: "AB"[i] }));
         const pane = new Pane(run, element, still && !asked.has("film"));
         pane.house.onDraw = () => this.#overlay(pane);

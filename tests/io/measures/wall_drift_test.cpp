@@ -54,6 +54,22 @@ TEST_CASE("a brick that flies off leaves its wall, whether it sinks or rises") {
   CHECK(wall(m, "front wall").peak_drift < 0.3 / 0.4);
 }
 
+TEST_CASE("a brick 1.2 m from where its neighbours are is no part of a wall, though the wall is higher than that") {
+  Wall wall;
+  wall.box.low = {0.0, 0.0, 0.0}, wall.box.high = {2.0, 0.2, 2.4};
+  wall.across = 1, wall.outward = -1.0;
+  wall.foot = {0}, wall.top = {{1, 2, 3}};
+  const std::vector<Pose> start(4);
+  std::vector<Pose> poses(4);
+  const std::vector<std::uint8_t> fallen(4, 0);
+  poses[3].centre.y = -1.2;
+  CHECK(*wall_drift(wall, start, poses, fallen) == doctest::Approx(0.0));
+  poses[3].centre.y = -0.6;  // leans out with them
+  CHECK(*wall_drift(wall, start, poses, fallen) == doctest::Approx(0.2 / 2.4));
+  poses[1].centre.y = poses[2].centre.y = poses[3].centre.y = -1.2;  // all do
+  CHECK(*wall_drift(wall, start, poses, fallen) == doctest::Approx(0.5));
+}
+
 TEST_CASE("damage from settling and from shaking are told apart") {
   Hut hut;
   const std::vector<std::size_t> early = first_bed(hut, "front wall"), late = first_bed(hut, "rear wall");

@@ -138,11 +138,14 @@ TEST_CASE("limit: dead loads do not grow, and count where they act") {
   // About the edge: live × h/2 = width/2 + 2 × 3/4 width.
   CHECK(analysed(c).associated.multiplier == doctest::Approx(4.0 * kWidth / kHeight).epsilon(1e-6));
   CHECK(analysed(c).has_loads);
+  CHECK_FALSE(analysed(c).is_tilt);
+  CHECK(analysed(one_block(70.0)).is_tilt);
 }
 
 TEST_CASE("limit: a tilted base has taken its share") {
   cases::Case c = one_block(60.0);
   c.base->tilt = {0.0, 5.0};
+  CHECK_FALSE(analysed(c).is_tilt);  // what it adds to a tilt is no tangent
   const double angle = 5.0 * 3.14159265358979323846 / 180.0, slope = kWidth / kHeight;
   const double one = analysed(c, towards(0.0)).associated.multiplier, other = analysed(c, towards(180.0)).associated.multiplier;
   CHECK(std::min(one, other) == doctest::Approx(slope * std::cos(angle) - std::sin(angle)).epsilon(1e-6));
@@ -175,7 +178,7 @@ TEST_CASE("limit: what cannot be answered is refused in words") {
     boxed.blocks.push_back(box("stop" + std::to_string(boxed.blocks.size()), {x, 0, 0}, {x + 0.2, kDepth, kHeight}));
     boxed.blocks.back().fixed = true;
   }
-  CHECK(refusal(boxed).starts_with("no multiplier is too large"));
+  CHECK(refusal(boxed).starts_with("has no collapse multiplier in this direction"));
 }
 
 TEST_SUITE_END();

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -89,4 +90,20 @@ TEST_CASE("assess: a cut at the foot of a block at rest bears its weight") {
   CHECK(shell::text_of(w.folder.path("s.csv")).find("\"block\",z,0.05,") != std::string::npos);
   CHECK(w.run("assess out --maps maps").code == 2);  // a block has no walls
   CHECK(w.run("run block.toml -o other --quiet --set output.cut[0].point=[0.0,0.0,5.0]").text.find("cuts no joint") != std::string::npos);
+}
+
+TEST_CASE("assess: the motion of the base is the run's, though its record has gone") {
+  const Words w;
+  w.folder.write("x.csv", "t [s],a [m/s2]\n0,0\n0.05,2\n0.1,0\n");
+  REQUIRE(w.run("run block.toml -o out --quiet -j 1 --motion x=x.csv").code == 0);
+  const std::string before = w.run("assess out").text;
+  CHECK(before.find("base ") != std::string::npos);
+  std::filesystem::remove(w.folder.path("x.csv"));
+  const shell::Outcome after = w.run("assess out");
+  CHECK(after.code == 0);
+  CHECK(after.text == before);
+  w.folder.write("s.csv", "mine");
+  const shell::Outcome refused = w.run("assess out --spectra s.csv");  // before anything else is said
+  CHECK(refused.code == 3);
+  CHECK(refused.text.find("base shear") == std::string::npos);
 }
