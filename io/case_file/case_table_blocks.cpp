@@ -134,7 +134,7 @@ Table<Cut> cut_table() {
            value<S>("normal", &S::normal, "", any(),
                     "across the plane, need not be a unit vector; what lies there (by centroids) acts on what lies behind"),
            value<S>("box", &S::box, "m", any(),
-                    "two opposite corners: of the pairs of elements that the plane parts those count whose middle is in it; none: all do")},
+                    "two opposite corners: only pairs of elements across the plane with their midpoint in the box count; none: all")},
           [](const S& s, const RuleCheck& check) {
             if (!can_name_history(s.name))
               check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
@@ -211,7 +211,8 @@ Table<Motion> motion_table() {
 Table<Output> output_table() {
   using S = Output;
   return {"what is written, and how often",
-          {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories; time.step = \"auto\" takes a step that divides it"),
+          {value<S>("history_interval", &S::history_interval, "s", above(0.0),
+                    "between rows of histories; time.step = \"auto\" takes a step that divides it"),
            value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
            value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
            table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},

@@ -20,7 +20,7 @@ namespace voussoir::solver {
 class Cuts {
  public:
   Cuts() = default;
-  /// \throw cases::InputError for a cut that parts no two elements, nor one from the base, that touch from the start
+  /// \throw cases::InputError if a cut separates no initial contact between elements or with the base
   Cuts(const World& w, std::span<const cases::Cut> cuts);
 
   [[nodiscard]] bool any() const noexcept { return !cuts_.empty(); }

@@ -301,6 +301,13 @@ TEST_CASE("a rule between two materials that applies to no joint is told, with t
                                                                "[[joints.between]]\nmaterials = [\"stone\", \"base\"]\nlaw = \"dry\"\n"));
   CHECK(used.code == 0);
   CHECK(is_silent_of(used, "applies to no joint"));
+  // Without a house there are no keys of a house to blame.
+  const Outcome blocks =
+      voussoir("check -j 1 " + folder.write("twice.toml", std::string(kTwoBlocks) +
+                                                              "[[joints.between]]\nmaterials = [\"stone\", \"base\"]\nlaw = \"dry\"\n"
+                                                              "[[joints.between]]\nmaterials = [\"stone\", \"base\"]\nlaw = \"dry\"\n"));
+  CHECK(says(blocks, {"joints.between[1] (stone, base) applies to no joint: wherever these touch, an earlier rule comes first"}));
+  CHECK(says(blocks, {"motion                   none"}));
 }
 
 TEST_CASE("check says how long a run takes as a range, from steps timed on the machine") {
