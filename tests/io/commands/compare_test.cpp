@@ -85,6 +85,17 @@ TEST_CASE("compare: the same for programs") {
   CHECK(row(rows, "rear: peak_drift")["a"].is_null());
 }
 
+TEST_CASE("compare: the end of a run that stopped while settling, and times of settling, are times; what never came is none") {
+  const std::string a = R"({"end_time": -0.25, "collapse_time": -1.0, "settling_first_crack_time": -0.5})";
+  const std::string b = R"({"end_time": 2.0, "collapse_time": 1.5, "settling_first_crack_time": -0.3})";
+  const std::string text = measures_beside(a, b);
+  CHECK(cells(text, "run to [s]") == std::vector<std::string>{"-0.250", "2.000", "+2.250"});
+  CHECK(cells(text, "collapsed at [s]") == std::vector<std::string>{"never", "1.500", "-"});
+  const Json json = Json::parse(measures_beside_json(a, b));
+  CHECK(row(json, "settling_first_crack_time")["difference"].get<double>() == doctest::Approx(0.2));
+  CHECK(row(json, "collapse_time")["difference"].is_null());
+}
+
 TEST_CASE("compare: two runs that differ, by the program") {
   const TempFolder folder;
   std::ofstream(folder.path("case.toml")) << R"(materials.stone = { density = 2000.0, young = 1e9, poisson = 0.2 }
