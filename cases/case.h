@@ -118,7 +118,7 @@ struct MotionTreatment {
 
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
-  std::optional<std::string> record;              // "bam-like", a folder holding record.toml, or a file that holds L, T and V
+  std::optional<std::string> record;              // "bam-like", "bam-like#7", a folder holding record.toml, or a file that holds L, T and V
   std::string direction = "LTV";                  // which of L, T, V goes to x, y, z
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V

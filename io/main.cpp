@@ -249,7 +249,8 @@ void add_motion(CLI::App& app, Words& w) {
   CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
   motion
       ->add_option("FILE", w.files,
-                   "files of any format that is read (FILE#COMPONENT: one of several), folders with a record.toml, or bam-like")
+                   "files of any format that is read (FILE#COMPONENT: one of several), folders with a record.toml, bam-like, or "
+                   "bam-like#N: realisation N of its family")
       ->required();
   motion->add_option("--spectra", w.motion_options.spectra, "write response spectra to this CSV file");
   motion->add_option("--damping", w.motion_options.damping, "damping ratios of the spectra (default 0.02)");

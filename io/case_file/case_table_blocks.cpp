@@ -186,7 +186,9 @@ Table<Motion> motion_table() {
       {"none", Baseline::none}, {"mean", Baseline::mean}, {"linear", Baseline::linear}, {"parabolic", Baseline::parabolic}};
   return {
       "acceleration of the base: a record, or files; any axis may be absent",
-      {value<S>("record", &S::record, "", filled(), "\"bam-like\", a folder that holds record.toml, or a file that holds L, T and V"),
+      {value<S>("record", &S::record, "", filled(),
+                "\"bam-like\", \"bam-like#7\" (realisation 7 of its family; 1 to 999), a folder that holds record.toml, or a file that "
+                "holds L, T and V"),
        choice<S>("direction", &S::direction, "", directions,
                  "which of L, T, V goes to x, y, z: LTV sends L along the bearing walls of a house that is not turned, TLV across them"),
        file_key("x", &S::xyz, 0, "file of the motion along x"), file_key("y", &S::xyz, 1, "file of the motion along y"),

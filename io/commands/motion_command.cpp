@@ -11,8 +11,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "cases/names.h"
 #include "cases/motion/treatment.h"
+#include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
@@ -32,11 +32,11 @@ struct Source {
 
 Source read_source(const std::string& argument, const Unstated& unstated) {
   std::error_code error;
-  if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
+  if (is_built_in_record(argument) && !fs::exists(argument, error)) return {built_in_record(argument, ""), {}};
   if (fs::is_directory(argument, error)) return {read_record_folder(argument, unstated), {}};
   const bool exists = fs::exists(argument, error);
   if (!exists && argument.find('#') == std::string::npos) {
-    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, or bam-like");
+    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, bam-like, or bam-like#N");
   }
   Source source;
   std::vector<Channel> channels = exists ? read_motion_file(argument, unstated) : std::vector<Channel>{read_channel(argument, unstated)};
@@ -77,7 +77,8 @@ void check_spectra(const MotionOptions& o) {
 }
 
 void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
-  if (arguments.empty()) throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like");
+  if (arguments.empty())
+    throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like, bam-like#N");
   if (o.unit && !acceleration_unit(*o.unit)) throw cases::InputError("--unit", shown(*o.unit) + "; allowed: " + kUnitNames);
   if (o.until && !(*o.until > 0.0)) throw cases::InputError("--until", cases::text(*o.until) + " s; allowed: above 0");
   for (const double z : o.damping) {
@@ -125,7 +126,8 @@ void tell_apart(std::vector<Source>& sources, const std::vector<std::string>& ar
 }
 
 void write_record(const Source& source, const std::string& argument, const MotionOptions& o) {
-  if (!source.of_file.empty()) throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, or a folder");
+  if (!source.of_file.empty())
+    throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, bam-like#N, or a folder");
   for (const cases::Accelerogram& a : source.record.ltv) {
     if (a.acceleration.size() == 1)
       throw cases::InputError("--until", cases::text(*o.until) + " s leaves one sample; allowed: " + cases::text(a.dt) + " s or more");

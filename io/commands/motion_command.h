@@ -28,7 +28,7 @@ struct MotionOptions {
 };
 
 /// Prints a table with one line per component; its last column is the peak acceleration that the file's header states. Each argument is
-/// "bam-like", a folder that holds record.toml, a file, or FILE#COMPONENT. Spectra, combinations and
+/// "bam-like", "bam-like#7", a folder that holds record.toml, a file, or FILE#COMPONENT. Spectra, combinations and
 /// fits: motion_spectra.h. \return 0. \throw cases::InputError, FileError; before anything
 /// is printed or written if it is a fault of the input.
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out);

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "cases/names.h"
 #include "cases/motion/treatment.h"
+#include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_text.h"
@@ -49,7 +49,7 @@ std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::arr
 }
 
 Record named_record(const cases::Motion& m, const std::string& case_folder) {
-  if (is_built_in_record(*m.record)) return {*m.record, cases::bam_like()};
+  if (is_built_in_record(*m.record)) return built_in_record(*m.record, "motion.record");
   const std::string folder = path_from(case_folder, *m.record);
   std::error_code error;
   try {
@@ -58,9 +58,9 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
   } catch (const FileError& e) {
     throw NamedFileError(e, "motion.record");
   }
-  throw cases::InputError("motion.record",
-                          "\"" + *m.record + "\" is neither a record of the program nor a folder or file (" + folder +
-                              "); allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
+  throw cases::InputError("motion.record", "\"" + *m.record + "\" is neither a record of the program nor a folder or file (" + folder +
+                                               "); allowed: " + built_in_records() +
+                                               ", a folder that holds record.toml, or a file that holds L, T and V");
 }
 
 void check(const cases::Motion& m) {
@@ -86,8 +86,6 @@ void check(const cases::Motion& m) {
 }
 
 }  // namespace
-
-bool is_built_in_record(std::string_view name) { return name == "bam-like"; }
 
 Record read_record_file(const std::string& path, const Unstated& unstated) {
   Record record{fs::path(path).filename().string(), {}};

@@ -85,7 +85,7 @@ VALUES = {
 LISTS = {
     "cases": (None, is_text, "a name of `voussoir cases`, or the path of a .toml file, from the study file's folder"),
     "directions": ([], lambda v: v in DIRECTIONS, ", ".join(DIRECTIONS)),
-    "records": ([], is_record, '"bam-like", or the path of a record, from the study file\'s folder, or a table { name = "...", L = "file", '
+    "records": ([], is_record, '"bam-like", "bam-like#N" (N from 1 to 999), or the path of a record, from the study file\'s folder, or a table { name = "...", L = "file", '
                                'T = "file", V = "file" }: a name, and keys of [motion] (files: record, L, T, V, x, y, z; unit, dt, from, to, '
                                'baseline, taper)'),
     "scales": ([], is_scale, "a number, or an array [L, T, V]"),
@@ -166,6 +166,10 @@ def read_study(path):
     return study
 
 
+def is_built_in(record):
+    return record in ("bam-like", "bam-like-1") or record.startswith("bam-like#")
+
+
 def from_folder(folder, name, on_disk):
     """A path from the study file's folder, else the name of something built in."""
     return str((folder / name).resolve()) if on_disk else name
@@ -180,7 +184,7 @@ def motion_of(record, folder):
     yield from ((f"motion.{key}=", None) for key in (*MOTION_FILES, "unit", "dt", "from", "to") if key not in record)
     for key, value in record.items():
         if key in MOTION_FILES:
-            path = from_folder(folder, from_environment(value), not (key == "record" and value == "bam-like"))
+            path = from_folder(folder, from_environment(value), not (key == "record" and is_built_in(value)))
             yield f"motion.{key}={json.dumps(value)}", f"motion.{key}={json.dumps(path)}"
         elif key != "name":
             yield f"motion.{key}={json.dumps(value)}", None
@@ -207,8 +211,8 @@ def one_run(study, folder, case, direction, record, scale, options, seed):
         for override, in_fact in motion_of(record, folder):
             add(override, in_fact)
     elif record:
-        path = from_folder(folder, from_environment(record), record != "bam-like")
-        names.append(pathlib.Path(path).stem)
+        path = from_folder(folder, from_environment(record), not is_built_in(record))
+        names.append(pathlib.Path(path).stem.replace("#", "_"))  # a name of a folder that a link can hold
         add(f"motion.record={json.dumps(record)}", f"motion.record={json.dumps(path)}")
     if scale is not None:
         names.append(scale_name(scale))

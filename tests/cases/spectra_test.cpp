@@ -35,7 +35,7 @@ Accelerogram turned(const Accelerogram& a, const Accelerogram& b, double angle) 
 }  // namespace
 
 TEST_CASE("combined spectra: a motion along one direction") {
-  const Accelerogram along = bam_like()[0];
+  const Accelerogram along = bam_like_1()[0];
   for (const double direction : {0.0, 30.0, 117.0}) {
     const Accelerogram a = times(along, std::cos(direction * kDegree)), b = times(along, std::sin(direction * kDegree));
     for (const double f : {0.5, 3.0, 11.0}) {
@@ -62,7 +62,7 @@ TEST_CASE("combined spectra: a motion that goes round is the same in all directi
 }
 
 TEST_CASE("combined spectra: against turned records, one spectrum for each of 180 directions") {
-  const auto record = bam_like();
+  const auto record = bam_like_1();
   for (const double f : {0.4, 2.0, 9.0}) {
     std::vector<double> peaks;
     for (int k = 0; k < 180; ++k) peaks.push_back(spectral_displacement(turned(record[0], record[1], k * kDegree), f, 0.02));
@@ -75,7 +75,7 @@ TEST_CASE("combined spectra: against turned records, one spectrum for each of 18
 }
 
 TEST_CASE("combined spectra: the shorter component is zero after its end; steps must be the same") {
-  const auto record = bam_like();
+  const auto record = bam_like_1();
   Accelerogram cut = record[1], padded = record[1];
   cut.acceleration.resize(900);
   std::fill(padded.acceleration.begin() + 900, padded.acceleration.end(), 0.0);

@@ -106,7 +106,7 @@ TEST_CASE("motion: spectra as a table") {
   CHECK(std::stod(last[3]) == doctest::Approx(50.0));
   const auto row = words_of(lines[1 + 271 + 150], ',');
   const double f = std::stod(row[3]), w = 2.0 * 3.14159265358979 * f,
-               sd = cases::spectral_displacement(cases::bam_like()[0], f, 0.05, 10.0);
+               sd = cases::spectral_displacement(cases::bam_like_1()[0], f, 0.05, 10.0);
   CHECK(std::stod(row[4]) == doctest::Approx(1.0 / f).epsilon(1e-5));
   CHECK(std::stod(row[5]) == doctest::Approx(sd).epsilon(1e-4));
   CHECK(std::stod(row[6]) == doctest::Approx(w * sd).epsilon(1e-4));
@@ -145,7 +145,7 @@ TEST_CASE("motion: --write gives a folder that reads back") {
   MotionOptions o;
   o.write = folder.path("bam");
   printed({"bam-like"}, o);
-  CHECK(io::read_record_folder(*o.write, {}).ltv[2].acceleration == cases::bam_like()[2].acceleration);
+  CHECK(io::read_record_folder(*o.write, {}).ltv[2].acceleration == cases::bam_like_1()[2].acceleration);
   const auto from_name = printed({"bam-like"}), from_folder = printed({*o.write});
   CHECK(from_name == from_folder);
 }
@@ -181,7 +181,7 @@ TEST_CASE("motion: faults of the request") {
   check({pulse}, damping, "--damping", "1; allowed: from 0 to below 1");
   check({pulse}, no_damping, "--damping", "no value; allowed");
   check({pulse, pulse}, write, "--write", "2 records named; allowed: one");
-  check({pulse}, write, "--write", "is a single file; allowed: bam-like, or a folder");
+  check({pulse}, write, "--write", "is a single file; allowed: bam-like, bam-like#N, or a folder");
   CHECK_THROWS_WITH_AS(motion_command({"kobe"}, {}, out),
                        doctest::Contains("kobe: no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml"),
                        FileError);

@@ -101,7 +101,7 @@ TEST_CASE("motion: the factor brings the record to the target") {
   const std::string fits = text.substr(text.find("\ntarget"));
   const auto words = words_of(fits, "bam-like  T");
   // By the definition: the mean logarithm of target over record.
-  const cases::Accelerogram t = cases::bam_like()[1];
+  const cases::Accelerogram t = cases::bam_like_1()[1];
   double sum = 0.0;
   const auto periods = cases::periods_between(0.1, 0.8, 101);
   for (const double period : periods) {
@@ -112,7 +112,7 @@ TEST_CASE("motion: the factor brings the record to the target") {
   CHECK(std::stod(words[3]) == doctest::Approx(std::exp(sum / 101.0)).epsilon(1e-4));
   // A record made twice as strong needs half the factor.
   const TempFolder folder;
-  io::Record twice{"twice", cases::bam_like()};
+  io::Record twice{"twice", cases::bam_like_1()};
   for (auto& a : twice.ltv) {
     for (double& x : a.acceleration) x *= 2.0;
   }
@@ -137,7 +137,7 @@ TEST_CASE("motion: window, baseline and taper change what is printed and written
   REQUIRE(cut.ltv[0].acceleration.size() == 801);
   CHECK(cut.ltv[0].acceleration[0] == 0.0);
   const auto& now = cut.ltv[0].acceleration;
-  const std::vector<double> whole = cases::bam_like()[0].acceleration;
+  const std::vector<double> whole = cases::bam_like_1()[0].acceleration;
   CHECK(now[400] - now[300] == doctest::Approx(whole[800] - whole[700]).epsilon(1e-9));  // but for the mean
 }
 

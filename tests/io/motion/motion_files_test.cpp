@@ -65,8 +65,20 @@ void check_record_fault(const std::string& text, const std::string& message) {
 
 TEST_CASE("the built-in record by name") {
   const cases::GroundMotion m = load_motion(of_record("bam-like"), "/nowhere");
-  const auto r = cases::bam_like();
+  const auto r = cases::bam_like_1();
   for (std::size_t i = 0; i < 3; ++i) CHECK(m.axis[i].acceleration == r[i].acceleration);
+}
+
+TEST_CASE("realisations of the built-in record by number") {
+  for (const int n : {1, 7}) {
+    const cases::GroundMotion m = load_motion(of_record("bam-like#" + std::to_string(n)), "/nowhere");
+    CHECK(m.axis[0].acceleration == cases::bam_like(n)[0].acceleration);
+  }
+  CHECK(load_motion(of_record("bam-like-1"), "/nowhere").axis[0].acceleration == cases::bam_like_1()[0].acceleration);
+  for (const char* wrong : {"bam-like#", "bam-like#0", "bam-like#1000", "bam-like#-1", "bam-like#07", "bam-like#7.5", "bam-like#x"}) {
+    check_input_fault(of_record(wrong), "/nowhere", "motion.record",
+                      "\"" + std::string(wrong) + "\" names no realisation; allowed: \"bam-like\", \"bam-like#N\" with N from 1 to 999");
+  }
 }
 
 TEST_CASE("a record folder, every direction") {
@@ -139,8 +151,9 @@ TEST_CASE("faults of the case name the key and what is allowed") {
   const TempFolder folder;
   const std::string f = folder.path();
   check_input_fault(of_record("kobe"), f, "motion.record", "\"kobe\" is neither a record of the program nor a folder or file");
-  check_input_fault(of_record("kobe"), f, "motion.record",
-                    "allowed: \"bam-like\", a folder that holds record.toml, or a file that holds L, T and V");
+  check_input_fault(
+      of_record("kobe"), f, "motion.record",
+      "allowed: \"bam-like\", \"bam-like#N\" with N from 1 to 999, a folder that holds record.toml, or a file that holds L, T and V");
   check_input_fault(of_record(""), f, "motion.record", "\"\" is neither");
   for (const std::string direction : {"LLV", "LT", "LTVV", "ltv", "", "XYZ"}) {
     check_input_fault(of_record("bam-like", direction), f, "motion.direction",
@@ -190,7 +203,7 @@ TEST_CASE("faults of record.toml, with their line") {
 
 TEST_CASE("a record written is the record read") {
   const TempFolder folder;
-  const io::Record record{"bam-like \"copy\"", cases::bam_like()};
+  const io::Record record{"bam-like \"copy\"", cases::bam_like_1()};
   io::write_record_folder(record, folder.path("out/copy"), false);
   const io::Record back = io::read_record_folder(folder.path("out/copy"), {});
   CHECK(back.name == record.name);

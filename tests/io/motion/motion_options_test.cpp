@@ -40,11 +40,11 @@ TEST_CASE("motion keys: window, baseline, taper and step are read, written back 
   const std::string resolved = io::resolved_toml(c);
   CHECK(io::resolved_toml(read(resolved)) == resolved);
   const cases::GroundMotion motion = io::load_motion(*c.motion, "");
-  std::array<cases::Accelerogram, 3> expected = cases::bam_like();
+  std::array<cases::Accelerogram, 3> expected = cases::bam_like_1();
   cases::treat(expected, c.motion->treatment, "motion.");
   CHECK(motion.axis[1].acceleration == expected[1].acceleration);
   CHECK(motion.axis[1].acceleration.size() == 801);
-  CHECK(io::load_motion(*read("[motion]\nrecord = \"bam-like\"").motion, "").axis[1].acceleration == cases::bam_like()[1].acceleration);
+  CHECK(io::load_motion(*read("[motion]\nrecord = \"bam-like\"").motion, "").axis[1].acceleration == cases::bam_like_1()[1].acceleration);
 }
 
 TEST_CASE("motion keys: what is out of range") {
