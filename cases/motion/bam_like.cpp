@@ -114,7 +114,7 @@ Accelerogram component(const Component& c, std::uint64_t seed) {
   Samples pulse(kWaveletSamples, 0.0), short_wavelets(kWaveletSamples, 0.0);
   add(c.pulse, pulse);
   add_short_wavelets(c.short_wavelets, seed, short_wavelets);
-  Accelerogram a{std::string("bam-like ") + c.letter, kWaveletStep, pulse};
+  Accelerogram a{c.letter, kWaveletStep, pulse};
   const double pulse_velocity = figures(a).peak_velocity;
   double p = 1.0, s = 1.0;
   for (int round = 0; round < kRounds; ++round) {
@@ -178,7 +178,9 @@ std::array<Accelerogram, 3> bam_like(int realisation) {
   std::array<Accelerogram, 3> ltv;
   for (std::uint64_t attempt = 0; attempt < kMostAttempts; ++attempt) {
     for (std::size_t i = 0; i < 3; ++i) ltv[i] = component(kComponents[i], mixed(family + 3 * attempt + i));
-    if (meets_the_figures(ltv)) return ltv;
+    if (!meets_the_figures(ltv)) continue;
+    for (std::size_t i = 0; i < 3; ++i) ltv[i].name = "bam-like#" + std::to_string(realisation) + " " + kComponents[i].letter;
+    return ltv;
   }
   throw InputError("bam-like", "no draw of realisation " + std::to_string(realisation) + " meets the figures");
 }

@@ -111,6 +111,7 @@ TEST_CASE("bam-like#N: starts quietly and ends at rest where it began") {
 
 TEST_CASE("bam-like#N: a number gives the same bits each time, another number another motion") {
   const auto a = bam_like(1), b = bam_like(1), c = bam_like(2);
+  CHECK(c[1].name == "bam-like#2 T");
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(a[i].acceleration == b[i].acceleration);
     CHECK(a[i].acceleration != c[i].acceleration);
