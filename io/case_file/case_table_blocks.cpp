@@ -129,14 +129,19 @@ Table<BlockSpec> block_table() {
 
 Table<Load> load_table() {
   using S = Load;
-  return {"a force and a moment on a block, constant after the ramp",
-          {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
-           value<S>("moment", &S::moment, "N m", any(), "moment"),
-           value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
-           value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second")},
-          [](const S& s, const RuleCheck& check) {
-            if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
-          }};
+  return {
+      "a force and a moment on a block, constant after the ramp unless they grow",
+      {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
+       value<S>("moment", &S::moment, "N m", any(), "moment"),
+       value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
+       value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second"),
+       value<S>("follows", &S::follows, "", any(), "force and moment turn with the block; false: a dead load, which keeps its direction"),
+       value<S>("grows", &S::grows, "", any(),
+                "multiplied by the load factor of [analysis]: a pushover with pattern = \"given\", or cyclic")},
+      [](const S& s, const RuleCheck& check) {
+        if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
+        if (s.grows && s.ramp != Load{}.ramp) check.fault("ramp", "does not go with grows = true; the load factor says how it grows");
+      }};
 }
 
 Table<Motion> motion_table() {

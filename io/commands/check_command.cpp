@@ -89,13 +89,13 @@ void print_step(const cases::Census& n, const cases::Model& m, double dt) {
 }
 
 void print_estimate(const cases::Case& c, const cases::Census& n, double dt, int threads) {
-  const double duration = c.time.duration + (c.gravity.settle ? kSettling : 0.0);
+  const double duration = c.end() + (c.gravity.settle ? kSettling : 0.0);
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
   const double step = (joints * kSecondsPerSide + elements * kSecondsPerElement) / threads;
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
-  const double frames = std::floor(c.time.duration / c.output.frame_interval) + 1.0;
-  const double rows = c.time.duration / c.output.history_interval;
+  const double frames = std::floor(c.end() / c.output.frame_interval) + 1.0;
+  const double rows = c.end() / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
   std::printf("\nestimate, %d threads      %s if nothing breaks, several times that in a collapse\n", threads,
               format_duration(duration / dt * step).c_str());

@@ -8,6 +8,7 @@
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
+#include "solver/analysis/drive.h"
 
 namespace voussoir::io {
 
@@ -15,12 +16,14 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
   cases::Model model = cases::build_model(c.value);
   load_support_motions(model, c.value.folder);
-  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion =
+      c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.gather = o.gather;
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
+  choose_drive(sim, c.value);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));

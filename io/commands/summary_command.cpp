@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "io/commands/run_command.h"
 #include "io/files/hdf5_file.h"
+#include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
 
 namespace voussoir::io {
@@ -130,11 +132,14 @@ void print_table(const Json& s, const Measures& m) {
 int summary_command(const SummaryOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const Measures m = measure(run);
-  const Json summary = summary_of(run, m);
+  Json summary = summary_of(run, m);
+  const std::optional<Capacity> capacity = capacity_of(run);
   if (o.json) {
+    if (capacity) summary["capacity"] = Json::parse(capacity_json(*capacity, false));
     std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   } else {
     print_table(summary, m);
+    if (capacity) std::printf("\n%s", capacity_text(*capacity).c_str());
   }
   return kDone;
 }

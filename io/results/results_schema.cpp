@@ -87,6 +87,18 @@ TableSpec cracks_columns() {
           scalar("/cracks/first_time", "s", "when the segment reached its first limit")};
 }
 
+TableSpec assessment_columns() {
+  return {scalar("/assessment/time", "s", "time of the rows; zero is the start of a quasi-static analysis; a time history has no rows"),
+          scalar("/assessment/factor", "1", "load factor; of a tilt the tangent of the angle"),
+          scalar("/assessment/displacement", "m", "of the control point from time zero, along analysis.direction"),
+          scalar("/assessment/drift", "1", "displacement over the control point's height above the base"),
+          scalar("/assessment/moved", "m", "conjugate to the forces: their work is the integral of factor times weight over it"),
+          scalar("/assessment/base_shear", "N",
+                 "force along analysis.direction that base and supports bear, mean over a first period; mass damping is not in it"),
+          scalar("/assessment/support_moved", "m", "of the moving support that has gone farthest"),
+          scalar("/assessment/over", "1", "1 once the analysis has found what it looks for")};
+}
+
 TableSpec frames_columns(std::uint64_t n) {
   return {scalar("/frames/time", "s", "time of the frames; zero is the start of shaking"),
           {"/frames/position", f32, {n, 3}, {"m", "centroids of all elements, in axes that move with the base"}, {}},
@@ -102,7 +114,7 @@ TableSpec frames_columns(std::uint64_t n) {
 }  // namespace
 
 const char* table_name(RowTable table) noexcept {
-  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames"};
+  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames", "assessment"};
   return names[static_cast<std::size_t>(table)];
 }
 
@@ -114,7 +126,8 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
 
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements) {
   check_names(history_names);
-  return {history_columns(history_names), energy_columns(), forces_columns(), damage_columns(), cracks_columns(), frames_columns(elements)};
+  return {history_columns(history_names), energy_columns(),    forces_columns(), damage_columns(), cracks_columns(),
+          frames_columns(elements),       assessment_columns()};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

@@ -19,8 +19,8 @@ namespace voussoir::io {
 inline constexpr std::int64_t kResultsSchema = 2;
 
 /// The group of a table is "/" and its name: see table_name.
-enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames };
-inline constexpr std::size_t kRowTables = 6;
+enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, assessment };
+inline constexpr std::size_t kRowTables = 7;
 
 [[nodiscard]] const char* table_name(RowTable table) noexcept;
 

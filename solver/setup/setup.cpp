@@ -59,7 +59,7 @@ void set_up_loads(World& w, const cases::Case& c) {
   };
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
-    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"), l.force, l.moment, {}, l.ramp[0], l.ramp[1]};
+    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"), l.force, l.moment, {}, l.ramp[0], l.ramp[1], l.follows, l.grows};
     if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(p.element)].mass.centroid;
     w.loads.push_back(p);
   }

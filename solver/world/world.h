@@ -187,6 +187,8 @@ struct PointLoad {
   std::int32_t element = 0;
   Vec3 force, moment, arm;              // arm: from the centroid, body axes
   double ramp_begin = 0, ramp_end = 0;  // s
+  bool follows = false;                 // force and moment turn with the element
+  bool grows = false;                   // multiplied by the load factor (run/load_program.h)
 };
 struct Support {
   std::int32_t element = 0;
