@@ -157,6 +157,7 @@ struct Load {
   std::optional<Vec3> at;                // m, a material point; default the centroid
   std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
                                          // settling with the value it has at time 0)
+  std::optional<std::string> history;    // file of t, x, y, z: the force over time, in place of `force` and `ramp`
   bool follows = false;                  // it turns with its block; else it keeps its direction (a dead load)
   bool grows = false;                    // it is multiplied by the load factor of the analysis
 };

@@ -15,11 +15,11 @@ struct Wrench {
   Vec3 force, moment;  // N, N m, about the centroid
 };
 
-/// A share of a load, where its element is now.
-Wrench wrench_of(const World& w, const PointLoad& l, double share) {
+/// A share of a load, where its element is now. \param whole  force of the whole load
+Wrench wrench_of(const World& w, const PointLoad& l, Vec3 whole, double share) {
   const Mat3 d = kernels::load_pose(w.elements.pose.data(), l.element).d;
   const Vec3 arm = l.arm + d * l.arm;
-  const Vec3 force = share * (l.follows ? l.force + d * l.force : l.force);
+  const Vec3 force = share * (l.follows ? whole + d * whole : whole);
   return {force, share * (l.follows ? l.moment + d * l.moment : l.moment) + cross(arm, force)};
 }
 
@@ -34,7 +34,8 @@ double power(const World& w, std::int32_t element, Vec3 force, Vec3 moment) {
 void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, double t, double factor, bool first) {
   for (std::size_t k = 0; k < w.loads.size(); ++k) {
     const PointLoad& l = w.loads[k];
-    const Wrench now = wrench_of(w, l, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
+    const Vec3 whole = l.history != nullptr ? value_at(*l.history, t) : l.force;
+    const Wrench now = wrench_of(w, l, whole, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
     kernels::add_wrench(w.elements.wrench.data(), l.element, now.force, now.moment);
     if (!first) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));
     before[2 * k] = now.force;
@@ -46,7 +47,7 @@ double power_of_growing_loads(const World& w) {
   double sum = 0.0;
   for (const PointLoad& l : w.loads) {
     if (!l.grows) continue;
-    const Wrench unit = wrench_of(w, l, 1.0);
+    const Wrench unit = wrench_of(w, l, l.force, 1.0);
     sum += power(w, l.element, unit.force, unit.moment);
   }
   return sum;

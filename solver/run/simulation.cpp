@@ -69,15 +69,6 @@ Vec3 rotation_vector(Quaternion q, Quaternion start) {
   return (2.0 * std::atan2(s, w) / s) * v;
 }
 
-Vec3 displacement_at(const cases::SupportHistory& h, double t) {
-  if (h.time.empty() || t < h.time.front()) return {};
-  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
-  const auto i = static_cast<std::size_t>(later - h.time.begin());
-  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
-  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
-  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
-}
-
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
@@ -142,7 +133,7 @@ void Simulation::place_supports() {
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 u = displacement_at(*s.history, program_.support_time(t));
+    const Vec3 u = value_at(*s.history, program_.support_time(t));
     const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
     world_->travel.add(s.element, jump);
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
@@ -157,8 +148,7 @@ void Simulation::move_supports_on() {
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 v =
-        (displacement_at(*s.history, program_.support_time(t + dt)) - displacement_at(*s.history, program_.support_time(t))) / dt;
+    const Vec3 v = (value_at(*s.history, program_.support_time(t + dt)) - value_at(*s.history, program_.support_time(t))) / dt;
     // `kick` has counted the dashpots' loss with the new velocity, since it does not change that of fixed elements; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
     e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=

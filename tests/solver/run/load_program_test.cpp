@@ -129,6 +129,51 @@ TEST_CASE("an analysis ends once the base shear has dropped, not at its longest"
   CHECK(r.out.rows.back().time == r.out.energies.back().time);
 }
 
+TEST_CASE("a load with a history is the force that its file holds, up and down") {
+  cases::Case steady = small_wall(3, 4), over_time = steady;
+  cases::Load load;
+  load.block = "c3_1", load.force = {0.0, 20.0, 0.0};
+  steady.loads.push_back(load);
+  load.force = {}, load.history = "push.csv";
+  over_time.loads.push_back(load);
+  const auto end_of = [](const cases::Case& c, const std::vector<double>& time, const std::vector<Vec3>& force) {
+    cases::Model m = cases::build_model(c);
+    if (!m.support_motions.empty()) m.support_motions[0].time = time, m.support_motions[0].displacement = force;
+    solver::Simulation sim(c, m, {}, {});
+    sim.start_shaking();
+    for (int i = 0; i < 400; ++i) sim.step({.sample = false, .ledger = i % 100 == 0});
+    CHECK(sim.worst_residual() < 1e-3);
+    return solver::state_hash(sim.world());
+  };
+  const std::uint64_t as_steady = end_of(steady, {}, {});
+  CHECK(end_of(over_time, {-1.0, 100.0}, {{0.0, 20.0, 0.0}, {0.0, 20.0, 0.0}}) == as_steady);
+  CHECK(end_of(over_time, {0.0, 0.01, 0.02}, {{}, {0.0, 40.0, 0.0}, {0.0, -40.0, 0.0}}) != as_steady);
+}
+
+TEST_CASE("a dead load keeps its direction, a follower turns with its block") {
+  for (const bool follows : {false, true}) {
+    cases::Case c = small_wall(1, 1);
+    c.base.reset();
+    c.gravity.acceleration = {};
+    c.damping = {};
+    c.blocks.resize(1);
+    c.blocks[0].free = true;
+    c.blocks[0].angular_velocity = {0.0, 0.0, 10.0};
+    cases::Load load;
+    load.block = c.blocks[0].name, load.force = {100.0, 0.0, 0.0}, load.follows = follows;
+    c.loads.push_back(load);
+    const cases::Model m = cases::build_model(c);
+    solver::Options o;
+    o.step = 1e-4;
+    solver::Simulation sim(c, m, {}, o);
+    sim.start_shaking();
+    for (int i = 0; i < 1000; ++i) sim.step({});
+    // A force that turns at 10 rad/s: v_y = F/(m ω) (1 − cos ωt).
+    const double mass = sim.world().elements.mass[0], expected = follows ? 100.0 / (mass * 10.0) * (1.0 - std::cos(1.0)) : 0.0;
+    CHECK(sim.world().elements.vy[0] == doctest::Approx(expected).epsilon(2e-3));
+  }
+}
+
 TEST_CASE("the spring through which the forces act makes no swing grow, however stiff it is") {
   for (const double share : {0.1, 1.0, 20.0}) {
     cases::Case c = small_wall(3, 4, 1e6);  // nothing breaks
