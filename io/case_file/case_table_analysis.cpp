@@ -9,20 +9,30 @@ namespace {
 
 using namespace cases;
 
+/// A resolved case has every key, with its default where it says nothing.
 void check_own_keys(const Analysis& s, const RuleCheck& check) {
-  const auto only = [&](const char* key, bool goes, const char* with) {
-    if (!goes && check.given(key)) check.fault(key, std::string("goes only with ") + with);
+  const Analysis plain;
+  const auto only = [&](const char* key, bool said, bool goes, const char* with) {
+    if (said && !goes) check.fault(key, std::string("goes only with ") + with);
   };
   const AnalysisKind kind = s.kind;
-  const bool pushed = kind == AnalysisKind::pushover || kind == AnalysisKind::tilt || kind == AnalysisKind::cyclic;
-  only("pattern", kind == AnalysisKind::pushover, "kind = \"pushover\"");
-  only("direction", pushed, "kind = \"pushover\", \"tilt\" or \"cyclic\"");
-  only("share", pushed, "kind = \"pushover\", \"tilt\" or \"cyclic\"");
-  only("drop", kind == AnalysisKind::pushover || kind == AnalysisKind::tilt, "kind = \"pushover\" or \"tilt\"");
-  only("largest_factor", kind == AnalysisKind::pushover || kind == AnalysisKind::tilt, "kind = \"pushover\" or \"tilt\"");
-  for (const char* key : {"amplitudes", "cycles", "level"}) only(key, kind == AnalysisKind::cyclic, "kind = \"cyclic\"");
-  for (const char* key : {"control", "pace", "damping", "longest", "largest_drift"})
-    only(key, is_assessment(s), "a kind other than \"time-history\"");
+  const bool grows = kind == AnalysisKind::pushover || kind == AnalysisKind::tilt, pushed = grows || kind == AnalysisKind::cyclic;
+  const bool cyclic = kind == AnalysisKind::cyclic, slow = is_assessment(s);
+  const char *to_push = "kind = \"pushover\", \"tilt\" or \"cyclic\"", *to_grow = "kind = \"pushover\" or \"tilt\"",
+             *to_and_fro = "kind = \"cyclic\"", *any_slow = "a kind other than \"time-history\"";
+  only("pattern", s.pattern != plain.pattern, kind == AnalysisKind::pushover, "kind = \"pushover\"");
+  only("direction", s.direction != plain.direction, slow, any_slow);
+  only("share", s.share.has_value(), pushed, to_push);
+  only("drop", s.drop != plain.drop, grows, to_grow);
+  only("largest_factor", s.largest_factor != plain.largest_factor, grows, to_grow);
+  only("largest_drift", s.largest_drift != plain.largest_drift, grows, to_grow);
+  only("amplitudes", !s.amplitudes.empty(), cyclic, to_and_fro);
+  only("cycles", s.cycles != plain.cycles, cyclic, to_and_fro);
+  only("level", s.level != plain.level, cyclic, to_and_fro);
+  only("control", s.control.has_value(), slow, any_slow);
+  only("pace", s.pace.has_value(), slow, any_slow);
+  only("damping", s.damping.has_value(), slow, any_slow);
+  only("longest", s.longest != plain.longest, slow, any_slow);
   if (s.direction[0] == 0.0 && s.direction[1] == 0.0) check.fault("direction", "has no direction");
   if (kind == AnalysisKind::cyclic && s.amplitudes.empty()) check.fault("amplitudes", "is missing: give those of the cycles (m, > 0)");
   if (std::ranges::any_of(s.amplitudes, [](double a) { return a <= 0.0; })) check.fault("amplitudes", "must all be > 0 (m)");
