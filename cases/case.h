@@ -48,6 +48,7 @@ struct Time {
 struct Damping {
   double ratio = 0.0;               // of critical, at `frequency`
   std::optional<double> frequency;  // Hz
+  bool own_frequency = false;       // frequency = "auto": that of the model's mode with the largest mass in y; io fills it in
   std::optional<double> alpha;      // 1/s; instead of ratio and frequency
   bool debris = true;               // "keep" | "off": mass damping of elements without a bond
 };
@@ -108,6 +109,14 @@ struct Contact {
   ContactNormal normal = ContactNormal::slave;
 };
 
+enum class Baseline { none, mean, linear, parabolic };
+/// What is done to the components of a motion before they are scaled (cases/motion/treatment.h).
+struct MotionTreatment {
+  std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
+  Baseline baseline = Baseline::none;     // taken off what the window holds
+  std::array<double, 2> taper{0.0, 0.0};  // s, at the start and at the end
+};
+
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
   std::optional<std::string> record;              // "bam-like", a folder holding record.toml, or a file that holds L, T and V
@@ -115,6 +124,8 @@ struct Motion {
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V
   std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": where a format does not say
+  std::optional<double> dt;                       // s: where a format does not say
+  MotionTreatment treatment;                      // keys from, to, baseline, taper
   std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
 };
 
@@ -122,11 +133,18 @@ struct HistoryPoint {
   std::string name;
   Vec3 point;  // m
 };
+/// A plane along which the structure is thought to be parted; what goes through it is written (Output::cuts).
+struct Cut {
+  std::string name;
+  Vec3 point, normal{0, 0, 1};             // m; of any length but zero, towards what acts
+  std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements whose middle is in it
+};
 struct Output {
   double history_interval = 0.001;  // s
   double frame_interval = 0.02;     // s
   double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
+  std::vector<Cut> cuts;  // key: cut
 };
 
 struct Rotation {
@@ -176,6 +194,7 @@ struct Opening {
 };
 struct HouseWood {
   std::string material = "wood", within_member = "wood", between_members = "normal";
+  std::optional<std::string> timber_on_timber;  // between members of timber alone; none: between_members
 };
 /// gables: the non-bearing walls go on as under a vault, but there is none.
 enum class RoofKind { none, flat, vault, gables };
@@ -188,10 +207,13 @@ struct Roof {
   int voussoirs = 25;                                // of a ring (vault, gables)
   double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
 };
+/// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
+enum class RingPlace { inside, middle };
 struct Reinforcement {
   std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
   std::vector<double> bearing, nonbearing;                      // column axes, m
   double element = 0.2;                                         // length of an element of a member, m
+  RingPlace ring_beam_place = RingPlace::inside;
 };
 enum class Bond { english, running };
 struct House {

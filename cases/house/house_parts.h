@@ -35,6 +35,9 @@ Block box_block(const HouseBox& box, const Block& prototype);
 /// Adds the walls with their lintels, course by course.
 void build_walls(const House& house, const HousePlan& plan, HouseParts& parts);
 
+/// The height on which a flat roof lies: that of the walls, or of a ring beam upon them.
+Tick roof_seat(const House& house, const HousePlan& plan);
+
 /// Adds beams side by side along x over the whole house, each across it, resting on the inner brick length of the bearing walls.
 /// \throw InputError with the key at fault.
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts);
@@ -47,7 +50,7 @@ void build_vault(const House& house, const HousePlan& plan, HouseParts& parts);
 /// \throw InputError with the key at fault.
 void build_gables(const House& house, const HousePlan& plan, HouseParts& parts);
 
-/// Adds columns and ring beams at the inner faces of the walls.
+/// Adds columns at the inner faces of the walls, and ring beams there or upon the walls.
 /// \throw InputError with the key at fault.
 void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& parts);
 

@@ -162,6 +162,11 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal("[damping]\nratio = 0.02").starts_with("test.toml:2: damping.ratio = 0.02 needs damping.frequency"));
   CHECK(refusal("[damping]\nfrequency = 6").starts_with("test.toml:2: damping.frequency = 6 Hz needs damping.ratio"));
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 0") == "accepted");
+  CHECK(refusal("[damping]\nfrequency = \"auto\"\nratio = 0.02") == "accepted");
+  CHECK(refusal("[damping]\nfrequency = \"auto\"").starts_with("test.toml:2: damping.frequency = \"auto\" needs damping.ratio"));
+  CHECK(refusal("[damping]\nratio = 0.02\nfrequency = \"first\"").find("\"auto\" or a number") != std::string::npos);
+  CHECK(refusal("[house]\nwood = { timber_on_timber = \"\" }").starts_with("test.toml:2: house.wood.timber_on_timber"));
+  CHECK(refusal("[house.reinforcement]\nring_beam_place = \"outside\"").find("must be \"inside\" | \"middle\"") != std::string::npos);
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 2").starts_with("test.toml:3: damping.ratio = 2: must be"));
   CHECK(refusal("[damping]\nalpha = 1.5") == "accepted");
   const std::string law = "[joint_laws.n]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n";
@@ -208,6 +213,16 @@ TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal(history + "\"a/b\"").find("cannot name") != std::string::npos);
   CHECK(refusal(history + "\"a\"\n" + history + "\"a\"") ==
         "test.toml:6: output.history[1].name = \"a\" is the name of another history, too");
+}
+
+TEST_CASE("faults of cuts: names, planes without a direction, boxes without room") {
+  const std::string cut = "[[output.cut]]\npoint = [0,0,1]\nname = ";
+  CHECK(refusal("[[output.cut]]\nname = \"a\"").find("output.cut[0].point") != std::string::npos);
+  CHECK(refusal(cut + "\"a/b\"").starts_with("test.toml:3: output.cut[0].name = \"a/b\" cannot name a group"));
+  CHECK(refusal(cut + "\"a\"\nnormal = [0,0,0]").find("output.cut[0].normal") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0], [1,0,1]]").find("has no room in it") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0]]").find("output.cut[0].box") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\n" + cut + "\"a\"") == "test.toml:6: output.cut[1].name = \"a\" is the name of another cut, too");
 }
 
 TEST_CASE("faults: the first in the file is reported, then those of overrides") {
