@@ -107,7 +107,7 @@ void add_free_blocks(const Case& c, Model& model) {
     block.angular_velocity = spec.angular_velocity;
     if (spec.motion) {
       block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
-      model.support_motions.push_back(support_history(*spec.motion, key + ".motion"));
+      model.support_motions.push_back(support_history(*spec.motion, key + ".motion.file"));
     }
     model.blocks.push_back(std::move(block));
   }

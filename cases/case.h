@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/analysis.h"
 #include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
 
@@ -174,6 +175,9 @@ struct Load {
   std::optional<Vec3> at;                // m, a material point; default the centroid
   std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
                                          // settling with the value it has at time 0)
+  std::optional<std::string> history;    // file of t, x, y, z: the force over time, in place of `force` and `ramp`
+  bool follows = false;                  // it turns with its block; else it keeps its direction (a dead load)
+  bool grows = false;                    // it is multiplied by the load factor of the analysis
 };
 struct Base {
   double z = 0.0;                        // m
@@ -242,6 +246,7 @@ struct Case {
   Failure failure;
   Joints joints;
   Contact contact;
+  Analysis analysis;
   std::optional<Motion> motion;
   std::optional<double> segment_size;                                   // m; key segments.size
   geometry::SegmentRule segment_rule = geometry::SegmentRule::centres;  // key segments.rule
@@ -251,6 +256,10 @@ struct Case {
   std::vector<Load> loads;        // key: load
   std::optional<Base> base;
   std::string folder;  // of the case file; relative paths in the case start here (not a key)
+
+  /// s of shaking, or of a quasi-static analysis, after which the run ends at the latest.
+  [[nodiscard]] double end() const noexcept { return is_assessment(analysis) ? analysis.longest : time.duration; }
+  void set_end(double t) noexcept { (is_assessment(analysis) ? analysis.longest : time.duration) = t; }
 };
 
 }  // namespace voussoir::cases

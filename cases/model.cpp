@@ -153,11 +153,25 @@ Model build_model(const Case& c) {
     if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
     for (Block& block : model.blocks) block.segment_size = *c.segment_size;
   }
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    model.load_history.push_back(c.loads[i].history ? static_cast<std::int32_t>(model.support_motions.size()) : -1);
+    if (c.loads[i].history)
+      model.support_motions.push_back({{}, {}, false, *c.loads[i].history, "load[" + std::to_string(i) + "].history"});
+  }
   check_segments(c, model);
   assemble(c, model);
   pick_laws(rules, model);
   model.joint_strength = strength_factors(c.scatter, model);
   return model;
+}
+
+Vec3 value_at(const SupportHistory& h, double t) {
+  if (h.time.empty() || t < h.time.front()) return {};
+  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
+  const auto i = static_cast<std::size_t>(later - h.time.begin());
+  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
+  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
+  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
 }
 
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {

@@ -34,15 +34,18 @@ struct Block {
   std::int32_t support_motion = -1;  // into Model::support_motions
 };
 
-/// Displacement of a fixed block as a function of time, piecewise linear, held after its end. Displacement 0 before t[0].
+/// Displacement of a fixed block, or force of a load [N], as a function of time: piecewise linear, held after its end, 0 before t[0].
 /// With two samples and `open_ended`, the last slope goes on for ever (constant velocity).
 struct SupportHistory {
   std::vector<double> time;        // s, ascending
   std::vector<Vec3> displacement;  // m
   bool open_ended = false;
   std::string file;  // not empty: still to be read from here (t, x, y, z); relative to Case::folder
-  std::string key;   // of the motion in the case file, for messages
+  std::string key;   // of the file in the case file, for messages
 };
+
+/// Of a history at a time [s]. \pre its file has been read
+Vec3 value_at(const SupportHistory& h, double t);
 
 struct NamedMaterial {
   std::string name;
@@ -57,12 +60,13 @@ struct NamedLaw {
 struct Model {
   std::vector<Block> blocks;
   std::vector<NamedMaterial> materials;
-  std::vector<NamedLaw> laws;  // laws[0] is "dry"
-  std::vector<SupportHistory> support_motions;
-  geometry::Assembly assembly;           // of the blocks, in order
-  std::vector<std::int32_t> joint_law;   // by assembly joint, into laws
-  std::vector<double> contact_friction;  // degrees, see cases/contact_rules.h
-  std::vector<double> joint_strength;    // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
+  std::vector<NamedLaw> laws;                   // laws[0] is "dry"
+  std::vector<SupportHistory> support_motions;  // of fixed blocks, then of loads
+  std::vector<std::int32_t> load_history;       // by load of the case, into support_motions; −1: none
+  geometry::Assembly assembly;                  // of the blocks, in order
+  std::vector<std::int32_t> joint_law;          // by assembly joint, into laws
+  std::vector<double> contact_friction;         // degrees, see cases/contact_rules.h
+  std::vector<double> joint_strength;           // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
 /// Builds blocks (house first, numbered along its plan, then free blocks), assembles them and picks the law of every joint.

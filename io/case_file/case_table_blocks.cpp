@@ -167,14 +167,23 @@ Table<BlockSpec> block_table() {
 
 Table<Load> load_table() {
   using S = Load;
-  return {"a force and a moment on a block, constant after the ramp",
-          {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
-           value<S>("moment", &S::moment, "N m", any(), "moment"),
-           value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
-           value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second")},
-          [](const S& s, const RuleCheck& check) {
-            if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
-          }};
+  return {
+      "a force and a moment on a block, constant after the ramp unless they grow",
+      {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
+       value<S>("moment", &S::moment, "N m", any(), "moment"),
+       value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
+       value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second"),
+       value<S>("history", &S::history, "", filled(), "CSV of t, x, y, z in s and N: the force over time, in place of `force` and `ramp`"),
+       value<S>("follows", &S::follows, "", any(), "force and moment turn with the block; false: a dead load, which keeps its direction"),
+       value<S>("grows", &S::grows, "", any(),
+                "multiplied by the load factor of [analysis]: a pushover with pattern = \"given\", or cyclic")},
+      [](const S& s, const RuleCheck& check) {
+        if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
+        if (s.history && (s.force != Vec3{} || s.ramp != Load{}.ramp))
+          check.fault("history", "does not go with force or ramp; its file holds the force over time");
+        if (s.history && s.grows) check.fault("history", "does not go with grows = true; the load factor says how it grows");
+        if (s.grows && s.ramp != Load{}.ramp) check.fault("ramp", "does not go with grows = true; the load factor says how it grows");
+      }};
 }
 
 Table<Motion> motion_table() {

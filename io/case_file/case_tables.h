@@ -14,5 +14,8 @@ Table<cases::Motion> motion_table();
 Table<cases::Output> output_table();
 Table<cases::BlockSpec> block_table();
 Table<cases::Load> load_table();
+Table<cases::Analysis> analysis_table();
+/// What [analysis] asks of the rest of the case.
+void check_analysis(const cases::Case& c, const RuleCheck& check);
 
 }  // namespace voussoir::io

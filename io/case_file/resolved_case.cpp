@@ -28,6 +28,9 @@ void for_each_path(cases::Case& value, Change change) {
   for (cases::BlockSpec& block : value.blocks) {
     if (block.motion && block.motion->file) change(*block.motion->file);
   }
+  for (cases::Load& load : value.loads) {
+    if (load.history) change(*load.history);
+  }
 }
 
 }  // namespace

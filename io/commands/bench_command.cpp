@@ -26,6 +26,7 @@
 #include "io/session/restored_run.h"
 #include "io/session/session.h"
 #include "io/session/waiting_threads.h"
+#include "solver/analysis/drive.h"
 #include "solver/bench/machine.h"
 #include "solver/bench/memory.h"
 #include "solver/bench/step_work.h"
@@ -168,11 +169,14 @@ struct FreshRun {
 int bench_command(const LoadedCase& c, const BenchOptions& o) {
   const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
-  if (c.value.motion && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
+  if (c.value.motion && !is_assessment(c.value.analysis) && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
   const auto build = [&](bool gather) {
     solver::Options options;
     options.gather = gather;
-    return std::make_unique<FreshRun>(FreshRun{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)});
+    auto run =
+        std::make_unique<FreshRun>(FreshRun{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)});
+    choose_drive(*run->sim, c.value);
+    return run;
   };
   bench(build, model, o);
   return kDone;

@@ -117,11 +117,11 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
-  const double frames = std::floor(c.time.duration / c.output.frame_interval) + 1.0;
-  const double rows = c.time.duration / c.output.history_interval;
+  const double frames = std::floor(c.end() / c.output.frame_interval) + 1.0;
+  const double rows = c.end() / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
   try {
-    const double intact = (c.time.duration + settling_time(c)) / sim.dt() * time_a_step(sim);
+    const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
     std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
                 sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
   } catch (const solver::NumericalError& e) {

@@ -64,11 +64,11 @@ void take_end(const std::string& folder, const Found& found, cases::Case& saved)
   if (!fs::exists(path)) return;
   const cases::Case there = load_case(path).value;
   cases::Case sent_further = saved;
-  sent_further.time.duration = there.time.duration;
+  sent_further.set_end(there.end());
   sent_further.time.after_collapse = there.time.after_collapse;
   const std::string what = difference(resolved_toml(there), resolved_toml(sent_further));
   if (!what.empty()) throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
-  if (there.time.duration > found.checkpoint.facts.time) saved = std::move(sent_further);
+  if (there.end() > found.checkpoint.facts.time) saved = std::move(sent_further);
 }
 
 /// How far results say that they came.
@@ -87,12 +87,12 @@ void set_end(cases::Case& c, const std::optional<double>& until, double time, co
   if (!until) return;
   if (!(*until <= cases::kLongestRun))
     throw cases::InputError("--until", "= " + cases::text(*until) + " s; allowed: at most " + cases::text(cases::kLongestRun) + " s");
-  const double own_end = there.finished && c.time.after_collapse ? there.end : std::max(time, c.time.duration);
+  const double own_end = there.finished && c.time.after_collapse ? there.end : std::max(time, c.end());
   if (*until <= time || *until < own_end) {
     throw cases::InputError("--until", "= " + cases::text(*until) + " s has passed or is before the run's own end; allowed: more than " +
                                            cases::text(own_end) + " s");
   }
-  c.time.duration = *until;
+  c.set_end(*until);
   c.time.after_collapse.reset();
 }
 

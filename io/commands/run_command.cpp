@@ -11,18 +11,21 @@
 #include "io/results/base_motion.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
+#include "solver/analysis/drive.h"
 
 namespace voussoir::io {
 
 int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
   const cases::Model model = prepared_model(c.value);
-  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion =
+      c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.gather = o.gather;
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
+  choose_drive(sim, c.value);
   warn_of_slips(c.value, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);

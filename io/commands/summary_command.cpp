@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "io/commands/run_command.h"
 #include "io/files/hdf5_file.h"
+#include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
 
 namespace voussoir::io {
@@ -30,7 +32,7 @@ Json told(const Hdf5File& run) {
   return out;
 }
 
-Json summary_of(const Hdf5File& run, const Measures& m) {
+Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capacity>& capacity) {
   Json out = told(run);
   if (!out.contains("collapsed")) {
     out["collapsed"] = std::int64_t{m.collapsed};
@@ -39,6 +41,7 @@ Json summary_of(const Hdf5File& run, const Measures& m) {
     if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
   }
   out.update(Json::parse(measures_json(m)));
+  if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
   return out;
 }
 
@@ -147,16 +150,20 @@ void print_table(const Json& s, const Measures& m) {
 
 }  // namespace
 
-std::string summary_json(const Hdf5File& run) { return summary_of(run, measure(run)).dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string summary_json(const Hdf5File& run) {
+  return summary_of(run, measure(run), capacity_of(run)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 int summary_command(const SummaryOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const Measures m = measure(run);
-  const Json summary = summary_of(run, m);
+  const std::optional<Capacity> capacity = capacity_of(run);
+  const Json summary = summary_of(run, m, capacity);
   if (o.json) {
     std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   } else {
     print_table(summary, m);
+    if (capacity) std::printf("\n%s", capacity_text(*capacity).c_str());
   }
   return kDone;
 }

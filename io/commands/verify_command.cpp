@@ -15,6 +15,7 @@
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
 #include "io/session/session.h"
+#include "solver/analysis/drive.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -55,6 +56,7 @@ solver::SavedState outcome(const Setting& s, int threads, const std::set<std::in
   options.threads = threads;
   const auto build = [&] { return std::make_unique<solver::Simulation>(s.value, s.model, s.motion, options); };
   std::unique_ptr<solver::Simulation> sim = build();
+  choose_drive(*sim, s.value);
   solver::RunState plan;
   const ScratchFolder scratch;
   const std::string checkpoint = scratch.path() + "/checkpoint.h5";
@@ -108,7 +110,8 @@ int verify(const Setting& s, int threads) {
 
 int verify_command(const LoadedCase& c, const RunOptions& o) {
   const cases::Model model = prepared_model(c.value);
-  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion =
+      c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   // Two threads are worth a look even where one is the default.
   const int threads = std::max(2, o.threads > 0 ? o.threads : omp_get_max_threads());
   Setting s{c.value, model, motion, {}, 0};

@@ -51,14 +51,15 @@ void read_history(const std::string& path, cases::SupportHistory& history) {
       continue;
     }
     header_allowed = false;
-    if (!row) throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; wanted: t [s], x, y, z [m]");
+    if (!row)
+      throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; wanted: t [s], x, y, z [m; of a load N]");
     if (!history.time.empty() && (*row)[0] <= history.time.back()) {
       throw FileError(path, lines.line(), "time " + std::to_string((*row)[0]) + " s does not rise");
     }
     history.time.push_back((*row)[0]);
     history.displacement.push_back({(*row)[1], (*row)[2], (*row)[3]});
   }
-  if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; wanted: t [s], x, y, z [m]");
+  if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; wanted: t [s], x, y, z [m; of a load N]");
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ void load_support_motions(cases::Model& model, const std::string& folder) {
     try {
       read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), h);
     } catch (const FileError& e) {
-      throw NamedFileError(e, h.key + ".file");
+      throw NamedFileError(e, h.key);
     }
   }
 }

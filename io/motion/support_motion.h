@@ -8,7 +8,7 @@
 
 namespace voussoir::io {
 
-/// Reads the displacement histories of moving supports that the model still only names: CSV rows of t [s], x, y, z [m], t rising; lines
+/// Reads the histories of moving supports and of loads that the model still only names: CSV rows of t [s], x, y, z [m, N], t rising; lines
 /// that start with '#' are comments, and one header line may stand first. Relative paths start at `folder`. \throw FileError with the line
 void load_support_motions(cases::Model& model, const std::string& folder);
 

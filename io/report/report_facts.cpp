@@ -16,6 +16,7 @@
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/measures/building.h"
+#include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
 #include "io/motion/motion_files.h"
 #include "io/replay/frame_reader.h"
@@ -116,6 +117,18 @@ void add_tables(const Hdf5File& file, Json& plots) {
   energy.push_back(curve("from ground and gravity", thinned(given, 0, 1, 1e-3)));
   plots.push_back(plot("Energy", "kJ", thinned(time), std::move(energy)));
   plots.back()["stack"] = true;
+}
+
+/// The capacity that a quasi-static analysis has found, with its curve.
+void add_capacity(const Hdf5File& file, Json& facts) {
+  const std::optional<Capacity> c = capacity_of(file);
+  if (!c) return;
+  facts["capacity"] = Json::parse(capacity_json(*c, true));
+  const Json time = thinned(c->curve.time);
+  Json& plots = facts["plots"];
+  if (c->kind != cases::AnalysisKind::settlement) plots.push_back(plot("Load factor", "", time, columns(c->curve.factor, {"load factor"})));
+  plots.push_back(plot("Base shear along the push", "kN", time, columns(c->curve.base_shear, {"base shear"}, 1e-3)));
+  plots.push_back(plot("Control point, along the push", "mm", time, columns(c->curve.displacement, {"displacement"}, 1000)));
 }
 
 /// Attributes that are there, as numbers.
@@ -241,6 +254,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["plots"] = Json::array();
   if (c) add_ground(*c, file, facts);
   add_measures(file, facts);
+  add_capacity(file, facts);
   add_histories(file, facts["plots"]);
   add_base_shear(file, facts["plots"]);
   add_tables(file, facts["plots"]);

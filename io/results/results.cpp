@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/files/errors.h"
+#include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
 
 namespace voussoir::io {
@@ -72,6 +73,26 @@ void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary
                      "sides; "
                      "peak_base_shear: N; peak_speed: m/s; " +
                          figure_units() + "; the others: 1");
+}
+
+void write_drive(Hdf5File& file, const solver::Drive& d) {
+  const std::string at = "/assessment";
+  file.make_group(at);
+  file.set_attribute(at, "frequency", d.frequency);
+  file.set_attribute(at, "damping", d.damping);
+  file.set_attribute(at, "pace", d.pace);
+  file.set_attribute(at, "compliance", d.compliance);
+  file.set_attribute(at, "stiffness", d.stiffness);
+  file.set_attribute(at, "fastest", d.fastest);
+  file.set_attribute(at, "weight", d.weight);
+  file.set_attribute(at, "speed", d.speed);
+  file.set_attribute(at, "quiet", d.quiet);
+  file.set_attribute(
+      at, "units",
+      std::string("frequency: Hz, the first with all joints closed; damping: 1/s; pace: s; compliance: m at a load factor of "
+                  "1; stiffness: load factor per m; fastest: m/s, of the moving end; weight: N, of all forces at a load factor of 1; "
+                  "speed: of the histories "
+                  "of supports, 1; quiet: J, less than this a structure has that follows its supports"));
 }
 
 }  // namespace
@@ -197,6 +218,20 @@ void ResultsWriter::frame(const solver::FrameView& frame) {
   write_if_due();
 }
 
+void ResultsWriter::assessment(const solver::AssessmentRow& row) {
+  RowBuffer& to = table(RowTable::assessment);
+  if (!to.begin(row.time)) return;
+  std::size_t column = 1;
+  for (const double value : {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over})
+    to.put(column++, value);
+  write_if_due();
+}
+
+void ResultsWriter::drive(const solver::Drive& d) {
+  drive_ = d;
+  stale_ = true;
+}
+
 void ResultsWriter::summary(const solver::Summary& s) {
   summary_ = s;
   stale_ = true;
@@ -209,7 +244,9 @@ void ResultsWriter::state_hash(std::uint64_t hash) {
 
 void ResultsWriter::measure() {
   flush();
-  measures_ = io::measure(Hdf5File::open(folder_ + "/run.h5"));
+  const Hdf5File run = Hdf5File::open(folder_ + "/run.h5");
+  measures_ = io::measure(run);
+  capacity_ = capacity_of(run);
   stale_ = true;
 }
 
@@ -267,7 +304,9 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   file.set_attribute("/case", "toml", case_toml_);
   write_provenance(file, provenance_, wall_clock());
   write_summary(file, summary_, state_hash_, finished_);
+  if (drive_) write_drive(file, *drive_);
   if (measures_) write_measures(file, *measures_);
+  if (capacity_) write_capacity(file, *capacity_);
   write_datasets(file, model_);
 }
 

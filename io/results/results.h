@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "io/measures/capacity.h"
 #include "io/measures/measures.h"
 #include "io/results/provenance.h"
 #include "io/results/results_model.h"
@@ -60,6 +61,9 @@ class ResultsWriter final : public solver::Recorder {
   void damage(const solver::DamageRow& row) override;
   void cracks(std::span<const solver::CrackRow> rows) override;
   void frame(const solver::FrameView& frame) override;
+  void assessment(const solver::AssessmentRow& row) override;
+  /// Stands in run.h5 from the next part on, as attributes of /assessment.
+  void drive(const solver::Drive& d) override;
   /// Stands in run.h5 from the next part on.
   void summary(const solver::Summary& s) override;
   /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
@@ -68,6 +72,9 @@ class ResultsWriter final : public solver::Recorder {
   /// Takes the measures of a collapse (measures.h) from all rows so far: they stand in run.h5 beside the summary from the next part on. For
   /// the end of a run or a stop. \throw FileError
   void measure();
+
+  /// What a quasi-static analysis has found, once measure() has looked.
+  [[nodiscard]] const std::optional<Capacity>& capacity() const noexcept { return capacity_; }
 
   /// Writes buffered rows as a part and replaces run.h5. Call it before a checkpoint is written: then a resume finds all rows up to it.
   /// \throw FileError
@@ -103,8 +110,10 @@ class ResultsWriter final : public solver::Recorder {
   std::array<RowBuffer, kRowTables> buffers_;
   std::vector<Part> parts_;
   std::optional<solver::Summary> summary_;
+  std::optional<solver::Drive> drive_;
   std::optional<std::uint64_t> state_hash_;
   std::optional<Measures> measures_;
+  std::optional<Capacity> capacity_;
   bool stale_ = false;  // run.h5 does not say all there is to say
   bool finished_ = false;
   std::uint64_t bytes_on_disk_ = 0;

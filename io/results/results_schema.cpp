@@ -88,6 +88,18 @@ TableSpec cracks_columns() {
           scalar("/cracks/first_time", "s", "when the segment reached its first limit")};
 }
 
+TableSpec assessment_columns() {
+  return {scalar("/assessment/time", "s", "time of the rows; zero is the start of a quasi-static analysis; a time history has no rows"),
+          scalar("/assessment/factor", "1", "load factor; of a tilt the tangent of the angle"),
+          scalar("/assessment/displacement", "m", "of the control point from time zero, along analysis.direction"),
+          scalar("/assessment/drift", "1", "displacement over the control point's height above the base"),
+          scalar("/assessment/moved", "m", "conjugate to the forces: their work is the integral of factor times weight over it"),
+          scalar("/assessment/base_shear", "N",
+                 "force along analysis.direction that base and supports bear, mean over a first period; mass damping is not in it"),
+          scalar("/assessment/support_moved", "m", "of the moving support that has gone farthest"),
+          scalar("/assessment/over", "1", "1 once the analysis has found what it looks for")};
+}
+
 TableSpec frames_columns(std::uint64_t n) {
   return {scalar("/frames/time", "s", "time of the frames; zero is the start of shaking"),
           {"/frames/position", f32, {n, 3}, {"m", "centroids of all elements, in axes that move with the base"}, {}},
@@ -114,7 +126,7 @@ TableSpec cuts_columns(std::span<const std::string> names) {
 }  // namespace
 
 const char* table_name(RowTable table) noexcept {
-  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames", "cuts"};
+  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames", "cuts", "assessment"};
   return names[static_cast<std::size_t>(table)];
 }
 
@@ -128,7 +140,7 @@ RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t e
   check_names("history", history_names);
   check_names("cut", cut_names);
   return {history_columns(history_names), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
-          frames_columns(elements),       cuts_columns(cut_names)};
+          frames_columns(elements),       cuts_columns(cut_names), assessment_columns()};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

@@ -16,11 +16,11 @@
 namespace voussoir::io {
 
 /// Version of the layout of run.h5, its attribute `schema_version`.
-inline constexpr std::int64_t kResultsSchema = 3;
+inline constexpr std::int64_t kResultsSchema = 4;
 
 /// The group of a table is "/" and its name: see table_name.
-enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts };
-inline constexpr std::size_t kRowTables = 7;
+enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts, assessment };
+inline constexpr std::size_t kRowTables = 8;
 
 [[nodiscard]] const char* table_name(RowTable table) noexcept;
 

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "io/files/errors.h"
+#include "io/measures/capacity_file.h"
 #include "io/measures/settling_warning.h"
 #include "io/session/exit_code.h"
 #include "io/session/progress.h"
@@ -199,14 +200,14 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
   const Signals signals;
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   try {
-    const solver::RunResult r =
-        solver::run(sim, plan, c, c.time.duration, results, [&](const solver::RunStatus& s) { return watch.look(s); });
+    const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
     watch.finish();
     const std::uint64_t hash = solver::state_hash(sim.world());
     results.state_hash(hash);
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);
+    if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
     print_stages(sim.stage_times());
     watch.print_checkpoints();
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;

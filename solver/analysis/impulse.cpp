@@ -25,6 +25,7 @@ cases::Case undamped(cases::Case c) {
   c.gravity.acceleration = {};
   c.damping = {};
   c.loads.clear();
+  c.analysis = {};
   c.output.history_interval = kImpulseInterval;  // an automatic step divides it
   if (c.time.step) c.time.step = dividing_step(*c.time.step);
   return c;

@@ -56,7 +56,7 @@ Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView&
 /// The structure in coordinates q with x = S q and Sᵀ M S = I, S = M^(−1/2) by element: a standard symmetric problem.
 class Structure {
  public:
-  explicit Structure(const World& w) : world_(w), row_(static_cast<std::size_t>(w.elements.rows), -1) {
+  Structure(const World& w, DryJoints dry) : world_(w), dry_(dry), row_(static_cast<std::size_t>(w.elements.rows), -1) {
     for (std::int32_t e = 0; e < w.elements.count; ++e) {
       if (w.elements.fixed[static_cast<std::size_t>(e)]) continue;
       row_[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(6 * scale_.size());
@@ -71,7 +71,7 @@ class Structure {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::int64_t id = 0; id < world_.sides.count(); ++id) {
       const auto i = static_cast<std::size_t>(id);
-      if (world_.sides.joint[i] < 0 || world_.sides.held[i] == 0) continue;
+      if (world_.sides.joint[i] < 0 || (world_.sides.held[i] == 0 && dry_ == DryJoints::open)) continue;
       const kernels::Side side = world_.sides.side(id);
       add(side_stiffness(side, world_.points.view(world_.sides.set[i])), {side.master, side.slave}, entries);
     }
@@ -132,6 +132,7 @@ class Structure {
   }
 
   const World& world_;
+  DryJoints dry_;
   std::vector<std::int32_t> row_;                   // by element; −1: fixed, or the base
   std::vector<Eigen::Matrix<double, 6, 6>> scale_;  // by element that moves
 };
@@ -160,8 +161,8 @@ class ShiftInverse {
 
 }  // namespace
 
-std::vector<Mode> natural_modes(const World& w, int count) {
-  const Structure structure(w);
+std::vector<Mode> natural_modes(const World& w, int count, DryJoints dry) {
+  const Structure structure(w, dry);
   const auto wanted = std::min<Eigen::Index>(count, structure.size() - 1);
   if (wanted < 1) return {};
   ShiftInverse inverse(structure.stiffness());

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solver/world/world.h"
 
 /// Natural modes of the undamaged structure: K φ = ω² M φ, with the springs of all bonded segments about the reference configuration.
-/// Gravity and contact are left out; so are joints without a bond.
+/// Gravity and contact are left out.
 namespace voussoir::solver {
 
 struct Mode {
@@ -17,9 +18,12 @@ struct Mode {
   std::vector<Vec3> rotation;      // rad by element, same scale
 };
 
+/// Joints without a bond: left out, or held as if bonded.
+enum class DryJoints : std::uint8_t { open, closed };
+
 /// The modes of lowest frequency, ascending; fewer than `count` where the structure has fewer degrees of freedom.
 /// Shift-invert Lanczos (Spectra) over a sparse LDLᵀ factor (Eigen): memory and time grow with the factor, some 20 s for 45 000 degrees of
 /// freedom. \pre count > 0 \throw NumericalError if the iteration does not converge
-std::vector<Mode> natural_modes(const World& w, int count);
+std::vector<Mode> natural_modes(const World& w, int count, DryJoints dry = DryJoints::open);
 
 }  // namespace voussoir::solver

@@ -28,6 +28,32 @@ struct EnergyRow {
   double residual = 0;
 };
 
+/// What a quasi-static analysis rests on; chosen before its first step (solver/analysis/drive.h).
+struct Drive {
+  double frequency = 0;   // Hz, the first, with all joints closed
+  double damping = 0;     // 1/s, mass damping
+  double pace = 0;        // s, in which the moving end gets e times as far; 0: not chosen
+  double compliance = 0;  // m, conjugate displacement at a load factor of 1 while nothing has cracked
+  double stiffness = 0;   // 1/m, load factor by which the spring pulls for a displacement
+  double first = 0;       // m, from which the moving end starts to grow
+  double fastest = 0;     // m/s, of the moving end
+  double weight = 0;      // N, of all forces at a load factor of 1
+  double speed = 1;       // of the histories of supports
+  double quiet = 0;       // J: a structure that follows its supports has less kinetic energy, one that falls has more
+};
+
+/// Where a quasi-static analysis is. Displacements are from time zero, along its direction.
+struct AssessmentRow {
+  double time = 0;           // s
+  double factor = 0;         // load factor; tangent of the tilt
+  double displacement = 0;   // m, of the control point
+  double drift = 0;          // that over its height above the base
+  double moved = 0;          // m, conjugate to the forces: their work is the integral of factor x weight over it
+  double base_shear = 0;     // N, that base and supports bear, mean over a first period
+  double support_moved = 0;  // m, of the support that has moved farthest
+  double over = 0;           // 1 once the analysis has found what it looks for
+};
+
 /// Force and moment about the origin that the base exerts on the structure.
 struct ForcesRow {
   double time = 0;               // s
@@ -104,6 +130,9 @@ class Recorder {
   virtual void cracks(std::span<const CrackRow> rows) = 0;
   virtual void frame(const FrameView& frame) = 0;
   virtual void summary(const Summary& s) = 0;
+  /// Of quasi-static analyses alone: once before the rows (of a resumed run, too), and at the ledger's interval.
+  virtual void drive(const Drive&) {}
+  virtual void assessment(const AssessmentRow&) {}
 };
 
 }  // namespace voussoir::solver

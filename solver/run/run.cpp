@@ -104,12 +104,14 @@ class Plan {
         tick_(tick),
         report_(sim, state, out),
         end_(end),
-        after_collapse_(c.time.after_collapse),
+        after_collapse_(cases::is_assessment(c.analysis) ? 0.0 : c.time.after_collapse),
         history_(in_steps(c.output.history_interval, sim.dt())),
         frame_(in_steps(c.output.frame_interval, sim.dt())),
         ledger_(in_steps(c.output.ledger_interval, sim.dt())),
         last_(last_step(sim, end)) {
     end_after_collapse();
+    end_with_program();
+    if (sim.program().active()) out.drive(sim.program().drive());
   }
 
   /// \return false if the tick stopped it
@@ -145,8 +147,10 @@ class Plan {
       sim_.step({.sample = history || ledger, .ledger = ledger});
       const StageTimer timer(sim_.stage_times(), Stage::output);
       ++state_.steps;
+      end_with_program();
       if (history) report_.samples(time);
       if (!ledger) continue;
+      if (sim_.program().active()) out_.assessment(sim_.program().row(sim_.world(), time));
       out_.forces(sim_.forces());
       if (!sim_.cuts().empty()) out_.cuts(time, sim_.cuts());
       report_.ledger(time);
@@ -163,6 +167,12 @@ class Plan {
     if (!after_collapse_ || state_.collapse < 0.0) return;
     end_ = std::min(end_, state_.collapse + *after_collapse_);
     last_ = std::min(last_, std::max(last_step(sim_, end_), last_step(sim_, state_.collapse) + 1));
+  }
+
+  /// Nor is the step in which an analysis has found what it looks for.
+  void end_with_program() {
+    const std::int64_t ended = sim_.program().ended();
+    if (ended > 0 && ended + 1 < last_) last_ = std::max(ended + 1, sim_.steps()), end_ = static_cast<double>(last_) * sim_.dt();
   }
 
   bool go_on() {

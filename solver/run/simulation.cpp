@@ -16,6 +16,7 @@
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
+#include "solver/run/loads.h"
 #include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 
@@ -61,24 +62,10 @@ Vec3 rotation_vector(Quaternion q, Quaternion start) {
   return (2.0 * std::atan2(s, w) / s) * v;
 }
 
-double ramp_share(double t, double begin, double end) {
-  if (t >= end) return 1.0;
-  return t <= begin ? 0.0 : (t - begin) / (end - begin);
-}
-
-Vec3 displacement_at(const cases::SupportHistory& h, double t) {
-  if (h.time.empty() || t < h.time.front()) return {};
-  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
-  const auto i = static_cast<std::size_t>(later - h.time.begin());
-  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
-  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
-  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
-}
-
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
-    : case_(c), motion_(motion), world_(build_world(c, m, o)) {
+    : case_(c), motion_(motion), world_(build_world(c, m, o)), program_(c, *world_) {
   World& w = *world_;
   list_live_blocks(w);
   forces_stage_.tasks = JointTasks(w);
@@ -122,10 +109,15 @@ Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? c
 
 kernels::BodyForces Simulation::body_forces() const {
   const double dt = world_->dt, t = static_cast<double>(step_) * dt;
-  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, phase_ == Phase::settling};
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, phase_ == Phase::settling || program_.active()};
   if (step_ == 0) return f;  // no interval behind the first step
   f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
   f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
+  if (phase_ == Phase::shaking && program_.active()) {
+    // As if the base were accelerated the other way.
+    f.ground = -1.0 * program_.acceleration();
+    f.mean_ground = -1.0 * program_.mean_acceleration();
+  }
   return f;
 }
 
@@ -135,7 +127,7 @@ void Simulation::place_supports() {
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 u = displacement_at(*s.history, t);
+    const Vec3 u = value_at(*s.history, program_.support_time(t));
     const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
     world_->travel.add(s.element, jump);
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
@@ -150,7 +142,7 @@ void Simulation::move_supports_on() {
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 v = (displacement_at(*s.history, t + dt) - displacement_at(*s.history, t)) / dt;
+    const Vec3 v = (value_at(*s.history, program_.support_time(t + dt)) - value_at(*s.history, program_.support_time(t))) / dt;
     // `kick` has counted the dashpots' loss with the new velocity, since it does not change that of fixed elements; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
     e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=
@@ -161,19 +153,9 @@ void Simulation::move_supports_on() {
 
 void Simulation::apply_loads() {
   World& w = *world_;
-  const double t = phase_ == Phase::settling ? 0.0 : static_cast<double>(step_) * w.dt;
-  for (std::size_t k = 0; k < w.loads.size(); ++k) {
-    const PointLoad& l = w.loads[k];
-    const auto i = static_cast<std::size_t>(l.element);
-    const double share = ramp_share(t, l.ramp_begin, l.ramp_end);
-    const Vec3 arm = l.arm + kernels::load_pose(w.elements.pose.data(), l.element).d * l.arm;
-    const Vec3 force = share * l.force, moment = share * l.moment + cross(arm, force);
-    kernels::add_wrench(w.elements.wrench.data(), l.element, force, moment);
-    const Vec3 v{w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]}, spin{w.elements.wx[i], w.elements.wy[i], w.elements.wz[i]};
-    if (step_ > 0) ledger_.add_load_work(0.5 * w.dt * (dot(force + load_before_[2 * k], v) + dot(moment + load_before_[2 * k + 1], spin)));
-    load_before_[2 * k] = force;
-    load_before_[2 * k + 1] = moment;
-  }
+  const bool shaking = phase_ == Phase::shaking;
+  if (shaking) ledger_.add_load_work(program_.add_forces(w));
+  solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
 // Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
@@ -316,6 +298,7 @@ void Simulation::step(Due due) {
     measure_base_forces();
     note_velocities();
   }
+  if (phase_ == Phase::shaking) program_.advance(w, step_);
   apply_loads();
   move_supports_on();
   const kernels::BodyForces f = body_forces();
@@ -353,6 +336,7 @@ void Simulation::start_shaking() {
     set_initial_velocities(*world_);
     e.alpha = case_alpha_;
   }
+  if (program_.active()) set_damping(program_.drive().damping);
   if (world_->drop_debris_damping) {
     for (std::size_t i = 0; i < e.bonds.size(); ++i) {
       if (e.bonds[i] == 0) e.alpha[i] = 0.0;
@@ -361,6 +345,7 @@ void Simulation::start_shaking() {
   phase_ = Phase::shaking;
   step_ = 0;
   ledger_.restart(*world_);
+  program_.begin(*world_);
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     const auto i = static_cast<std::size_t>(followed_[k]);
     start_[k] = {e.ux[i], e.uy[i], e.uz[i]};

@@ -14,6 +14,7 @@
 #include "solver/run/damage.h"
 #include "solver/run/forces.h"
 #include "solver/run/ledger.h"
+#include "solver/run/load_program.h"
 #include "solver/run/recorder.h"
 #include "solver/world/stages.h"
 #include "solver/world/world.h"
@@ -48,6 +49,10 @@ class Simulation {
   /// Of the teams that compute the next steps. No bit depends on it.
   void set_threads(int threads) { world_->threads = threads; }
   [[nodiscard]] int threads() const { return world_->threads; }
+
+  /// What a quasi-static analysis does; of a time history it does nothing.
+  [[nodiscard]] const LoadProgram& program() const { return program_; }
+  [[nodiscard]] LoadProgram& program() { return program_; }
 
   /// While settling: gravity is up and (nearly) nothing moves any more. Told only by a step that had a ledger row.
   [[nodiscard]] bool at_rest() const;
@@ -97,6 +102,7 @@ class Simulation {
   const cases::Case& case_;
   cases::GroundMotion motion_;
   std::unique_ptr<World> world_;
+  LoadProgram program_;
   Phase phase_ = Phase::shaking;
   std::int64_t step_ = 0;
   Vec3 full_gravity_;            // m/s2, tilted

@@ -59,7 +59,17 @@ void set_up_loads(World& w, const cases::Case& c) {
   };
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
-    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"), l.force, l.moment, {}, l.ramp[0], l.ramp[1]};
+    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"),
+                l.force,
+                l.moment,
+                {},
+                l.ramp[0],
+                l.ramp[1],
+                nullptr,
+                l.follows,
+                l.grows};
+    if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
+      p.history = &w.model.support_motions[static_cast<std::size_t>(h)];
     if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(p.element)].mass.centroid;
     w.loads.push_back(p);
   }

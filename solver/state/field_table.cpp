@@ -163,6 +163,15 @@ struct FieldTable {
     t.push_back({"ledger_last_row", "s, J, -", "run", FieldType::f64, &l.last_, 1, 11});
   }
 
+  /// Of a quasi-static analysis alone: checkpoints and hashes of time histories hold nothing of it.
+  static void add(Table& t, LoadProgram& p) {
+    if (!p.active()) return;
+    static_assert(sizeof(Drive) % sizeof(double) == 0 && sizeof(LoadProgram::State) % sizeof(double) == 0);
+    t.push_back({"program_drive", "SI", "run", FieldType::f64, &p.drive_, 1, sizeof(Drive) / sizeof(double)});
+    t.push_back({"program", "SI", "run", FieldType::f64, &p.state_, 1, sizeof(LoadProgram::State) / sizeof(double)});
+    t.push_back(rows<double>("program_shape", "-", "element", p.shape_, 3));
+  }
+
   static void add(Table& t, Simulation& s) {
     static_assert(sizeof(Damage) == 5 * sizeof(std::int64_t) && sizeof(Vec3) == 3 * sizeof(double) &&
                   sizeof(Quaternion) == 4 * sizeof(double));
@@ -175,6 +184,7 @@ struct FieldTable {
     t.push_back(rows<double>("followed_start", "m", "history", s.start_, 3));
     t.push_back(rows<double>("followed_turned", "-", "history", s.turned_, 4));
     add(t, s.ledger_);
+    add(t, s.program_);
   }
 };
 

@@ -28,8 +28,8 @@ struct Options {
   bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
   std::size_t out_of_cache_from =
-      25'000;       // elements from which a model is out of cache, see World::out_of_cache; a number of its own, or bits would depend on caches
-  int threads = 0;  // 0: OpenMP's default
+      25'000;  // elements from which a model is out of cache, see World::out_of_cache; a number of its own, or bits would depend on caches
+  int threads = 0;             // 0: OpenMP's default
   std::optional<double> step;  // s; overrides the case
 };
 
@@ -187,8 +187,11 @@ struct Overlaps {
 /// Loads and supports that act on single elements.
 struct PointLoad {
   std::int32_t element = 0;
-  Vec3 force, moment, arm;              // arm: from the centroid, body axes
-  double ramp_begin = 0, ramp_end = 0;  // s
+  Vec3 force, moment, arm;                         // arm: from the centroid, body axes
+  double ramp_begin = 0, ramp_end = 0;             // s
+  const cases::SupportHistory* history = nullptr;  // of the force, in place of the ramp
+  bool follows = false;                            // force and moment turn with the element
+  bool grows = false;                              // multiplied by the load factor (run/load_program.h)
 };
 struct Support {
   std::int32_t element = 0;

@@ -318,7 +318,7 @@ TEST_CASE("supports move with a velocity, or by a file that io reads") {
   m = build_model(c);
   CHECK(m.support_motions[0].file == "lift.csv");
   CHECK(m.support_motions[0].time.empty());
-  CHECK(m.support_motions[0].key == "block[0].motion");
+  CHECK(m.support_motions[0].key == "block[0].motion.file");
 }
 
 TEST_CASE("loads act on free blocks that exist") {

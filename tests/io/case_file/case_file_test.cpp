@@ -197,6 +197,7 @@ TEST_CASE("case file: every key of blocks and loads is read") {
   CHECK(c.loads[0].moment == Vec3{4.0, 5.0, 6.0});
   CHECK(c.loads[0].at == Vec3{0.1, 0.05, 0.15});
   CHECK(c.loads[0].ramp == std::array{0.25, 0.5});
+  CHECK(c.loads[0].follows);
 }
 
 TEST_CASE("case file: the example of the manual is read") {
@@ -301,6 +302,7 @@ TEST_CASE("key reference: all tables and their keys") {
                              "[[joints.between]]",
                              "[contact]",
                              "[[contact.between]]",
+                             "[analysis]",
                              "[motion]",
                              "[segments]",
                              "[output]",

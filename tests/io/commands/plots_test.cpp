@@ -97,6 +97,12 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   for (const char* word : {"First, 0.10 s", "run, 0.10 s", "y, m"}) CHECK(has(drawn, word));
   drawn = figure(py, folder, "plot_energy.py", "Pair=" + run);
   for (const char* word : {"Pair", "ground and gravity", "fracture", "energy, kJ", "residual"}) CHECK(has(drawn, word));
+  const std::string pushed = folder.path("pushed");
+  REQUIRE(code_of(voussoir + " run " + folder.path("case.toml") + " --set analysis.kind=pushover --set analysis.longest=0.1 -j 1 -o " +
+                  pushed) == 0);
+  drawn = figure(py, folder, "plot_capacity.py", "Pushed=" + pushed + " --bilinear");
+  for (const char* word : {"Pushed", "base shear, kN", "displacement of the control point, mm"}) CHECK(has(drawn, word));
+  CHECK(code_of(py + script("plot_capacity.py") + run) == 1);
   drawn = figure(py, folder, "plot_spectra.py", table + " --quantity Sd --over period");
   for (const char* word : {"bam-like L, 2 %", "bam-like V, 2 %", "period, s", "displacement, m"}) CHECK(has(drawn, word));
 

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/capacity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "io/case_file/case_file.h"
+#include "io/files/hdf5_file.h"
+#include "io/measures/bodies.h"
+#include "io/replay/frame_reader.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr double kWindow = 0.25;       // of the pace, before the largest load factor, in which motion is looked at
+constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
+constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
+constexpr double kItalianShare = 0.6;  // of the largest base shear: the elastic branch goes through it
+constexpr double kSecondsBefore = 1e-9;
+
+using Values = std::vector<double>;
+
+/// Where `y` first passes `level` between rows `from` and `to`, as a value of x; NaN: it does not.
+double crossing(const Values& x, const Values& y, std::size_t from, std::size_t to, double level) {
+  for (std::size_t i = std::max<std::size_t>(from, 1); i <= to && i < y.size(); ++i) {
+    const double a = y[i - 1] - level, b = y[i] - level;
+    if (a == 0.0) return x[i - 1];
+    if ((a < 0.0) != (b < 0.0)) return x[i - 1] + (x[i] - x[i - 1]) * a / (a - b);
+  }
+  return Bilinear::kNone;
+}
+
+/// ∫ y dx up to where x passes `end` for the first time after row `from`.
+double area(const Values& x, const Values& y, std::size_t from, double end) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (i > from && x[i] >= end) return sum + (end - x[i - 1]) * y[i - 1];
+    sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  }
+  return sum;
+}
+
+Bilinear finished(Bilinear b) {
+  b.ductility = b.ultimate / b.yield;
+  return b;
+}
+
+/// EN 1998-1, B.3: the plateau is the largest base shear, the areas up to its displacement are equal.
+Bilinear ec8_of(const Capacity& c, std::size_t peak) {
+  Bilinear b;
+  b.force = c.peak_shear;
+  b.yield = 2.0 * (c.peak_displacement - area(c.curve.displacement, c.curve.base_shear, peak, c.peak_displacement) / b.force);
+  b.stiffness = b.force / b.yield;
+  b.ultimate = c.ultimate_displacement;
+  return finished(b);
+}
+
+/// Circolare 7/2019, C7.3.4.2: through the point at 0.6 of the largest base shear; equal areas up to the ultimate displacement.
+Bilinear ntc_of(const Capacity& c, std::size_t peak) {
+  Bilinear b;
+  const double at = crossing(c.curve.displacement, c.curve.base_shear, 0, peak, kItalianShare * c.peak_shear);
+  b.stiffness = kItalianShare * c.peak_shear / at;
+  b.ultimate = c.ultimate_displacement;
+  const double below = area(c.curve.displacement, c.curve.base_shear, peak, b.ultimate);
+  b.force = b.stiffness * (b.ultimate - std::sqrt(b.ultimate * b.ultimate - 2.0 * below / b.stiffness));
+  b.yield = b.force / b.stiffness;
+  return finished(b);
+}
+
+/// What went into motion and mass damping of the work put in during a last part of the pace.
+void look_at_motion(Capacity& c, double pace) {
+  const CapacityCurve& r = c.curve;
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
+  c.multiplier = r.factor[peak], c.multiplier_time = r.time[peak], c.multiplier_displacement = r.displacement[peak];
+  c.least_factor = *std::ranges::min_element(r.factor);
+  std::size_t from = peak;
+  while (from > 0 && r.time[from] > r.time[peak] - kWindow * pace + kSecondsBefore) --from;
+  const double work = r.input[peak] - r.input[from];
+  const double motion = r.kinetic[peak] - r.kinetic[from] + r.damping[peak] - r.damping[from];
+  c.motion_share = work > 0.0 ? motion / work : 0.0;
+  c.multiplier_at_rest = c.multiplier * (1.0 - c.motion_share);
+  for (std::size_t i = 0; i <= peak; ++i) {
+    const double put_in = r.input[i] - r.input.front();
+    if (r.factor[i] >= kLoaded * c.multiplier && put_in > 0.0) c.kinetic_share = std::max(c.kinetic_share, r.kinetic[i] / put_in);
+  }
+}
+
+void look_at_shear(Capacity& c, double drop) {
+  const CapacityCurve& r = c.curve;
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.base_shear) - r.base_shear.begin());
+  c.peak_shear = r.base_shear[peak], c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
+  if (c.peak_shear <= 0.0) return;
+  c.first_stiffness = kFirstShare * c.peak_shear / crossing(r.displacement, r.base_shear, 0, peak, kFirstShare * c.peak_shear);
+  const double left = (1.0 - drop) * c.peak_shear;
+  c.ultimate_displacement = crossing(r.displacement, r.base_shear, peak + 1, r.time.size(), left);
+  c.ultimate_drift = crossing(r.drift, r.base_shear, peak + 1, r.time.size(), left);
+  c.ec8 = ec8_of(c, peak);
+  c.ntc = ntc_of(c, peak);
+}
+
+/// Work of the pattern's forces, and where all work went.
+void look_at_loops(Capacity& c, double weight) {
+  const CapacityCurve& r = c.curve;
+  for (std::size_t i = 1; i < r.time.size(); ++i)
+    c.loop_area += 0.5 * weight * (r.factor[i] + r.factor[i - 1]) * (r.moved[i] - r.moved[i - 1]);
+  c.dissipated = r.losses.back() - r.losses.front();
+  c.stored = r.stored.back() - r.stored.front();
+}
+
+/// The last moment in which the structure did no more than follow its supports.
+void look_at_fall(Capacity& c, double quiet) {
+  const CapacityCurve& r = c.curve;
+  std::size_t i = r.time.size();
+  while (i > 0 && r.kinetic[i - 1] > quiet) --i;
+  if (i == 0 || i == r.time.size()) return;
+  c.collapse_movement = r.support_moved[i - 1], c.collapse_time = r.time[i - 1];
+}
+
+std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frames, const Building& building, std::uint64_t frame) {
+  BodyFinder finder(run, building, first_poses(frames));
+  std::vector<std::string> names;
+  for (const Body& b : finder.find(frames.times()[frame], poses_of(frames, frame)).bodies) names.push_back(body_name(b, building));
+  return names;
+}
+
+/// Bodies at the largest load factor, and at the end, where they have moved enough to be told apart.
+void look_at_mechanism(const Hdf5File& run, Capacity& c) {
+  const FrameReader frames(run);
+  if (frames.frames() == 0) return;
+  const Building building = building_of(run);
+  const auto& times = frames.times();
+  const auto next = static_cast<std::uint64_t>(std::ranges::lower_bound(times, c.multiplier_time) - times.begin());
+  const std::uint64_t at = std::min(next, frames.frames() - 1);
+  c.mechanism = bodies_at(run, frames, building, at);
+  c.mechanism_time = times[at];
+  c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
+}
+
+const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed) {
+  const CapacityCurve& r = c.curve;
+  if (r.over.back() == 0.0) return collapsed ? "collapse" : r.time.back() < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
+  if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
+  if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
+  return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
+}
+
+/// Rows of /assessment; those of /energy at the same times, which both have from time zero on.
+CapacityCurve curve_of(const Hdf5File& run) {
+  const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
+  CapacityCurve c{of("time"),
+                  of("factor"),
+                  of("displacement"),
+                  of("drift"),
+                  of("moved"),
+                  of("base_shear"),
+                  of("support_moved"),
+                  of("over"),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
+  const auto time = run.read<double>("/energy/time");
+  const auto column = [&](const char* name) { return run.read<double>(std::string("/energy/") + name); };
+  const Values input = column("input"), kinetic = column("kinetic"), damping = column("damping"), dashpot = column("dashpot"),
+               friction = column("friction"), fracture = column("fracture"), strain = column("strain"), contact = column("contact"),
+               gravity = column("gravity");
+  std::size_t k = 0, kept = 0;
+  for (; kept < c.time.size(); ++kept) {
+    while (k < time.size() && time[k] < c.time[kept]) ++k;
+    if (k == time.size()) break;
+    c.input.push_back(input[k]), c.kinetic.push_back(kinetic[k]), c.damping.push_back(damping[k]);
+    c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
+    c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
+  }
+  for (Values* v : {&c.time, &c.factor, &c.displacement, &c.drift, &c.moved, &c.base_shear, &c.support_moved, &c.over}) v->resize(kept);
+  return c;
+}
+
+}  // namespace
+
+Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve) {
+  Capacity c;
+  c.kind = kind;
+  c.curve = std::move(curve);
+  if (kind == cases::AnalysisKind::settlement) {
+    look_at_fall(c, quiet);
+    return c;
+  }
+  look_at_motion(c, pace);
+  look_at_loops(c, weight);
+  if (kind != cases::AnalysisKind::cyclic) look_at_shear(c, drop);
+  return c;
+}
+
+std::optional<Capacity> capacity_of(const Hdf5File& run) {
+  if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
+  CapacityCurve curve = curve_of(run);
+  if (curve.time.empty()) return {};
+  const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
+  const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
+  Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
+  const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
+  c.ended = why_ended(c, a, collapsed);
+  look_at_mechanism(run, c);
+  return c;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/analysis.h"
+
+/// What a quasi-static analysis has found: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and their
+/// sources: io/MEASURES.md.
+namespace voussoir::io {
+
+class Hdf5File;
+
+/// Rows of /assessment and the energies of the same times.
+struct CapacityCurve {
+  std::vector<double> time;                                            // s
+  std::vector<double> factor, displacement, drift, moved, base_shear;  // 1, m, 1, m, N
+  std::vector<double> support_moved, over;                             // m, 0 or 1
+  std::vector<double> input, kinetic, damping, losses, stored;         // J; losses include damping, stored includes kinetic
+};
+
+/// An elastic-perfectly plastic curve.
+struct Bilinear {
+  double stiffness = kNone, force = kNone, yield = kNone, ultimate = kNone, ductility = kNone;  // N/m, N, m, m, 1
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct Capacity {
+  cases::AnalysisKind kind = cases::AnalysisKind::pushover;
+  std::string ended;                // why: see MEASURES.md
+  double multiplier = 0.0;          // the largest load factor
+  double multiplier_at_rest = 0.0;  // the same without what inertia and mass damping bore then
+  double motion_share = 0.0;        // of the work put in before the largest load factor, what went into motion and mass damping
+  double kinetic_share = 0.0;       // the largest kinetic energy over the work put in, until then
+  double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // s, m of the control point
+  double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
+  double first_stiffness = Bilinear::kNone;                                          // N/m
+  double ultimate_displacement = Bilinear::kNone, ultimate_drift = Bilinear::kNone;  // m, 1
+  Bilinear ec8, ntc;
+  double least_factor = 0.0;                               // cyclic: the largest the other way
+  double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; what stores have gained
+  double collapse_movement = Bilinear::kNone, collapse_time = Bilinear::kNone;  // settlement: m of a support, s, from which on it falls
+  std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, and what they do
+  double mechanism_time = 0.0;                                                  // s, of the frame
+  CapacityCurve curve;
+};
+
+/// Nothing of a time history, or of an analysis that has no rows yet. \throw FileError
+std::optional<Capacity> capacity_of(const Hdf5File& run);
+
+/// The curve alone, without frames: for tests and what needs no mechanism.
+Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve);
+
+}  // namespace voussoir::io

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/capacity_file.h"
+
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "io/files/hdf5_file.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using cases::AnalysisKind;
+
+constexpr double kSlow = 0.01;  // share of the work that may go into motion before a result counts as one of its rate
+
+std::string name_of(AnalysisKind kind) {
+  constexpr std::array names{"time-history", "pushover", "tilt", "settlement", "cyclic"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+bool is_slow(const Capacity& c) { return std::abs(c.motion_share) <= kSlow && c.kinetic_share <= kSlow; }
+
+void add_bilinear(std::vector<Figure>& to, const std::array<const char*, 4>& names, const Bilinear& b) {
+  to.push_back({names[0], b.stiffness, "N/m (NaN: none)"});
+  to.push_back({names[1], b.force, "N (NaN: none)"});
+  to.push_back({names[2], b.yield, "m (NaN: none)"});
+  to.push_back({names[3], b.ductility, "1 (NaN: none)"});
+}
+
+__attribute__((format(printf, 2, 3))) std::string line(const char* name, const char* format, ...) {
+  std::array<char, 300> value{}, all{};
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(value.data(), value.size(), format, arguments);
+  va_end(arguments);
+  std::snprintf(all.data(), all.size(), "%-21s%.270s\n", name, value.data());
+  return all.data();
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& n : names) text += (text.empty() ? "" : "; ") + n;
+  return text.empty() ? "none" : text;
+}
+
+std::string bilinear_text(const char* name, const Bilinear& b) {
+  if (std::isnan(b.yield)) return line(name, "none");
+  return line(name, "%.1f kN from %.3f mm on (%.4g kN/mm), ductility %s", 1e-3 * b.force, 1e3 * b.yield, 1e-6 * b.stiffness,
+              std::isnan(b.ductility) ? "not reached" : std::to_string(b.ductility).substr(0, 5).c_str());
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const Capacity& c) {
+  std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
+  if (c.kind == AnalysisKind::settlement) {
+    f.push_back({"collapse_movement", c.collapse_movement, "m of a support (NaN: never)"});
+    f.push_back({"collapse_time", c.collapse_time, "s (NaN: never)"});
+    return f;
+  }
+  f.push_back({"multiplier", c.multiplier, "1"});
+  f.push_back({"multiplier_at_rest", c.multiplier_at_rest, "1"});
+  f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
+  f.push_back({"multiplier_time", c.multiplier_time, "s"});
+  f.push_back({"motion_share", c.motion_share, "1"});
+  f.push_back({"kinetic_share", c.kinetic_share, "1"});
+  f.push_back({"slow", std::int64_t{is_slow(c)}, "0: the result depends on the rate"});
+  f.push_back({"loop_area", c.loop_area, "J"});
+  f.push_back({"dissipated", c.dissipated, "J"});
+  f.push_back({"stored", c.stored, "J"});
+  if (c.kind == AnalysisKind::cyclic) {
+    f.push_back({"least_factor", c.least_factor, "1"});
+    return f;
+  }
+  f.push_back({"peak_shear", c.peak_shear, "N"});
+  f.push_back({"peak_displacement", c.peak_displacement, "m"});
+  f.push_back({"peak_time", c.peak_time, "s"});
+  f.push_back({"first_stiffness", c.first_stiffness, "N/m (NaN: none)"});
+  f.push_back({"ultimate_displacement", c.ultimate_displacement, "m (NaN: not reached)"});
+  f.push_back({"ultimate_drift", c.ultimate_drift, "1 (NaN: not reached)"});
+  add_bilinear(f, {"ec8_stiffness", "ec8_force", "ec8_yield", "ec8_ductility"}, c.ec8);
+  add_bilinear(f, {"ntc_stiffness", "ntc_force", "ntc_yield", "ntc_ductility"}, c.ntc);
+  return f;
+}
+
+std::string capacity_json(const Capacity& c, bool with_curve) {
+  Json out;
+  for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
+  out["mechanism"] = c.mechanism;
+  out["mechanism_time"] = c.mechanism_time;
+  out["mechanism_at_end"] = c.mechanism_at_end;
+  if (with_curve) {
+    const CapacityCurve& r = c.curve;
+    out["curve"] = {{"time", r.time},   {"factor", r.factor},         {"displacement", r.displacement},  {"drift", r.drift},
+                    {"moved", r.moved}, {"base_shear", r.base_shear}, {"support_moved", r.support_moved}};
+  }
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string capacity_text(const Capacity& c) {
+  std::string text = line("analysis", "%s, ended by: %s", name_of(c.kind).c_str(), c.ended.c_str());
+  if (c.kind == AnalysisKind::settlement) {
+    text += std::isnan(c.collapse_movement) ? line("fell", "never; supports moved by %.4f m", c.curve.support_moved.back())
+                                            : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
+    return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
+  }
+  text += line(c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor", "%.4f at %.3f mm of the control point; at rest %.4f",
+               c.multiplier, 1e3 * c.multiplier_displacement, c.multiplier_at_rest);
+  text += line("rate", "%.2g of the work before it went into motion, kinetic energy at most %.2g of the work: %s", c.motion_share,
+               c.kinetic_share, is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
+  if (c.kind == AnalysisKind::cyclic) {
+    text += line("the other way", "%.4f", c.least_factor);
+    text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);
+  } else {
+    text += line("largest base shear", "%.2f kN at %.3f mm; first stiffness %.4g kN/mm", 1e-3 * c.peak_shear, 1e3 * c.peak_displacement,
+                 1e-6 * c.first_stiffness);
+    text += std::isnan(c.ultimate_displacement)
+                ? line("ultimate", "not reached")
+                : line("ultimate", "%.3f mm, drift %.3f %%", 1e3 * c.ultimate_displacement, 1e2 * c.ultimate_drift);
+    text += bilinear_text("bilinear, EC 8", c.ec8);
+    text += bilinear_text("bilinear, NTC 2018", c.ntc);
+  }
+  return text + "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
+}
+
+void write_capacity(Hdf5File& file, const Capacity& c) {
+  const std::string at = "/capacity";
+  file.make_group(at);
+  std::string units;
+  for (const Figure& f : figures_of(c)) {
+    std::visit([&](const auto& value) { file.set_attribute(at, f.name, value); }, f.value);
+    units.append(units.empty() ? "" : "; ").append(f.name).append(": ").append(f.unit);
+  }
+  file.set_attribute(at, "mechanism_time", c.mechanism_time);
+  file.set_attribute(at, "units", units + "; mechanism_time: s");
+  file.write_strings(at + "/mechanism", c.mechanism, {"1", "bodies that move as one at the largest load factor, and what they do"});
+  file.write_strings(at + "/mechanism_at_end", c.mechanism_at_end, {"1", "the same at the end"});
+}
+
+}  // namespace voussoir::io

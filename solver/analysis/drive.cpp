@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/analysis/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solver/analysis/modes.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+using cases::AnalysisKind;
+using cases::LoadPattern;
+
+constexpr int kModes = 12;
+constexpr double kStill = 0.05;                     // Hz: what is slower is no vibration, but a body that is free to turn or to slide
+constexpr double kNoModes = 10.0;                   // Hz, of a structure without a joint
+constexpr double kDampingRatio = 0.1;               // of critical, at the first frequency
+constexpr double kPeriods = 20.0;                   // first periods in a pace
+constexpr double kShortestPace = 2.0;               // s
+constexpr double kFirstFactor = 0.05;               // load factor that the first pace brings, times e − 1, while nothing has cracked
+constexpr double kShare = 0.5, kCyclicShare = 5.0;  // of the first stiffness: see Analysis::share
+constexpr double kStepMargin = 2e-3;                // of the square of the highest frequency that the step bears: what the spring may add
+constexpr double kSupportShare = 0.01;              // of the height, in a pace: how fast supports move
+constexpr double kEndShare = 0.002;                 // of the height, in a pace: as fast as the moving end goes at most
+constexpr double kDrag = 0.002;           // of the weight: what mass damping may bear of a structure that moves as fast as the moving end
+constexpr double kSupportDrag = 0.005;    // the same of one that moves as fast as its supports
+constexpr double kQuiet = 10.0;           // times as fast as its supports a structure may move that stands on them
+constexpr double kLeastMassShare = 1e-3;  // of a mode, in the direction of a push
+
+struct Totals {
+  double mass = 0.0, height = 0.0;  // kg, m
+};
+Totals totals(const World& w) {
+  Totals t;
+  double low = 1e300, high = -1e300;
+  const Elements& e = w.elements;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    if (e.fixed[i]) continue;
+    t.mass += e.mass[i];
+    low = std::min(low, e.body[i].ref.z - e.radius[i]), high = std::max(high, e.body[i].ref.z + e.radius[i]);
+  }
+  t.height = high - low;
+  return t;
+}
+
+Vec3 push_of(const cases::Analysis& a) {
+  const double length = std::hypot(a.direction[0], a.direction[1]);
+  return {a.direction[0] / length, a.direction[1] / length, 0.0};
+}
+
+/// Power of the forces at a load factor of 1 with the motion of a mode; and what Σ p²/m is of them [N, N²/kg].
+struct PatternOnMode {
+  double power = 0.0, square = 0.0;
+};
+PatternOnMode on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
+  const Elements& e = w.elements;
+  PatternOnMode out;
+  if (c.analysis.kind == AnalysisKind::cyclic || c.analysis.pattern == LoadPattern::given) {
+    for (const PointLoad& l : w.loads) {
+      const auto i = static_cast<std::size_t>(l.element);
+      if (!l.grows) continue;
+      out.power += dot(l.force, m.displacement[i]) + dot(l.moment + cross(l.arm, l.force), m.rotation[i]);
+      out.square += dot(l.force, l.force) * e.inv_mass[i];
+    }
+    return out;
+  }
+  for (std::size_t i = 0; i < m.displacement.size(); ++i) {
+    if (e.fixed[i]) continue;
+    out.power += g * e.mass[i] * dot(push, m.displacement[i]);
+    out.square += g * g * e.mass[i];
+  }
+  return out;
+}
+
+double modal_mass(const World& w, const Mode& m) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < m.displacement.size(); ++i) sum += w.elements.mass[i] * dot(m.displacement[i], m.displacement[i]);
+  return sum;
+}
+
+double square_of(double frequency) { return std::pow(2.0 * std::numbers::pi * frequency, 2); }
+
+/// Modes that vibrate.
+std::vector<Mode> modes_of(const World& w) {
+  std::vector<Mode> all = natural_modes(w, kModes, DryJoints::closed);
+  std::erase_if(all, [](const Mode& m) { return m.frequency < kStill; });
+  return all;
+}
+
+/// The mode with most mass along the push, so scaled that its mean by mass along it is 1: then λ is still a share of the weight.
+std::vector<Vec3> shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double mass) {
+  const Mode* best = nullptr;
+  double most = kLeastMassShare, mean = 0.0;
+  for (const Mode& m : modes) {
+    double along = 0.0;
+    for (std::size_t i = 0; i < m.displacement.size(); ++i) along += w.elements.mass[i] * dot(push, m.displacement[i]);
+    const double share = along * along / (modal_mass(w, m) * mass);
+    if (share > most) best = &m, most = share, mean = along / mass;
+  }
+  if (best == nullptr) throw cases::InputError("analysis.direction", "no mode of the structure has mass in this direction");
+  std::vector<Vec3> shape = best->displacement;
+  for (Vec3& v : shape) v *= 1.0 / mean;
+  return shape;
+}
+
+double weight_of(const cases::Case& c, const World& w, double gravity, double mass) {
+  if (c.analysis.kind != AnalysisKind::cyclic && c.analysis.pattern != LoadPattern::given) return gravity * mass;
+  double sum = 0.0;
+  for (const PointLoad& l : w.loads) sum += l.grows ? norm(l.force) : 0.0;
+  return sum;
+}
+
+/// So that supports go kSupportShare of the height in a pace.
+double support_speed(const World& w, double wanted) {
+  double fastest = 0.0;
+  for (const Support& s : w.supports) {
+    for (std::size_t i = 1; i < s.history->time.size(); ++i) {
+      fastest = std::max(fastest,
+                         norm(s.history->displacement[i] - s.history->displacement[i - 1]) / (s.history->time[i] - s.history->time[i - 1]));
+    }
+  }
+  return fastest > 0.0 ? wanted / fastest : 1.0;
+}
+
+}  // namespace
+
+void choose_drive(Simulation& sim, const cases::Case& c) {
+  if (!sim.program().active()) return;
+  const World& w = sim.world();
+  const cases::Analysis& a = c.analysis;
+  const double g = norm(c.gravity.acceleration);
+  const Totals all = totals(w);
+  const Vec3 push = push_of(a);
+  const std::vector<Mode> modes = modes_of(w);
+  Drive d;
+  d.frequency = modes.empty() ? kNoModes : modes.front().frequency;
+  // By the pace that the program would choose, so that a slower one makes less drag, not more damping.
+  const double own_pace = std::max(kShortestPace, kPeriods / d.frequency), tall = g > 0.0 ? all.height / g : 0.0;
+  const bool settles = a.kind == AnalysisKind::settlement;
+  const double drag = settles ? kSupportDrag / kSupportShare : kDrag / kEndShare;
+  d.pace = a.pace.value_or(own_pace);
+  d.damping = 2.0 * kDampingRatio * std::sqrt(square_of(d.frequency));
+  if (tall > 0.0) d.damping = std::min(d.damping, drag * own_pace / tall);
+  d.damping = a.damping.value_or(d.damping);
+  d.fastest = kEndShare * all.height / d.pace;
+  d.weight = weight_of(c, w, g, all.mass);
+  if (settles) {
+    const double speed = kSupportShare * all.height / d.pace;
+    d.speed = support_speed(w, speed);
+    d.quiet = 0.5 * all.mass * std::pow(kQuiet * speed, 2);
+    sim.program().set(d, {});
+    return;
+  }
+  std::vector<Vec3> shape;
+  double square = 0.0;  // Σ p²/m, N²/kg
+  if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
+    shape = shape_of(modes, w, push, all.mass);
+    for (std::size_t i = 0; i < shape.size(); ++i) square += g * g * w.elements.mass[i] * dot(shape[i], shape[i]);
+    d.compliance = square / (square_of(d.frequency) * d.weight);
+  } else {
+    for (const Mode& m : modes) {
+      const PatternOnMode p = on_mode(c, w, m, push, g);
+      square = p.square;
+      d.compliance += p.power * p.power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
+    }
+  }
+  if (d.compliance <= 0.0) d.compliance = g / square_of(d.frequency);
+  d.stiffness = a.share.value_or(a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
+  if (square > 0.0) d.stiffness = std::min(d.stiffness, kStepMargin * 4.0 / (w.dt * w.dt) * d.weight / square);
+  d.first = kFirstFactor * (d.compliance + 1.0 / d.stiffness);
+  sim.program().set(d, shape);
+}
+
+}  // namespace voussoir::solver

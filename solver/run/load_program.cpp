@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/load_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "cases/model.h"
+#include "solver/run/loads.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+using cases::AnalysisKind;
+using cases::LoadPattern;
+
+constexpr std::int64_t kLook = 4;      // steps between two looks at the base shear
+constexpr double kTop = 0.1;           // of the height: what lies higher is the top
+constexpr double kLeastHeight = 1e-3;  // m, for the drift of a point on the ground
+constexpr double kCyclePace = 0.5;     // of the pace: in which the moving end goes on by an amplitude
+
+/// The element in the uppermost tenth that is nearest to the vertical axis through the centre of mass.
+std::int32_t top_element(const World& w) {
+  const Elements& e = w.elements;
+  double low = 1e300, high = -1e300, mass = 0.0, x = 0.0, y = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    if (e.fixed[i]) continue;
+    const Vec3 c = e.body[i].ref;
+    low = std::min(low, c.z), high = std::max(high, c.z);
+    mass += e.mass[i], x += e.mass[i] * c.x, y += e.mass[i] * c.y;
+  }
+  std::int32_t best = 0;
+  double least = 1e300;
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (e.fixed[k] || e.body[k].ref.z < high - kTop * (high - low)) continue;
+    const double far = std::hypot(e.body[k].ref.x - x / mass, e.body[k].ref.y - y / mass);
+    if (far < least - 1e-9) least = far, best = i;
+  }
+  return best;
+}
+
+Vec3 displacement(const Elements& e, std::int32_t i) {
+  const auto k = static_cast<std::size_t>(i);
+  return {e.ux[k], e.uy[k], e.uz[k]};
+}
+
+}  // namespace
+
+LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis) {
+  if (!active()) return;
+  Elements& e = w.elements;
+  gravity_ = norm(c.gravity.acceleration);
+  down_ = gravity_ > 0.0 ? (1.0 / gravity_) * c.gravity.acceleration : Vec3{0.0, 0.0, -1.0};
+  across_ = {analysis_.direction[0], analysis_.direction[1], 0.0};
+  if (analysis_.kind == AnalysisKind::tilt) across_ = across_ - dot(across_, down_) * down_;
+  across_ = (1.0 / norm(across_)) * across_;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) mass_ += e.fixed[i] ? 0.0 : e.mass[i];
+  control_ = analysis_.control ? cases::nearest_element(w.model, *analysis_.control) : top_element(w);
+  height_ = std::max(kLeastHeight, e.body[static_cast<std::size_t>(control_)].ref.z - e.body[static_cast<std::size_t>(e.base)].ref.z);
+  for (const Support& s : w.supports)
+    last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
+  if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
+    shape_.assign(static_cast<std::size_t>(e.count), {});
+  if (!analysis_.level) return;
+  for (const PointLoad& l : w.loads) {
+    if (!l.grows) continue;
+    for (auto* column : {&e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz}) (*column)[static_cast<std::size_t>(l.element)] = 0.0;
+  }
+}
+
+void LoadProgram::set(const Drive& drive, const std::vector<Vec3>& shape) {
+  drive_ = drive;
+  if (!shape_.empty()) shape_ = shape;
+}
+
+void LoadProgram::begin(const World& w) {
+  if (!active()) return;
+  if (drive_.pace <= 0.0) throw std::logic_error("a quasi-static analysis begins without a drive");
+  state_ = {};
+  state_.start = displacement(w.elements, control_);
+}
+
+Vec3 LoadProgram::field(double factor) const noexcept {
+  if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mass) return (factor * gravity_) * across_;
+  if (analysis_.kind != AnalysisKind::tilt) return {};
+  const double c = 1.0 / std::sqrt(1.0 + factor * factor);
+  return gravity_ * ((c - 1.0) * down_ + (factor * c) * across_);
+}
+
+/// Of q: the power of the forces over what they are in all, at a load factor of 1.
+double LoadProgram::rate_of(const World& w) const {
+  if (analysis_.kind == AnalysisKind::settlement) return 0.0;
+  if (analysis_.kind == AnalysisKind::cyclic || analysis_.pattern == LoadPattern::given) return power_of_growing_loads(w) / drive_.weight;
+  const Elements& e = w.elements;
+  const auto velocity = [&](std::size_t i) { return Vec3{e.vx[i], e.vy[i], e.vz[i]}; };
+  double sum = 0.0;
+  if (!shape_.empty()) {
+    for (std::size_t i = 0; i < shape_.size(); ++i) sum += e.mass[i] * dot(shape_[i], velocity(i));
+    return sum / mass_;
+  }
+  // Where the force goes as it grows: a turning gravity pushes at right angles to itself.
+  const double c = 1.0 / std::sqrt(1.0 + state_.factor * state_.factor);
+  const Vec3 along = analysis_.kind == AnalysisKind::tilt ? c * across_ - (state_.factor * c) * down_ : across_;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) sum += e.fixed[i] ? 0.0 : e.mass[i] * dot(along, velocity(i));
+  return sum / mass_;
+}
+
+/// Of the moving end, m/s.
+double LoadProgram::end_rate() const {
+  if (analysis_.kind != AnalysisKind::cyclic) return std::min((drive_.first + state_.target) / drive_.pace, drive_.fastest);
+  const auto cycle = static_cast<std::size_t>(state_.half_cycles) / 2, each = static_cast<std::size_t>(analysis_.cycles);
+  const double amplitude = analysis_.amplitudes[std::min(cycle / each, analysis_.amplitudes.size() - 1)];
+  return state_.sense * std::min(amplitude / (kCyclePace * drive_.pace), drive_.fastest);
+}
+
+/// Reversals of the cycles: at each amplitude so often to and fro.
+void LoadProgram::turn_round() {
+  const auto cycle = static_cast<std::size_t>(state_.half_cycles) / 2, each = static_cast<std::size_t>(analysis_.cycles);
+  if (cycle >= each * analysis_.amplitudes.size()) return;
+  if (state_.sense * state_.moved < analysis_.amplitudes[cycle / each]) return;
+  state_.sense = -state_.sense;
+  state_.half_cycles += 1.0;
+}
+
+void LoadProgram::look(const World& w) {
+  const Elements& e = w.elements;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const double* r = e.wrench.data() + i * kernels::kWrenchStride;
+    if (!e.fixed[i]) sum -= r[0] * across_.x + r[1] * across_.y + r[2] * across_.z;
+  }
+  state_.shear_sum += sum, state_.shear_count += 1.0;
+  if (state_.shear_count * static_cast<double>(kLook) * w.dt < 1.0 / drive_.frequency) return;
+  state_.shear = state_.shear_sum / state_.shear_count;
+  state_.shear_sum = state_.shear_count = 0.0;
+  state_.most_shear = std::max(state_.most_shear, state_.shear);
+}
+
+bool LoadProgram::is_over(const World& w) const {
+  const double left = 1.0 - analysis_.drop;
+  switch (analysis_.kind) {
+    case AnalysisKind::pushover:
+    case AnalysisKind::tilt: {
+      // A vibration lowers the base shear, too, but not the load factor.
+      const bool pushed = state_.factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor && state_.shear < left * state_.most_shear;
+      const bool dropped = analysis_.kind == AnalysisKind::tilt ? state_.factor < left * state_.most_factor : pushed;
+      return dropped || state_.factor >= analysis_.largest_factor || control_displacement(w) >= analysis_.largest_drift * height_;
+    }
+    case AnalysisKind::cyclic: {
+      const auto whole = 2 * static_cast<std::size_t>(analysis_.cycles) * analysis_.amplitudes.size();
+      return static_cast<std::size_t>(state_.half_cycles) >= whole && state_.moved >= 0.0;
+    }
+    default:
+      return false;
+  }
+}
+
+void LoadProgram::advance(const World& w, std::int64_t step) {
+  if (!active() || drive_.pace <= 0.0 || step == 0) return;
+  state_.factor_before = state_.factor;
+  if (analysis_.kind != AnalysisKind::settlement) {
+    state_.speed = rate_of(w);
+    const double on = w.dt * end_rate(), moved = w.dt * state_.speed;
+    state_.target += on, state_.moved += moved;
+    state_.factor += drive_.stiffness * (on - moved);
+    state_.most_factor = std::max(state_.most_factor, state_.factor);
+    if (analysis_.kind == AnalysisKind::cyclic) turn_round();
+  }
+  if (step % kLook != 0) return;
+  look(w);
+  const bool over =
+      analysis_.kind == AnalysisKind::settlement ? support_time(static_cast<double>(step) * w.dt) >= last_support_ : is_over(w);
+  if (over && state_.ended == 0.0) state_.ended = static_cast<double>(step);
+}
+
+double LoadProgram::add_forces(World& w) const {
+  if (shape_.empty()) return 0.0;
+  for (std::int32_t i = 0; i < w.elements.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    kernels::add_wrench(w.elements.wrench.data(), i, (state_.factor * gravity_ * w.elements.mass[k]) * shape_[k], {});
+  }
+  return 0.5 * w.dt * (state_.factor + state_.factor_before) * drive_.weight * state_.speed;
+}
+
+double LoadProgram::control_displacement(const World& w) const { return dot(displacement(w.elements, control_) - state_.start, across_); }
+
+AssessmentRow LoadProgram::row(const World& w, double time) const {
+  const double u = control_displacement(w);
+  double support = 0.0;
+  for (const Support& s : w.supports) support = std::max(support, norm(displacement(w.elements, s.element)));
+  return {time, state_.factor, u, u / height_, state_.moved, state_.shear, support, state_.ended > 0.0 ? 1.0 : 0.0};
+}
+
+}  // namespace voussoir::solver

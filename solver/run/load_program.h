@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cases/case.h"
+#include "solver/run/recorder.h"
+#include "solver/world/world.h"
+
+/// How a quasi-static analysis loads the structure (kernels/THEORY.md, section 11): the step asks once what acts, and that is all it knows.
+///
+/// The forces of the pattern, p_i at a load factor of 1 and N in all, act through a spring, as in a testing machine:
+///
+///   λ = κ (w − q),   q̇ = Σ p_i·v_i / N,   ẇ = min((w_0 + w) / pace, fastest)
+///
+/// q is the displacement conjugate to the forces, so the spring has a potential: it takes energy from its moving end alone and cannot make
+/// the structure swing up. It adds one rank of stiffness, by which no squared frequency rises by more than κ Σ p_i²/m_i / N.
+namespace voussoir::solver {
+
+class LoadProgram {
+ public:
+  LoadProgram() = default;
+  /// Also holds level what the case wants level, by an inverse inertia of 0. A drive is needed before time zero: set(), or a saved state.
+  LoadProgram(const cases::Case& c, World& w);
+
+  /// A quasi-static analysis; else nothing here does anything.
+  [[nodiscard]] bool active() const noexcept { return cases::is_assessment(analysis_); }
+  [[nodiscard]] const cases::Analysis& analysis() const noexcept { return analysis_; }
+  [[nodiscard]] const Drive& drive() const noexcept { return drive_; }
+  /// \param shape  by element, of a pattern as a mode; times its mass and gravity it is the force at a load factor of 1; else empty
+  void set(const Drive& drive, const std::vector<Vec3>& shape);
+
+  /// Time zero. \throw std::logic_error without a drive
+  void begin(const World& w);
+  /// Every step n, when the rows hold the internal forces of n and velocities are those of n − ½.
+  void advance(const World& w, std::int64_t step);
+
+  [[nodiscard]] double factor() const noexcept { return state_.factor; }
+  /// A body acceleration beside gravity at this step, and its mean over the last interval [m/s2].
+  [[nodiscard]] Vec3 acceleration() const noexcept { return field(state_.factor); }
+  [[nodiscard]] Vec3 mean_acceleration() const noexcept { return 0.5 * (field(state_.factor) + field(state_.factor_before)); }
+  /// Adds the forces of a pattern as a mode to the rows. \return their work over the last interval [J]
+  double add_forces(World& w) const;
+  /// Time of the histories of supports at time t [s].
+  [[nodiscard]] double support_time(double t) const noexcept {
+    return analysis_.kind == cases::AnalysisKind::settlement ? drive_.speed * t : t;
+  }
+
+  /// The analysis has found what it looks for, in the step before this one; 0: not yet.
+  [[nodiscard]] std::int64_t ended() const noexcept { return static_cast<std::int64_t>(state_.ended); }
+  [[nodiscard]] AssessmentRow row(const World& w, double time) const;
+
+ private:
+  friend struct FieldTable;
+  struct State {
+    double factor = 0.0, factor_before = 0.0;       // at this step and the last
+    double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: the rate of q over the last interval
+    double shear_sum = 0.0, shear_count = 0.0;      // N; looks at it since the last mean
+    double shear = 0.0, most_shear = 0.0;           // N, mean over a first period, the largest so far
+    double most_factor = 0.0;                       // the largest load factor so far
+    double sense = 1.0, half_cycles = 0.0;          // cyclic: where the push goes, reversals so far
+    double ended = 0.0;                             // see ended()
+    Vec3 start;                                     // m, of the control point at time zero
+  };
+
+  [[nodiscard]] Vec3 field(double factor) const noexcept;
+  [[nodiscard]] double rate_of(const World& w) const;
+  [[nodiscard]] double end_rate() const;
+  void look(const World& w);
+  void turn_round();
+  [[nodiscard]] bool is_over(const World& w) const;
+  [[nodiscard]] double control_displacement(const World& w) const;
+
+  cases::Analysis analysis_;
+  Vec3 down_, across_;         // unit vectors: gravity, the push
+  double gravity_ = 0.0;       // m/s2
+  double mass_ = 0.0;          // kg, of what moves
+  double last_support_ = 0.0;  // s, of the histories of supports; infinity: one goes on for ever
+  std::int32_t control_ = 0;   // element
+  double height_ = 1.0;        // m, of it above the base
+  Drive drive_;
+  std::vector<Vec3> shape_;
+  State state_;
+};
+
+}  // namespace voussoir::solver

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/run/loads.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+double ramp_share(double t, double begin, double end) {
+  if (t >= end) return 1.0;
+  return t <= begin ? 0.0 : (t - begin) / (end - begin);
+}
+
+struct Wrench {
+  Vec3 force, moment;  // N, N m, about the centroid
+};
+
+/// A share of a load, where its element is now. \param whole  force of the whole load
+Wrench wrench_of(const World& w, const PointLoad& l, Vec3 whole, double share) {
+  const Mat3 d = kernels::load_pose(w.elements.pose.data(), l.element).d;
+  const Vec3 arm = l.arm + d * l.arm;
+  const Vec3 force = share * (l.follows ? whole + d * whole : whole);
+  return {force, share * (l.follows ? l.moment + d * l.moment : l.moment) + cross(arm, force)};
+}
+
+double power(const World& w, std::int32_t element, Vec3 force, Vec3 moment) {
+  const auto i = static_cast<std::size_t>(element);
+  const Vec3 v{w.elements.vx[i], w.elements.vy[i], w.elements.vz[i]}, spin{w.elements.wx[i], w.elements.wy[i], w.elements.wz[i]};
+  return dot(force, v) + dot(moment, spin);
+}
+
+}  // namespace
+
+void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, double t, double factor, bool first) {
+  for (std::size_t k = 0; k < w.loads.size(); ++k) {
+    const PointLoad& l = w.loads[k];
+    const Vec3 whole = l.history != nullptr ? value_at(*l.history, t) : l.force;
+    const Wrench now = wrench_of(w, l, whole, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
+    kernels::add_wrench(w.elements.wrench.data(), l.element, now.force, now.moment);
+    if (!first) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));
+    before[2 * k] = now.force;
+    before[2 * k + 1] = now.moment;
+  }
+}
+
+double power_of_growing_loads(const World& w) {
+  double sum = 0.0;
+  for (const PointLoad& l : w.loads) {
+    if (!l.grows) continue;
+    const Wrench unit = wrench_of(w, l, l.force, 1.0);
+    sum += power(w, l.element, unit.force, unit.moment);
+  }
+  return sum;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/measures/capacity.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/measures/capacity_file.h"
+
+// Figures of capacity curves that can be worked out by hand.
+
+using namespace voussoir;
+using namespace voussoir::io;
+
+namespace {
+
+constexpr double kWeight = 1e5;  // N
+constexpr double kPace = 2.0;    // s
+
+/// Elastic up to 1 mm and 10 kN, level up to 5 mm, then falling by 3 kN a millimetre; a millimetre a second. A tenth of the work is lost by
+/// damping, and the kinetic energy is a thousandth of it.
+CapacityCurve trilinear(double until) {
+  CapacityCurve c;
+  double work = 0.0, before = 0.0;
+  for (int i = 0; i <= std::lround(until * 1e5); ++i) {
+    const double d = 1e-5 * i, mm = 1e3 * d;
+    const double force = 1e4 * (mm < 1.0 ? mm : mm < 5.0 ? 1.0 : 1.0 - 0.3 * (mm - 5.0));
+    if (i > 0) work += 0.5e-5 * (force + before);
+    before = force;
+    c.time.push_back(mm), c.displacement.push_back(d), c.moved.push_back(d), c.drift.push_back(d / 2.0);
+    c.base_shear.push_back(force), c.factor.push_back(force / kWeight + (i == 300 ? 1e-6 : 0.0));
+    c.support_moved.push_back(0.0), c.over.push_back(0.0);
+    c.input.push_back(5.0 + work), c.damping.push_back(0.1 * work), c.kinetic.push_back(1e-3 * work);
+    c.losses.push_back(0.1 * work), c.stored.push_back(0.9 * work);
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("capacity: a curve that is elastic, level, and falls") {
+  const Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
+  CHECK(c.peak_shear == doctest::Approx(1e4));
+  CHECK(c.first_stiffness == doctest::Approx(1e7));
+  const double ultimate = 5e-3 + 0.2 / 0.3 * 1e-3;
+  CHECK(c.ultimate_displacement == doctest::Approx(ultimate));
+  CHECK(c.ultimate_drift == doctest::Approx(ultimate / 2.0));
+  CHECK(c.ec8.force == doctest::Approx(1e4));
+  CHECK(c.ec8.yield == doctest::Approx(1e-3));
+  CHECK(c.ec8.ductility == doctest::Approx(ultimate / 1e-3));
+  const double below = 0.5 * 1e4 * 1e-3 + 1e4 * 4e-3 + 0.5 * (1e4 + 0.8e4) * (ultimate - 5e-3);
+  CHECK(c.ntc.stiffness == doctest::Approx(1e7));
+  CHECK(c.ntc.force * ultimate - 0.5 * c.ntc.force * c.ntc.force / 1e7 == doctest::Approx(below));
+  CHECK(c.ntc.yield == doctest::Approx(c.ntc.force / 1e7));
+  CHECK(c.ntc.force < 1e4);
+}
+
+TEST_CASE("capacity: what is not reached is none") {
+  const Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(4e-3));
+  CHECK(std::isnan(c.ultimate_displacement));
+  CHECK(std::isnan(c.ntc.force));
+  CHECK(std::isnan(c.ec8.ductility));
+  const auto json = nlohmann::json::parse(capacity_json(c, false));
+  CHECK(json["ultimate_displacement"].is_null());
+  CHECK(json["kind"] == "pushover");
+}
+
+TEST_CASE("capacity: what motion bears is taken off the multiplier, and too much of it is said") {
+  const Capacity c = capacity_of(cases::AnalysisKind::tilt, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
+  CHECK(c.multiplier == doctest::Approx(0.1).epsilon(1e-4));
+  CHECK(c.multiplier_displacement == doctest::Approx(3e-3));
+  CHECK(c.motion_share == doctest::Approx(0.101));
+  CHECK(c.multiplier_at_rest == doctest::Approx(0.1 * 0.899).epsilon(1e-4));
+  CHECK(c.kinetic_share == doctest::Approx(1e-3));
+  CHECK(nlohmann::json::parse(capacity_json(c, false))["slow"] == 0);
+  CHECK(capacity_text(c).find("the result depends on the rate") != std::string::npos);
+}
+
+TEST_CASE("capacity: a loop's area is the work of its forces") {
+  CapacityCurve c = trilinear(5e-3);
+  const Capacity got = capacity_of(cases::AnalysisKind::cyclic, 0.2, kPace, kWeight, 0.0, c);
+  CHECK(got.loop_area == doctest::Approx(got.dissipated + got.stored).epsilon(1e-3));
+}
+
+TEST_CASE("capacity: an arch falls when it moves faster than it follows its supports, for good") {
+  CapacityCurve c = trilinear(1e-3);
+  for (std::size_t i = 0; i < c.time.size(); ++i) {
+    c.support_moved[i] = 0.01 * c.time[i];
+    c.kinetic[i] = i == 20 || i > 80 ? 1.0 : 1e-6;  // once it swings
+  }
+  const Capacity got = capacity_of(cases::AnalysisKind::settlement, 0.2, kPace, kWeight, 1e-3, c);
+  CHECK(got.collapse_movement == doctest::Approx(0.01 * c.time[80]));
+  CHECK(std::isnan(capacity_of(cases::AnalysisKind::settlement, 0.2, kPace, kWeight, 10.0, c).collapse_movement));
+}

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/verification/slow_loading/assessment.h"
+
+#include <string>
+
+#include "tests/verification/arch.h"
+#include "tests/verification/limit_analysis.h"
+
+// V15: quasi-static analyses against closed forms and limit analysis of the same blocks and contact points.
+namespace voussoir::testing {
+namespace {
+
+using cases::AnalysisKind;
+
+constexpr double kWithin = 1e-2;
+
+cases::Case analysed(cases::Case c, AnalysisKind kind, double x, double y) {
+  c.analysis.kind = kind;
+  c.analysis.direction = {x, y};
+  c.motion.reset();
+  if (c.base) c.base->tilt = {0.0, 0.0};
+  c.gravity.acceleration = {0.0, 0.0, -kGravity};
+  return c;
+}
+
+const char* word(AnalysisKind kind) { return kind == AnalysisKind::tilt ? "tilt" : "pushover"; }
+
+/// The multiplier, and that at half the rate.
+void compare(const std::string& what, cases::Case c, double expected) {
+  const io::Capacity got = assess(c);
+  const std::string label = "V15 " + std::string(word(c.analysis.kind)) + " of " + what;
+  expect_near(label + ": multiplier", got.multiplier_at_rest, expected, kWithin);
+  expect_below(label + ": share of the work that went into motion", std::abs(got.motion_share), kWithin);
+  const double pace = 2.0 * std::max(2.0, c.analysis.pace.value_or(0.0));
+  c.analysis.pace = pace;
+  expect_near(label + ": multiplier at half the rate, over that at the whole", assess(c).multiplier_at_rest / got.multiplier_at_rest, 1.0,
+              kWithin);
+}
+
+/// Until the peak is sure, and no longer.
+cases::Case short_of(cases::Case c) {
+  c.analysis.drop = 0.05;
+  return c;
+}
+
+constexpr double kBlock = 0.25;  // b / h
+
+}  // namespace
+
+TEST_CASE("V15: a stiff block tilts and is pushed until it topples") {
+  for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover}) {
+    const cases::Case c = short_of(analysed(load("tilt").value, kind, 1.0, 0.0));
+    compare("a block, n = 8", c, kBlock * (1.0 - 1.0 / 8.0));
+  }
+}
+
+TEST_CASE("V15: a stiff block, points to the rim" * doctest::skip()) {
+  cases::Case c = short_of(analysed(load("tilt").value, AnalysisKind::tilt, 1.0, 0.0));
+  c.segment_rule = geometry::SegmentRule::rim;
+  compare("a block, rim", c, kBlock);
+}
+
+TEST_CASE("V15: a parapet" * doctest::skip()) {
+  for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover}) {
+    cases::Case c = short_of(analysed(load("parapet").value, kind, 0.0, 1.0));
+    for (auto& [name, m] : c.materials) m.young *= 100.0;  // rigid blocks have no second order
+    for (auto& [name, l] : c.joint_laws) l.young *= 100.0;
+    compare("a parapet, n = 4", c, 0.1 / 0.6 * (1.0 - 1.0 / 4.0));
+  }
+}
+
+TEST_CASE("V15: an arch" * doctest::skip()) {
+  const Arch arch{.thickness = 0.15 / (1.0 - 1.0 / 4.0) * 1.5};
+  cases::Case c = load("arch_stands").value;
+  arch.shape(c);
+  const double expected = collapse_factors(c, 60.0, {0.0, 1.0, 0.0}).associated;
+  for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
+    compare("an arch", short_of(analysed(c, kind, 0.0, 1.0)), expected);
+}
+
+namespace {
+
+/// A dry façade of two storeys, a window in each: blocks of 0.4 × 0.2 × 0.4 m, piers of one and a half, lintels of stone over the openings.
+cases::Case facade() {
+  cases::Case c = load("tilt").value;
+  c.blocks.clear();
+  c.segment_size = 0.1;
+  const auto add = [&](double x0, double x1, double z0, double z1) {
+    cases::BlockSpec b;
+    b.name = "b" + std::to_string(c.blocks.size());
+    b.material = "stone";
+    b.box = {{Vec3{x0, 0.0, z0}, Vec3{x1, 0.2, z1}}};
+    c.blocks.push_back(b);
+  };
+  for (const double z : {0.0, 1.2}) {
+    for (const double course : {0.0, 0.4}) {
+      add(0.0, 0.6, z + course, z + course + 0.4);
+      add(1.4, 2.0, z + course, z + course + 0.4);
+    }
+    add(0.0, 2.0, z + 0.8, z + 1.2);  // the lintel course
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("V15: a façade of two storeys" * doctest::skip()) {
+  const cases::Case c = facade();
+  const double expected = collapse_factors(c, 60.0, {1.0, 0.0, 0.0}).associated;
+  for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
+    compare("a façade of two storeys", short_of(analysed(c, kind, 1.0, 0.0)), expected);
+}
+
+namespace {
+
+/// A barrel vault on two buttresses of four blocks each, in the plane (y, z); the buttresses are wider than the vault is thick.
+cases::Case buttressed_vault() {
+  const Arch vault{.radius = 1.5, .thickness = 0.3, .voussoirs = 13, .points = 4};
+  constexpr double kCourse = 0.4, kWidth = 0.8;
+  constexpr int kCourses = 4;
+  cases::Case c = load("tilt").value;
+  c.blocks.clear();
+  c.segment_size = vault.thickness / vault.points;
+  const auto add = [&] {
+    cases::BlockSpec b;
+    b.name = "b" + std::to_string(c.blocks.size());
+    b.material = "stone";
+    return b;
+  };
+  for (const double side : {-1.0, 1.0}) {
+    const double inside = side * (vault.radius - 0.5 * vault.thickness), outside = inside + side * kWidth;
+    for (int i = 0; i < kCourses; ++i) {
+      cases::BlockSpec b = add();
+      b.box = {{Vec3{0.0, std::min(inside, outside), kCourse * i}, Vec3{0.2, std::max(inside, outside), kCourse * (i + 1)}}};
+      c.blocks.push_back(b);
+    }
+  }
+  for (int i = 0; i < vault.voussoirs; ++i) {
+    cases::BlockSpec b = add();
+    for (const Point p : vault.section(i)) b.polygon.push_back({p.y, p.z + kCourses * kCourse});
+    b.extrude = {0.0, 0.2};
+    c.blocks.push_back(b);
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("V15: a buttressed vault" * doctest::skip()) {
+  const cases::Case c = buttressed_vault();
+  const double expected = collapse_factors(c, 60.0, {0.0, 1.0, 0.0}).associated;
+  for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
+    compare("a buttressed vault", short_of(analysed(c, kind, 0.0, 1.0)), expected);
+}
+
+TEST_CASE("V15: supports of an arch part slowly until it falls" * doctest::skip()) {
+  cases::Case c = load("arch_spreads").value;
+  c.analysis.kind = AnalysisKind::settlement;
+  c.damping = {};
+  const io::Capacity got = assess(c);
+  // Each support moves by half of the spread; the expected one is that of spreading_arch_test.cpp.
+  expect_near("V15 settlement of an arch: movement of a support at which it falls [m]", got.collapse_movement, 0.5 * 0.403656, 2e-2);
+}
+
+TEST_CASE("V15: loops of a wall in shear and compression" * doctest::skip()) {
+  for (const bool level : {false, true}) {
+    cases::Case c = load("shear_test").value;
+    c.analysis.level = level;
+    const io::Capacity got = assess(c);
+    const std::string label = std::string("V15 shear test, ") + (level ? "top held level" : "top free");
+    expect_near(label + ": work of the actuator over losses and stores", got.loop_area / (got.dissipated + got.stored), 1.0, 1e-3);
+    CHECK(got.dissipated > 0.5 * got.loop_area);
+    CHECK(got.least_factor < 0.0);
+  }
+}
+
+}  // namespace voussoir::testing
