@@ -157,6 +157,19 @@ struct Load {
   std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
                                          // settling with the value it has at time 0)
 };
+/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
+struct Tie {
+  std::string name;
+  Vec3 from, to;                               // m
+  double area = 0.0;                           // m2, of the section
+  double young = 2.1e11;                       // Pa
+  std::optional<double> yield;                 // Pa; none: elastic
+  double hardening = 0.0;                      // Pa, slope of stress over strain beyond yield
+  std::optional<double> elongation;            // strain at which it breaks; none: never
+  double pretension = 0.0;                     // N, if its ends did not move
+  bool compression = false;                    // true: a bar; false: goes slack
+  std::optional<std::array<double, 2>> plate;  // m, width and height of the anchor plates; none: each end holds one element
+};
 struct Base {
   double z = 0.0;                        // m
   std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
@@ -227,6 +240,7 @@ struct Case {
   std::optional<House> house;
   std::vector<BlockSpec> blocks;  // key: block
   std::vector<Load> loads;        // key: load
+  std::vector<Tie> ties;          // key: tie
   std::optional<Base> base;
   std::string folder;  // of the case file; relative paths in the case start here (not a key)
 };

@@ -195,7 +195,7 @@ Table<Case> case_table() {
        table<S>(
            "segments", [](auto& c) -> auto& { return c; }, segments_table()),
        table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),
-       table<S>("block", &S::blocks, block_table()), table<S>("load", &S::loads, load_table()), table<S>("base", &S::base, base_table())},
+       table<S>("block", &S::blocks, block_table()), table<S>("load", &S::loads, load_table()), table<S>("tie", &S::ties, tie_table()), table<S>("base", &S::base, base_table())},
       check_reserved_names};
 }
 

@@ -14,5 +14,6 @@ Table<cases::Motion> motion_table();
 Table<cases::Output> output_table();
 Table<cases::BlockSpec> block_table();
 Table<cases::Load> load_table();
+Table<cases::Tie> tie_table();
 
 }  // namespace voussoir::io

@@ -30,7 +30,14 @@ void check_names(std::span<const std::string> names) {
   }
 }
 
-TableSpec history_columns(std::span<const std::string> names) {
+void add_tie_columns(TableSpec& t, std::uint64_t n) {
+  t.push_back({"/ties/force", f64, {n}, {"N", "of each tie, in the order of /model/tie, at /history/time; tension is positive"}, {}});
+  t.push_back({"/ties/elongation", f64, {n}, {"m", "of each tie, with that of its pretension"}, {}});
+  t.push_back({"/ties/plastic", f64, {n}, {"m", "of it, what stays when the force is gone"}, {}});
+  t.push_back({"/ties/broken", u8, {n}, {"1", "1: the tie has broken"}, {}});
+}
+
+TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties) {
   TableSpec t{scalar("/history/time", "s", "time of the rows of all histories; zero is the start of shaking, settling is before")};
   for (const std::string& name : names) {
     const std::string group = "/history/" + name + "/";
@@ -38,6 +45,7 @@ TableSpec history_columns(std::span<const std::string> names) {
     t.push_back(vector(group + "velocity", "m/s", "of the element's centroid relative to the base; global axes"));
     t.push_back(vector(group + "rotation", "rad", "rotation vector of the element; global axes"));
   }
+  if (ties > 0) add_tie_columns(t, ties);
   return t;
 }
 
@@ -112,9 +120,9 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
   return bytes;
 }
 
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements) {
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::uint64_t ties) {
   check_names(history_names);
-  return {history_columns(history_names), energy_columns(), forces_columns(), damage_columns(), cracks_columns(), frames_columns(elements)};
+  return {history_columns(history_names, ties), energy_columns(), forces_columns(), damage_columns(), cracks_columns(), frames_columns(elements)};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

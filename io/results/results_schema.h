@@ -44,8 +44,9 @@ using TableSpec = std::vector<ColumnSpec>;
 using RowSchema = std::array<TableSpec, kRowTables>;
 
 /// \param history_names  of the followed elements, in the order of Recorder::history
+/// \param ties  of the model: their rows stand in /ties and belong to the table of histories
 /// \throw std::invalid_argument if a name is empty, "time", given twice, or holds '/' or a control character, or is "." or ".."
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements);
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::uint64_t ties = 0);
 
 /// Rows of one table that are not yet on disk.
 class RowBuffer {

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <string>
 
+#include "solver/setup/side_stiffness.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {
@@ -21,37 +22,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Motion = Eigen::Matrix<double, 6, 1>;         // of one element: displacement, rotation
-using Relative = Eigen::Matrix<double, 3, 12>;      // relative displacement from the motions of master and slave
-using Stiffness12 = Eigen::Matrix<double, 12, 12>;  // of a side
 
-Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
-  Eigen::Matrix3d m;
-  m << 0.0, -r(2), r(1), r(2), 0.0, -r(0), -r(1), r(0), 0.0;
-  return m;
-}
-
-/// u = x_slave − x_master at a point with the arms a and b.
-Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  Relative u;
-  u << -Eigen::Matrix3d::Identity(), cross_matrix(a), Eigen::Matrix3d::Identity(), -cross_matrix(b);
-  return u;
-}
-
-/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
-Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {
-  const Eigen::Vector3d es = vector(side.es), et = vector(side.et), n = es.cross(et);
-  const Eigen::Matrix3d d = side.k.ks * Eigen::Matrix3d::Identity() + (side.k.kn - side.k.ks) * n * n.transpose();
-  Stiffness12 k = Stiffness12::Zero();
-  for (int i = 0; i < points.n; ++i) {
-    const Eigen::Vector3d at = points.s[i] * es + points.t[i] * et;
-    const Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
-    k.noalias() += side.factor * points.area[i] * b.transpose() * d * b;
-  }
-  return k;
-}
 
 /// The structure in coordinates q with x = S q and Sᵀ M S = I, S = M^(−1/2) by element: a standard symmetric problem.
 class Structure {

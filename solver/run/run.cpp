@@ -43,6 +43,7 @@ class Reporter {
   }
 
   void samples(double time) {
+    ties(time);
     out_.history(time, sim_.history());
     const ForcesRow& f = sim_.forces();
     state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
@@ -66,9 +67,17 @@ class Reporter {
   }
 
  private:
+  void ties(double time) {
+    if (sim_.world().ties.state.empty()) return;
+    ties_.clear();
+    for (const kernels::TieState& s : sim_.world().ties.state) ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
+    out_.ties(time, ties_);
+  }
+
   Simulation& sim_;
   RunState& state_;
   Recorder& out_;
+  std::vector<TieSample> ties_;
   std::vector<float> position_, quaternion_, broken_;
 };
 

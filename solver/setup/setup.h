@@ -28,6 +28,8 @@ void set_up_overlaps(World& w);
 void set_up_side_views(World& w);
 /// The buffer for pairs and its lists, for --scatter gather.
 void set_up_side_gather(World& w);
+/// Ties, their stiffness no more than the step allows. \pre sides have their views
+void set_up_ties(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
 /// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand

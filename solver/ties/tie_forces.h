@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/world/world.h"
+
+/// Ties: bars between points of elements (cases/ties.h), whose law is kernels/tie_law.h.
+namespace voussoir::solver {
+
+/// Adds the forces of all ties to the wrench rows, in a fixed order.
+/// \param share  of the pretension that has been put on, 0 to 1 (it grows with gravity while settling)
+/// \return J, work of the jack that puts it on, since the last call
+double apply_ties(World& w, double share);
+
+/// J
+double stored_energy(const Ties& t) noexcept;
+
+}  // namespace voussoir::solver
