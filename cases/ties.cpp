@@ -77,7 +77,8 @@ Vec3 face_under_plate(const Model& model, const End& end) {
     }
   }
   if (normal == Vec3{})
-    throw InputError(end.key, point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
+    throw InputError(end.key,
+                     point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
   return normal;
 }
 
@@ -106,8 +107,8 @@ std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std
   }
   for (TieHold& h : holds) h.share /= covered;
   if (covered < kCovered * plate[0] * plate[1])
-    throw InputError(end.key, "only " + text(std::round(100.0 * covered / (plate[0] * plate[1]))) + " % of the plate at " + point_text(end.point) +
-                                  " m lies on faces of the model; wanted " + text(100.0 * kCovered) + " % or more");
+    throw InputError(end.key, "only " + text(std::round(100.0 * covered / (plate[0] * plate[1]))) + " % of the plate at " +
+                                  point_text(end.point) + " m lies on faces of the model; wanted " + text(100.0 * kCovered) + " % or more");
   return holds;
 }
 
@@ -152,7 +153,8 @@ std::vector<TieBar> place_ties(const Case& c, const Model& model) {
   std::vector<TieBar> bars;
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.ties.size(); ++i) {
-    if (!names.insert(c.ties[i].name).second) throw InputError(indexed_key("tie", i, "name"), quoted(c.ties[i].name) + " is the name of another tie, too");
+    if (!names.insert(c.ties[i].name).second)
+      throw InputError(indexed_key("tie", i, "name"), quoted(c.ties[i].name) + " is the name of another tie, too");
     bars.push_back(place(c, model, c.ties[i], indexed_key("tie", i, "")));
   }
   return bars;

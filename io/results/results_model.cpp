@@ -171,6 +171,23 @@ void add_materials(const cases::Model& model, Datasets& out) {
   law("/model/law/poisson", &cases::JointLaw::poisson, "1", "Poisson's ratio of the mortar");
 }
 
+/// None of a model without ties.
+void add_ties(const cases::Model& m, Datasets& out) {
+  if (m.ties.empty()) return;
+  std::vector<std::string> names;
+  std::vector<double> ends;
+  for (const cases::TieBar& bar : m.ties) {
+    names.push_back(bar.name);
+    for (const auto& end : bar.ends) {
+      Vec3 at;
+      for (const cases::TieHold& h : end) at += h.share * h.point;
+      append(ends, at);
+    }
+  }
+  out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
+  out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
+}
+
 }  // namespace
 
 std::vector<StaticDataset> model_datasets(const cases::Model& model) {
@@ -182,6 +199,7 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
   add_faces(model, out);
   add_joints(model, out);
   add_materials(model, out);
+  add_ties(model, out);
   return out;
 }
 

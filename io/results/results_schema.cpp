@@ -122,7 +122,12 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
 
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::uint64_t ties) {
   check_names(history_names);
-  return {history_columns(history_names, ties), energy_columns(), forces_columns(), damage_columns(), cracks_columns(), frames_columns(elements)};
+  return {history_columns(history_names, ties),
+          energy_columns(),
+          forces_columns(),
+          damage_columns(),
+          cracks_columns(),
+          frames_columns(elements)};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

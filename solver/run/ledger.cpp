@@ -109,7 +109,8 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
   row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
   row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
                 w.overlaps.impact;
-  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
+  row.friction =
+      total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
   row.fracture = total(w.sides.fracture) + total(w.ties, &kernels::TieState::released);
 }
 

@@ -104,7 +104,8 @@ std::vector<double> joint_rates(const World& w) {
       continue;
     }
     const Matrix6 scale = scale_of(w.elements, i);
-    rates.push_back(Eigen::SelfAdjointEigenSolver<Matrix6>(scale.transpose() * k[n] * scale, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+    rates.push_back(
+        Eigen::SelfAdjointEigenSolver<Matrix6>(scale.transpose() * k[n] * scale, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
   }
   return rates;
 }
