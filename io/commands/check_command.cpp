@@ -14,6 +14,7 @@
 #include "io/case_file/catalogue.h"
 #include "io/commands/progress.h"
 #include "io/commands/run_command.h"
+#include "io/commands/tie_lines.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
@@ -118,6 +119,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_levers(c.value, model);
+  print_ties(model);
   print_step(n, model, world->dt);
   print_friction(c.value.contact);
   print_parts(n);

@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include "io/commands/session.h"
+#include "io/commands/tie_lines.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/support_motion.h"
@@ -21,6 +22,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   options.gather = o.gather;
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
+  print_bounded_ties(sim.world().ties, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));

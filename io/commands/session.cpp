@@ -10,6 +10,7 @@
 #include "io/commands/progress.h"
 #include "io/commands/report_command.h"
 #include "io/commands/run_command.h"
+#include "io/commands/tie_lines.h"
 #include "io/files/errors.h"
 #include "solver/world/errors.h"
 
@@ -178,6 +179,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);
+    print_tie_outcome(sim.world().ties, sim.world().model);
     print_stages(sim.stage_times());
     watch.print_checkpoints();
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
