@@ -21,6 +21,7 @@ namespace voussoir::solver {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Motion = Eigen::Matrix<double, 6, 1>;         // of one element: displacement, rotation
 
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
@@ -45,7 +46,8 @@ class Structure {
       const auto i = static_cast<std::size_t>(id);
       if (world_.sides.joint[i] < 0 || world_.sides.held[i] == 0) continue;
       const kernels::Side side = world_.sides.side(id);
-      add(side_stiffness(side, world_.points.view(world_.sides.set[i])), {side.master, side.slave}, entries);
+      const Stiffness12 of_side = side_stiffness(side, world_.points.view(world_.sides.set[i]));
+      add(Eigen::Map<const Matrix12>(of_side.data()), {side.master, side.slave}, entries);
     }
     Sparse k(size(), size());
     k.setFromTriplets(entries.begin(), entries.end());
@@ -86,7 +88,7 @@ class Structure {
     return scale;
   }
 
-  void add(const Stiffness12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
+  void add(const Matrix12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
         const std::int32_t row = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,6 +18,8 @@
 namespace voussoir::solver {
 
 namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kOfStep = 0.9;  // of 4/Δt², for joints and ties together
 // Of 4/Δt²: what a tie gets at the least. The bound on the joints is too high by up to a factor of two or so, and where it leaves nothing
@@ -92,7 +94,8 @@ std::vector<double> joint_rates(const World& w) {
     if (w.sides.joint[i] < 0) continue;
     const kernels::Side side = w.sides.side(id);
     if (!std::ranges::binary_search(ties.element, side.master) && !std::ranges::binary_search(ties.element, side.slave)) continue;
-    const Stiffness12 both = side_stiffness(side, w.points.view(w.sides.set[i]));
+    const Stiffness12 sum = side_stiffness(side, w.points.view(w.sides.set[i]));
+    const Eigen::Map<const Eigen::Matrix<double, 12, 12>> both(sum.data());
     add(side.master, both.topLeftCorner<6, 6>());
     add(side.slave, both.bottomRightCorner<6, 6>());
   }
@@ -115,7 +118,8 @@ double inverse_mass(const Elements& e, std::size_t i, Vec3 arm) {
   if (e.inv_mass[i] == 0.0) return 0.0;
   Eigen::Matrix3d inverse;
   inverse << e.ixx[i], e.ixy[i], e.ixz[i], e.ixy[i], e.iyy[i], e.iyz[i], e.ixz[i], e.iyz[i], e.izz[i];
-  const Eigen::Matrix3d lever = cross_matrix(vector(arm));
+  Eigen::Matrix3d lever;  // x ↦ arm × x
+  lever << 0.0, -arm.z, arm.y, arm.z, 0.0, -arm.x, -arm.y, arm.x, 0.0;
   const Eigen::Matrix3d both = e.inv_mass[i] * Eigen::Matrix3d::Identity() + lever.transpose() * inverse * lever;
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(both, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
