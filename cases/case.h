@@ -47,6 +47,7 @@ struct Time {
 struct Damping {
   double ratio = 0.0;               // of critical, at `frequency`
   std::optional<double> frequency;  // Hz
+  bool own_frequency = false;       // frequency = "auto": that of the model's mode with the largest mass in y; io fills it in
   std::optional<double> alpha;      // 1/s; instead of ratio and frequency
   bool debris = true;               // "keep" | "off": mass damping of elements without a bond
 };
@@ -107,6 +108,14 @@ struct Contact {
   ContactNormal normal = ContactNormal::slave;
 };
 
+enum class Baseline { none, mean, linear, parabolic };
+/// What is done to the components of a motion before they are scaled (cases/motion/treatment.h).
+struct MotionTreatment {
+  std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
+  Baseline baseline = Baseline::none;     // taken off what the window holds
+  std::array<double, 2> taper{0.0, 0.0};  // s, at the start and at the end
+};
+
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
   std::optional<std::string> record;              // "bam-like", a folder holding record.toml, or a file that holds L, T and V
@@ -114,6 +123,8 @@ struct Motion {
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V
   std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": where a format does not say
+  std::optional<double> dt;                       // s: where a format does not say
+  MotionTreatment treatment;                      // keys from, to, baseline, taper
   std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
 };
 
@@ -121,11 +132,18 @@ struct HistoryPoint {
   std::string name;
   Vec3 point;  // m
 };
+/// A plane along which the structure is thought to be parted; what goes through it is written (Output::cuts).
+struct Cut {
+  std::string name;
+  Vec3 point, normal{0, 0, 1};             // m; of any length but zero, towards what acts
+  std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements whose middle is in it
+};
 struct Output {
   double history_interval = 0.001;  // s
   double frame_interval = 0.02;     // s
   double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
+  std::vector<Cut> cuts;  // key: cut
 };
 
 struct Rotation {
@@ -157,19 +175,6 @@ struct Load {
   std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
                                          // settling with the value it has at time 0)
 };
-/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
-struct Tie {
-  std::string name;
-  Vec3 from, to;                               // m
-  double area = 0.0;                           // m2, of the section
-  double young = 2.1e11;                       // Pa
-  std::optional<double> yield;                 // Pa; none: elastic
-  double hardening = 0.0;                      // Pa, slope of stress over strain beyond yield
-  std::optional<double> elongation;            // strain at which it breaks; none: never
-  double pretension = 0.0;                     // N, if its ends did not move
-  bool compression = false;                    // true: a bar; false: goes slack
-  std::optional<std::array<double, 2>> plate;  // m, width and height of the anchor plates; none: each end holds one element
-};
 struct Base {
   double z = 0.0;                        // m
   std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
@@ -185,6 +190,7 @@ struct Opening {
 };
 struct HouseWood {
   std::string material = "wood", within_member = "wood", between_members = "normal";
+  std::optional<std::string> timber_on_timber;  // between members of timber alone; none: between_members
 };
 /// gables: the non-bearing walls go on as under a vault, but there is none.
 enum class RoofKind { none, flat, vault, gables };
@@ -197,10 +203,58 @@ struct Roof {
   int voussoirs = 25;                                // of a ring (vault, gables)
   double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
 };
+/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
+struct Tie {
+  std::string name;
+  Vec3 from, to;                               // m
+  double area = 0.0;                           // m2, of the section
+  double young = 2.1e11;                       // Pa
+  std::optional<double> yield;                 // Pa; none: elastic
+  double hardening = 0.0;                      // Pa, slope of stress over strain beyond yield
+  std::optional<double> elongation;            // strain at which it breaks; none: never
+  double pretension = 0.0;                     // N, if its ends did not move
+  bool compression = false;                    // true: a bar; false: goes slack
+  std::optional<std::array<double, 2>> plate;  // m, width and height of the anchor plates; none: each end holds one element
+};
+/// Rods of a house, by wall and height (cases/house/house_ties.h).
+enum class HouseTieKind { along, across, corner };
+struct HouseTie {
+  HouseTieKind kind = HouseTieKind::along;
+  std::vector<std::string> walls;  // empty: all that are built
+  std::vector<double> heights;     // m, above the foot of the walls
+  std::vector<double> at;          // m, across: along the wall from the outer corner
+  std::optional<double> depth;     // m, along: from the outer face of the wall; none: in its middle
+  double reach = 0.0;              // m, corner: along both walls, from the outer corner to the rod's ends
+  Tie bar;                         // without ends
+};
+/// Bars through the wall from node to node of a mesh.
+struct MeshConnectors {
+  int every = 2;                             // nodes, along and up
+  double area = 0.0, young = 2.1e11;         // m2, Pa
+  std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
+};
+/// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
+enum class MeshFaces { both, outside, inside };
+struct HouseMesh {
+  std::string name;
+  std::vector<std::string> walls;              // empty: all that are built
+  double from = 0.0;                           // m, above the foot of the walls
+  std::optional<double> to;                    // m; none: the top of the walls
+  std::array<double, 2> spacing{0.2, 0.2};     // m, of the nodes along and up
+  MeshFaces faces = MeshFaces::both;
+  double stiffness = 0.0;                      // N per m of width, force over strain
+  std::optional<double> strength;              // N per m of width, at which it yields; none: elastic
+  std::optional<double> elongation;            // strain at which it breaks; none: never
+  std::optional<MeshConnectors> connectors;
+};
+
+/// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
+enum class RingPlace { inside, middle };
 struct Reinforcement {
   std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
   std::vector<double> bearing, nonbearing;                      // column axes, m
   double element = 0.2;                                         // length of an element of a member, m
+  RingPlace ring_beam_place = RingPlace::inside;
 };
 enum class Bond { english, running };
 struct House {
@@ -219,6 +273,8 @@ struct House {
   Roof roof;
   std::vector<Opening> openings;  // key: opening
   std::optional<Reinforcement> reinforcement;
+  std::vector<HouseTie> ties;     // key: tie
+  std::vector<HouseMesh> meshes;  // key: mesh
 };
 
 /// The whole case file.

@@ -15,6 +15,8 @@ JointRules::JointRules(const Case& c, const Model& model) {
     if (has_timber(*c.house)) {
       within_member_ = find_law(model.laws, c.house->wood.within_member, "house.wood.within_member");
       between_members_ = find_law(model.laws, c.house->wood.between_members, "house.wood.between_members");
+      const auto& timber = c.house->wood.timber_on_timber;
+      timber_on_timber_ = timber ? find_law(model.laws, *timber, "house.wood.timber_on_timber") : between_members_;
     }
     if (c.house->roof.kind == RoofKind::flat)
       between_beams_ = find_law(model.laws, c.house->roof.between_beams, "house.roof.between_beams");
@@ -41,18 +43,52 @@ std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noex
   if (a.member < 0 || b.member < 0) return between_members_;
   if (a.member == b.member) return within_member_;
   if (a.kind == PartKind::beam && b.kind == PartKind::beam) return between_beams_;
-  return between_members_;
+  return timber_on_timber_;
 }
+
+bool JointRules::fits(std::size_t rule, const Block& a, const Block* b) const noexcept {
+  const std::array<std::int32_t, 2> pair{rule_material(a), b == nullptr ? geometry::kBase : rule_material(*b)};
+  return between_[rule].materials == pair || between_[rule].materials == std::array{pair[1], pair[0]};
+}
+
+bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a.house >= 0 && (b == nullptr || a.house == b->house); }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
   // Columns stand fixed to the ground (paper 3.3).
-  if (a.house >= 0 && b == nullptr) return a.kind == PartKind::column ? within_member_ : masonry_;
-  if (a.house >= 0 && b != nullptr && a.house == b->house) return law_in_house(a, *b);
-  const std::array<std::int32_t, 2> pair{rule_material(a), b == nullptr ? geometry::kBase : rule_material(*b)};
-  for (const Rule& rule : between_) {
-    if (rule.materials == pair || rule.materials == std::array{pair[1], pair[0]}) return rule.law;
+  if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
+  for (std::size_t i = 0; i < between_.size(); ++i) {
+    if (fits(i, a, b)) return between_[i].law;
   }
   return default_;
+}
+
+std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
+  const JointRules rules(c, model);
+  const std::size_t n = c.joints.between.size();
+  std::vector<bool> used(n), taken(n);  // taken: two such faces touch, but something before the rule gives their law
+  for (const geometry::Joint& joint : model.assembly.joints) {
+    const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
+    const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
+    bool before = JointRules::is_in_house(a, b);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!rules.fits(i, a, b)) continue;
+      (before ? taken : used)[i] = true;
+      before = true;
+    }
+  }
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (used[i]) continue;
+    const JointRule& rule = c.joints.between[i];
+    words.push_back(
+        indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
+        (taken[i] ? std::string("wherever these touch, ") +
+                        (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.between_beams) or an earlier rule come"
+                                 : "an earlier rule comes") +
+                        " first"
+                  : "no faces of these two touch"));
+  }
+  return words;
 }
 
 }  // namespace voussoir::cases

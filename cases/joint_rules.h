@@ -8,7 +8,7 @@
 
 #include "cases/model.h"
 
-/// Which law a joint has. Internal to cases/.
+/// Which law a joint has. Internal to cases/, but for unused_joint_rules.
 namespace voussoir::cases {
 
 /// The joint keys of a case with every name resolved.
@@ -19,6 +19,10 @@ class JointRules {
 
   /// Index into Model::laws for the joint of two blocks; `b` is null for the base.
   [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
+  /// Whether joints.between[rule] is about the materials of these two.
+  [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;
+  /// Whether their joint is one of a house, which has keys of its own for it.
+  [[nodiscard]] static bool is_in_house(const Block& a, const Block* b) noexcept;
 
  private:
   struct Rule {
@@ -28,10 +32,14 @@ class JointRules {
   [[nodiscard]] std::int32_t rule_material(const Block& block) const noexcept;
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
-  std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, between_beams_ = 0;  // of the house
-  std::vector<std::int32_t> made_from_;                                                     // by material
+  std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0;  // of the house
+  std::vector<std::int32_t> made_from_;                                                                            // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };
+
+/// Rules of joints.between that give no joint its law, each with the reason: "joints.between[1] (stone, base) applies to no joint: ...".
+/// \throw InputError as JointRules
+std::vector<std::string> unused_joint_rules(const Case& c, const Model& model);
 
 }  // namespace voussoir::cases

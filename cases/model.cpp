@@ -158,7 +158,7 @@ Model build_model(const Case& c) {
   assemble(c, model);
   pick_laws(rules, model);
   model.joint_strength = strength_factors(c.scatter, model);
-  model.ties = place_ties(c, model);
+  place_ties(c, model);
   return model;
 }
 

@@ -72,6 +72,15 @@ struct TieBar {
   double breaking = 0.0;                     // m, elongation; infinite: never
   double pretension = 0.0;                   // N
   bool compression = false;
+  std::int32_t mesh = -1;  // of House::meshes; −1: a tie by itself
+};
+
+/// What strengthening takes of material: all of a [[tie]], a [[house.tie]] or a [[house.mesh]].
+struct TieBill {
+  std::string name;
+  std::int64_t ties = 0, anchors = 0;  // anchors: plates, and ends of connectors
+  double length = 0.0;                 // m of rod
+  double area = 0.0;                   // m2 of mesh
 };
 
 struct Model {
@@ -82,7 +91,8 @@ struct Model {
   geometry::Assembly assembly;           // of the blocks, in order
   std::vector<std::int32_t> joint_law;   // by assembly joint, into laws
   std::vector<double> contact_friction;  // degrees, see cases/contact_rules.h
-  std::vector<TieBar> ties;
+  std::vector<TieBar> ties;              // those by themselves before those of meshes
+  std::vector<TieBill> tie_bill;
   std::vector<double> joint_strength;    // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 

@@ -8,8 +8,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "io/case_file/case_file.h"
+#include "io/commands/assess/assess_command.h"
+#include "io/commands/assess/assess_options.h"
+#include "io/commands/assess/limit_command.h"
 #include "io/commands/bench_command.h"
 #include "io/commands/compare_command.h"
 #include "io/commands/modes_command.h"
@@ -19,13 +23,14 @@
 #include "io/commands/run_command.h"
 #include "io/commands/summary_command.h"
 #include "io/commands/verify_command.h"
-#include "io/commands/waiting_threads.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
+#include "io/manual/manual_commands.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/motion_keys.h"
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
+#include "io/session/prepared_case.h"
+#include "io/session/waiting_threads.h"
 #include "solver/world/errors.h"
 
 namespace {
@@ -40,6 +45,7 @@ struct Words {
   std::string direction, record, scale, duration, dt, frames, kernels = "fast", scatter = "colour", format = "text";
   std::vector<std::string> files;  // of `motion`
   std::string first, second;       // of `compare`
+  std::string shell, man_folder;   // of `completion`, `man`
   bool verify = false, markdown = false;
   io::RunOptions run;
   io::BenchOptions bench;
@@ -49,16 +55,17 @@ struct Words {
   io::MotionOptions motion_options;
   io::CheckOptions check;
   io::ModesOptions modes;
+  io::LimitCommandOptions limit;
+  io::AssessOptions assess;
 };
 
 /// A path given on the command line starts at the working folder, not at the case's.
 std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
-/// A record or files on the command line take the place of those that the case names.
+/// A record or files on the command line take the place of those that the case names (apply_overrides).
 std::vector<std::string> motion_overrides(const Words& w) {
-  std::vector<std::string> dropped, given;
+  std::vector<std::string> given;
   const auto give = [&](const std::string& key, const std::string& value) {
-    for (const std::string_view other : io::give_way_to(key)) dropped.push_back("motion." + std::string(other) + "=");
     given.push_back("motion." + key + "=" + io::toml_string(value));
   };
   if (!w.direction.empty()) give("direction", w.direction);
@@ -71,8 +78,7 @@ std::vector<std::string> motion_overrides(const Words& w) {
     }
     give(m.substr(0, equals), from_here(m.substr(equals + 1)));
   }
-  dropped.insert(dropped.end(), given.begin(), given.end());
-  return dropped;
+  return given;
 }
 
 /// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
@@ -116,7 +122,7 @@ void add_run(CLI::App& app, Words& w) {
   run->add_option("-o,--output", w.run.folder, "folder of the results (default: results/CASE)");
   run->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
   run->add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
-  run->add_option("--motion", w.motion, "AXIS=FILE: ground motion of one axis (x, y, z, or L, T, V; may be repeated)");
+  run->add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
   run->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
   run->add_option("--duration", w.duration, "of shaking, s");
   run->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
@@ -161,9 +167,11 @@ void add_resume(CLI::App& app, Words& w) {
 }
 
 void add_compare(CLI::App& app, Words& w) {
-  CLI::App* compare = app.add_subcommand("compare", "are the results of two runs the same, bit for bit (provenance apart)?");
+  CLI::App* compare =
+      app.add_subcommand("compare", "are two runs the same, bit for bit (provenance apart)? If not: their measures side by side");
   compare->add_option("A", w.first, "folder of a run, or a file")->required();
   compare->add_option("B", w.second, "another")->required();
+  compare->add_option("--format", w.format, "text, or json: one object")->check(CLI::IsMember({"text", "json"}));
   compare->footer("example: voussoir compare results/one results/other; exit code 0: identical, 1: different");
 }
 
@@ -203,7 +211,7 @@ void add_summary(CLI::App& app, Words& w) {
 }
 
 void add_check(CLI::App& app, Words& w) {
-  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, faults; runs nothing");
+  CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, how long a run takes, faults");
   add_case(check, w);
   check->add_option("--draw", w.check.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
   check->add_flag("--overwrite", w.check.overwrite, "replace an existing drawing");
@@ -221,6 +229,22 @@ void add_modes(CLI::App& app, Words& w) {
   modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
 }
 
+/// The keys of [motion] of the same names.
+void add_treatment(CLI::App* command, cases::MotionTreatment& t) {
+  command->add_option("--from", t.from, "s: begin there, and call it time zero")->check(CLI::NonNegativeNumber);
+  command->add_option("--to", t.to, "s, of the record: end there")->check(CLI::PositiveNumber);
+  const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
+                                                         {"mean", cases::Baseline::mean},
+                                                         {"linear", cases::Baseline::linear},
+                                                         {"parabolic", cases::Baseline::parabolic}};
+  command->add_option("--baseline", t.baseline, "take off what is left of the baseline: none, mean, linear or parabolic")
+      ->transform(CLI::CheckedTransformer(baselines));
+  command
+      ->add_option_function<double>(
+          "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_motion(CLI::App& app, Words& w) {
   CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
   motion
@@ -231,14 +255,34 @@ void add_motion(CLI::App& app, Words& w) {
   motion->add_option("--damping", w.motion_options.damping, "damping ratios of the spectra (default 0.02)");
   motion->add_option("--until", w.motion_options.until, "use the first seconds only");
   motion->add_option("--unit", w.motion_options.unit, "g, m/s2 or cm/s2, where a format does not say");
+  motion->add_option("--dt", w.motion_options.dt, "s between samples, where a format does not say (one column)");
+  add_treatment(motion, w.motion_options.treatment);
+  motion->add_flag("--combine", w.motion_options.combine,
+                   "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
+  motion->add_option("--target", w.motion_options.target,
+                     "compare with a spectrum, and print the factor that fits: a file of period [s] and acceleration, or Eurocode 8 as "
+                     "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");
+  motion->add_option("--fit", w.motion_options.fit, "two periods between which it is compared, s (default 0.05 1)")
+      ->allow_extra_args(false);
   motion->add_option("--write", w.motion_options.write, "write the record as CSV files into this folder");
   motion->add_flag("--overwrite", w.motion_options.overwrite, "replace existing files");
   motion->footer("example: voussoir motion bam-like --spectra spectra.csv");
 }
 
+void add_manual(CLI::App& app, Words& w) {
+  CLI::App* completion = app.add_subcommand("completion", "print a script that lets the Tab key complete the words of this program");
+  completion->add_option("SHELL", w.shell, "bash, zsh or fish")->required()->check(CLI::IsMember(io::kShells));
+  completion->footer("example: source <(voussoir completion bash)");
+  CLI::App* man = app.add_subcommand("man", "write the manual pages of the program and of its commands into a folder");
+  man->add_option("FOLDER", w.man_folder, "made if it is missing; pages in it are replaced")->required();
+  man->footer("example: voussoir man man1; man man1/voussoir-run.1");
+}
+
 int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
-  const io::LoadedCase c = io::load_case(w.name, overrides(w));
+  io::LoadedCase c = io::load_case(w.name, overrides(w));
+  for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   try {
+    io::fill_own_frequency(c.value);
     return use(c);
   } catch (const cases::InputError& e) {
     std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
@@ -255,17 +299,25 @@ int dispatch(const CLI::App& app, Words& w) {
     std::fputs((w.markdown ? io::key_reference_markdown() : io::key_reference()).c_str(), stdout);
     return io::kDone;
   }
+  if (app.got_subcommand("completion")) return io::completion_command(io::option_table(app), w.shell);
+  if (app.got_subcommand("man")) return io::man_command(io::option_table(app), w.man_folder);
   if (app.got_subcommand("resume")) return io::resume_command(w.resume);
-  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second);
+  if (app.got_subcommand("compare")) return io::compare_command(w.first, w.second, w.format == "json");
   if (app.got_subcommand("summary")) {
     w.summary.json = w.format == "json";
     return io::summary_command(w.summary);
+  }
+  if (app.got_subcommand("assess")) {
+    return io::assess_command(w.assess);
   }
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
+  if (app.got_subcommand("limit")) {
+    return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });
+  }
   if (app.got_subcommand("bench")) {
     w.bench.threads = w.run.threads;
     if (w.name.ends_with(".h5")) return io::bench_checkpoint(w.name, w.bench);
@@ -303,13 +355,18 @@ int main(int argc, char** argv) {
   add_resume(app, w);
   add_compare(app, w);
   add_summary(app, w);
+  io::add_assess_options(*app.add_subcommand("assess", io::kAssess), w.assess);
   add_report(app, w);
   add_check(app, w);
   add_modes(app, w);
+  CLI::App* limit = app.add_subcommand("limit", io::kLimit);
+  add_case(limit, w);
+  io::add_limit_options(*limit, w.limit);
   add_motion(app, w);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
   app.add_subcommand("keys", "all keys of the case file")->add_flag("--markdown", w.markdown, "as tables, for a page");
+  add_manual(app, w);
   try {
     app.parse(argc, argv);
     return dispatch(app, w);

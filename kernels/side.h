@@ -147,6 +147,7 @@ inline constexpr int kPairStride = 12;
 struct PairBuffer {
   double *wrench = nullptr, *dashpot = nullptr;  // the whole; the dashpots' share
   std::uint8_t* on = nullptr;                    // by side: kOnWrench, kOnDashpot or both; 0: left nothing in this step
+  bool copy = false;                             // what is left here is added to the elements' rows all the same
 };
 inline constexpr std::uint8_t kOnWrench = 1, kOnDashpot = 2;
 
@@ -154,7 +155,7 @@ inline constexpr std::uint8_t kOnWrench = 1, kOnDashpot = 2;
 struct Rows {
   const double *pose = nullptr, *twist = nullptr;
   double *wrench = nullptr, *dashpot = nullptr;
-  PairBuffer pairs;  // if it has a buffer, forces go there
+  PairBuffer pairs;  // if it has a buffer, forces go there (too, if it is for copies)
 };
 
 /// Adds what sides left for element e to its rows, in the order of `codes`: side × 2 + (0: as master, 1: as slave).

@@ -147,7 +147,7 @@ VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, co
       store_row(buffer + l * kPairStride, on_a, l);
       store_opposite(buffer + l * kPairStride + 6, from_b, l);
     }
-    return;
+    if (!rows.pairs.copy) return;
   }
   static_assert(kDashpotStride == kWrenchStride);
   const auto row = [&](std::int32_t element) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-/// The law of a tie (THEORY.md (29)): force over elongation of a bar that is elastic, yields, hardens and breaks, and goes slack unless it
+/// The law of a tie (THEORY.md (31)): force over elongation of a bar that is elastic, yields, hardens and breaks, and goes slack unless it
 /// bears compression.
 namespace voussoir::kernels {
 

@@ -3,24 +3,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Moments of several runs side by side in one picture: a row for each run, a column for each time (empty where a run ended before).
 
-usage: scripts/contact_sheet.py DIR... --times T ... [--view front] [--dpi 150] [-o sheet.png] [--voussoir PROGRAM]
-Each picture is a still of `voussoir report DIR --stills` (needs Chromium); those that are there and not older than the run are used as they are.
-Needs what `scripts/setup plots` installs.
+usage: scripts/contact_sheet.py DIR... [--times T ...] [--view corner] [--stills FOLDER] [--width 4.5] [--dpi 150] [-o sheet.png]
+       [--voussoir PROGRAM]
+DIR is the folder of a run, or a folder with folders of runs in it: scripts/contact_sheet.py results -o all.png shows all of them at four moments.
+Each picture is a still of `voussoir report DIR --stills` (needs Chromium), kept in DIR/stills or in FOLDER; those that are there and not older than
+the run are used as they are. Their titles are cut off: the sheet has its own. Needs what `scripts/setup plots` installs.
 """
 
 import argparse
 import os
-import pathlib
 import subprocess
 import sys
 
 from PIL import Image
 
 import run_file
-from run_file import plt
+from run_file import plt, voussoir
 
-PROGRAM = pathlib.Path(__file__).resolve().parent.parent / "build/release/io/voussoir"
-WIDTH = 3.2  # of a picture, inches
+WIDTH = 4.5  # of a picture, inches: the type in it is then as large as a caption in print
+TITLE = 0.086  # part of a still that its title takes, at the top (scripts/report/src/overlay.js)
+PARTS = (0.2, 0.4, 0.6, 1.0)  # of the longest run: the four moments if none are named
 
 
 def end_of(folder):
@@ -29,15 +31,26 @@ def end_of(folder):
         return float(run_file.frame_times(file)[-1])
 
 
-def stills(folder, view, times, program):
-    """Paths of a run's pictures, one a time up to its end."""
+def runs_in(folder):
+    """The folder itself if it is of a run, or those of runs in it."""
+    if os.path.exists(os.path.join(folder, "run.h5")):
+        return [folder]
+    inside = sorted(str(path.parent) for path in pathlib.Path(folder).glob("*/run.h5"))
+    if not inside:
+        sys.exit(f"{folder}: holds no run.h5, nor does a folder in it")
+    return inside
+
+
+def stills(folder, view, times, program, kept=None):
+    """Paths of a run's pictures, one a time up to its end. kept: the folder for them; None: DIR/stills."""
     end = end_of(folder)
     times = [t for t in times if t <= end + 1e-6]
-    paths = [os.path.join(folder, "stills", f"{view}-{t:g}s.png") for t in times]
+    kept = kept or os.path.join(folder, "stills")
+    paths = [os.path.join(kept, f"{view}-{t:g}s.png") for t in times]
     ran = os.path.getmtime(os.path.join(folder, "run.h5"))
     old = [t for t, path in zip(times, paths) if not os.path.exists(path) or os.path.getmtime(path) < ran]
     if old:
-        words = [program, "report", folder, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
+        words = [program, "report", folder, "--output", kept, "--overwrite", "--view", view, "--stills", ",".join(f"{t:g}" for t in old)]
         try:
             done = subprocess.run(words)
         except OSError as error:
@@ -47,36 +60,41 @@ def stills(folder, view, times, program):
     return paths
 
 
-def sheet(rows, names, times, output, dpi=150):
-    """Draws the pictures of `rows`, each a list of paths in the order of `times`."""
+def sheet(rows, names, times, output, dpi=150, width=WIDTH):
+    """Draws the pictures of `rows`, each a list of paths in the order of `times`, `width` inches wide."""
     with Image.open(max(rows, key=len)[0]) as first:
-        height = WIDTH * first.height / first.width
-    size = (WIDTH * len(times), (height + 0.25) * len(rows))
+        height = width * (1 - TITLE) * first.height / first.width
+    size = (width * len(times), (height + 0.3) * len(rows))
     figure, grid = plt.subplots(len(rows), len(times), figsize=size, squeeze=False, layout="constrained")
     for axes_of_row, paths, name in zip(grid, rows, names):
         for axes in axes_of_row:
             axes.set_axis_off()
         for axes, path, t in zip(axes_of_row, paths, times):
-            axes.imshow(Image.open(path), interpolation="antialiased")
-            axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=8, loc="left")
+            with Image.open(path) as still:
+                axes.imshow(still.crop((0, round(TITLE * still.height), still.width, still.height)), interpolation="antialiased")
+            axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=12, loc="left")
     figure.savefig(output, dpi=dpi)
 
 
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("folders", nargs="+", metavar="DIR")
-    p.add_argument("--times", type=float, nargs="+", required=True, help="s")
-    p.add_argument("--view", default="front", choices=["corner", "front", "rear", "side", "top"])
-    p.add_argument("--dpi", type=int, default=150, help="pictures are 3.2 inches wide")
+    p.add_argument("--times", type=float, nargs="+", help="s (default: four moments of the longest run)")
+    p.add_argument("--view", default="corner", choices=["corner", "rearcorner", "front", "rear", "left", "side", "top", "plan"])
+    p.add_argument("--stills", metavar="FOLDER", help="keep the pictures in FOLDER/NAME of each run and not in DIR/stills")
+    p.add_argument("--width", type=float, default=WIDTH, help="of a picture, inches")
+    p.add_argument("--dpi", type=int, default=150)
     p.add_argument("-o", "--output", default="sheet.png")
-    p.add_argument("--voussoir", default=PROGRAM, metavar="PROGRAM", help="default: build/release/io/voussoir of the repository")
+    p.add_argument("--voussoir", default=voussoir.program(), metavar="PROGRAM", help="default: %(default)s")
     a = p.parse_args()
-    a.times.sort()
-    last = max(map(end_of, a.folders))
-    if a.times[0] > last + 1e-6:
-        sys.exit(f"--times {a.times[0]:g}: no run goes so far; the longest ends at {last:g} s")
-    names = [os.path.basename(os.path.normpath(f)) for f in a.folders]
-    sheet([stills(f, a.view, a.times, a.voussoir) for f in a.folders], names, a.times, a.output, a.dpi)
+    folders = [run for folder in a.folders for run in runs_in(folder)]
+    last = max(map(end_of, folders))
+    times = sorted(a.times or {round(part * last, 2) for part in PARTS})
+    if times[0] > last + 1e-6:
+        sys.exit(f"--times {times[0]:g}: no run goes so far; the longest ends at {last:g} s")
+    names = [os.path.basename(os.path.normpath(f)) for f in folders]
+    rows = [stills(f, a.view, times, a.voussoir, a.stills and os.path.join(a.stills, name)) for f, name in zip(folders, names)]
+    sheet(rows, names, times, a.output, a.dpi, a.width)
 
 
 if __name__ == "__main__":

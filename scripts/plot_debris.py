@@ -16,7 +16,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Rectangle
 
 import run_file
-from render import FACES, rotation
+from render import FACES
+from voussoir.results import rotation_matrices
 
 STANDS, MASONRY, ROOF = "#d9d9d9", "#cc4125", "#7f5a33"
 ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column")  # and "left ring beam", ...
@@ -36,7 +37,7 @@ class Plan:
         fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/run/collapse.h has it
         is_roof = np.array([tag.startswith(ROOF_TAGS) or tag.endswith("ring beam") for tag in file["model/element/tag"].asstr()[:]])
         self.colour = np.where(fallen, np.where(is_roof, ROOF, MASONRY), STANDS)
-        self.turn = rotation(file["frames/quaternion"][frame].astype(float))
+        self.turn = rotation_matrices(file["frames/quaternion"][frame])
         self.vertices = file["model/vertex"][:]
         self.cells = [(cell, kind, e) for cell, kind, e in
                       zip(file["model/cells"][:], file["model/cell_type"][:], file["model/cell_element"][:]) if self.now[e, 2] < below]

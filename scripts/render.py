@@ -14,6 +14,7 @@ from matplotlib.collections import PolyCollection
 
 import run_file
 from run_file import plt
+from voussoir.results import rotation_matrices
 
 # Faces of VTK's hexahedron (12) and wedge (13), outward.
 FACES = {
@@ -21,15 +22,6 @@ FACES = {
     13: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
 }
 ADOBE, WOOD, BROKEN = np.array([0.87, 0.80, 0.68]), np.array([0.55, 0.38, 0.22]), np.array([0.80, 0.16, 0.10])
-
-
-def rotation(q):
-    """Matrices of unit quaternions (w, x, y, z), n×3×3."""
-    w, x, y, z = q.T
-    return np.stack([
-        np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)], -1),
-        np.stack([2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)], -1),
-        np.stack([2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)], -1)], -2)
 
 
 class Run:
@@ -49,7 +41,7 @@ class Run:
         """Corners of all faces (list of k×3), colour of each."""
         x, q = self.frames["position"][frame], self.frames["quaternion"][frame]
         broken = self.frames["broken"][frame]
-        turn = rotation(q.astype(float))
+        turn = rotation_matrices(q)
         polygons, colours = [], []
         for cell, kind, e in zip(self.cells, self.kinds, self.element):
             corners = self.reference[cell[cell >= 0]] - self.start[e]

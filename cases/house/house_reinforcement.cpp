@@ -30,13 +30,20 @@ Sections sections_of(const Reinforcement& r, const HousePlan& plan) {
   s.column_y = positive_length(r.column[1], "house.reinforcement.column");
   s.beam_width = positive_length(r.ring_beam[0], "house.reinforcement.ring_beam");
   s.beam_height = positive_length(r.ring_beam[1], "house.reinforcement.ring_beam");
-  if (s.beam_height >= plan.height) {
+  if (r.ring_beam_place == RingPlace::middle) {
+    s.column = {0, plan.height};
+  } else if (s.beam_height >= plan.height) {
     throw InputError("house.reinforcement.ring_beam",
                      text(r.ring_beam[1]) + " m is not below the height of the walls, " + text(metres(plan.height)) + " m");
   }
   const std::array inner{plan.outer[0] - 2 * plan.wall(Side::left).thickness, plan.outer[1] - 2 * plan.wall(Side::front).thickness};
   const Tick room = std::min(inner[0], inner[1]) - plan.shortest_piece();
-  if (room < 2 * s.beam_width) {
+  const Tick thinnest = std::min(plan.wall(Side::left).thickness, plan.wall(Side::front).thickness);
+  if (r.ring_beam_place == RingPlace::middle && s.beam_width > thinnest) {
+    throw InputError("house.reinforcement.ring_beam", text(r.ring_beam[0]) + " m is wider than a wall under it; at most " +
+                                                          text(metres(thinnest)) + " m, the thickness of the thinnest wall");
+  }
+  if (r.ring_beam_place == RingPlace::inside && room < 2 * s.beam_width) {
     throw InputError("house.reinforcement.ring_beam",
                      text(r.ring_beam[0]) + " m leaves no room between the beams; at most " + text(metres(room / 2)) + " m");
   }
@@ -44,7 +51,7 @@ Sections sections_of(const Reinforcement& r, const HousePlan& plan) {
     throw InputError("house.reinforcement.column", text(r.column[0]) + " x " + text(r.column[1]) + " m does not fit between the walls, " +
                                                        text(metres(inner[0])) + " x " + text(metres(inner[1])) + " m apart");
   }
-  s.column = {0, plan.height - s.beam_height};
+  if (r.ring_beam_place == RingPlace::inside) s.column = {0, plan.height - s.beam_height};
   return s;
 }
 
@@ -140,6 +147,18 @@ class Carpenter {
   HouseParts& parts_;
 };
 
+/// Those along x run through the corners. Upon the walls their axes are the walls' middles.
+void add_ring_beams_upon(const HousePlan& plan, const Sections& s, Carpenter& carpenter) {
+  const Interval z{plan.height, plan.height + s.beam_height};
+  for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
+    const WallPlan& wall = plan.wall(side);
+    const Tick depth = (wall.thickness - s.beam_width) / 2;
+    const Tick from = (wall.corner - s.beam_width) / 2 + (wall.bearing ? 0 : s.beam_width);
+    const HouseBox box = in_house(plan, wall, {from, wall.length - from}, {depth, depth + s.beam_width}, z);
+    carpenter.add(PartKind::ring_beam, std::string(name(side)) + " ring beam", box, wall.bearing ? 0 : 1);
+  }
+}
+
 /// Those along x run through the inner corners.
 void add_ring_beams(const HousePlan& plan, const Sections& s, Carpenter& carpenter) {
   const Interval z{plan.height - s.beam_height, plan.height};
@@ -156,6 +175,11 @@ void add_ring_beams(const HousePlan& plan, const Sections& s, Carpenter& carpent
 void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& parts) {
   if (std::any_of(plan.walls.begin(), plan.walls.end(), [](const WallPlan& w) { return !w.built; }))
     throw InputError("house.reinforcement", "a ring beam goes round four walls; house.walls leaves out some");
+  const bool upon_walls = house.reinforcement->ring_beam_place == RingPlace::middle;
+  if (upon_walls && (house.roof.kind == RoofKind::vault || house.roof.kind == RoofKind::gables))
+    throw InputError("house.reinforcement.ring_beam_place",
+                     "\"middle\" does not go with this roof, whose gables and vault start where the ring would lie; allowed: \"inside\", "
+                     "or house.roof.kind \"none\" or \"flat\"");
   const Sections s = sections_of(*house.reinforcement, plan);
   std::vector<Column> columns;
   place_columns(house, plan, s, true, columns);
@@ -163,7 +187,7 @@ void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& 
   Carpenter carpenter(*house.reinforcement, parts);
   for (std::size_t i = 0; i < columns.size(); ++i)
     carpenter.add(PartKind::column, "column " + std::to_string(i), {columns[i].x, columns[i].y, s.column}, 2);
-  add_ring_beams(plan, s, carpenter);
+  upon_walls ? add_ring_beams_upon(plan, s, carpenter) : add_ring_beams(plan, s, carpenter);
 }
 
 }  // namespace voussoir::cases

@@ -8,6 +8,11 @@
 
 namespace voussoir::cases {
 
+Tick roof_seat(const House& house, const HousePlan& plan) {
+  const bool upon_walls = house.reinforcement && house.reinforcement->ring_beam_place == RingPlace::middle;
+  return plan.height + (upon_walls ? positive_length(house.reinforcement->ring_beam[1], "house.reinforcement.ring_beam") : 0);
+}
+
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
   if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
     throw InputError("house.roof.kind", "a flat roof rests on the front and the rear wall; house.walls leaves one of them out");
@@ -15,6 +20,7 @@ void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& part
   const Tick height = positive_length(house.roof.beam[1], "house.roof.beam");
   const Tick bearing = plan.wall(Side::front).thickness;
   const Tick seat = std::min(bearing, plan.brick_length);
+  const Tick low = roof_seat(house, plan);
   const Interval across{bearing - seat, plan.outer[1] - (bearing - seat)};
   const Tick element = element_length(house.roof.element, across.length(), "house.roof.element");
   Block prototype;
@@ -28,7 +34,7 @@ void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& part
     prototype.member = parts.members++;
     for (const Interval y : cut_member(across, element)) {
       prototype.whole = x.length() == width && y.length() == element;
-      parts.blocks.push_back(box_block({x, y, {plan.height, plan.height + height}}, prototype));
+      parts.blocks.push_back(box_block({x, y, {low, low + height}}, prototype));
     }
   }
 }

@@ -171,7 +171,12 @@ class Reader {
     under.source = top.source;
     for (Entry& entry : *from) {
       if (Entry* known = find_entry(*to, entry.name)) {
-        lay_over(std::move(entry.node), known->node);
+        const auto* array = entry.node.as<Node::Array>();
+        if (array != nullptr && array->empty() && known->node.as<Node::Array>() == nullptr) {
+          known->node = {Node::Removed{}, entry.node.source};  // `key = []` takes away what was included, be it no array
+        } else {
+          lay_over(std::move(entry.node), known->node);
+        }
       } else {
         to->push_back(std::move(entry));
       }

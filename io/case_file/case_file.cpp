@@ -4,6 +4,7 @@
 
 #include "io/case_file/case_document.h"
 #include "io/case_file/case_tables.h"
+#include "io/case_file/inherited_values.h"
 #include "io/files/errors.h"
 
 namespace voussoir::io {
@@ -36,9 +37,8 @@ std::string LoadedCase::describe(const cases::InputError& error) const {
 
 LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overrides) {
   Document document = read_document(text);
-  apply_overrides(document.root, overrides);
-
   LoadedCase loaded;
+  loaded.notes = apply_overrides(document.root, overrides);
   loaded.path = text.path;
   loaded.value.folder = text.folder;
   Reading reading;
@@ -47,7 +47,11 @@ LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overr
     const std::string problem = sentence_of(fault->key, fault->value, fault->problem);
     throw CaseFileError(place_of(document, overrides, fault->source) + ": " + problem, fault->key, fault->problem, fault->source.line);
   }
-  for (const auto& [key, known] : reading.known()) loaded.keys[key] = {place_of(document, overrides, known.source), known.value};
+  for (const auto& [key, known] : reading.known()) {
+    const bool included = known.source.set < 0 && (known.source.file > 0 || text.built_in);
+    loaded.keys[key] = {place_of(document, overrides, known.source), known.value, included};
+  }
+  if (const std::string note = inherited_values(loaded); !note.empty()) loaded.notes.push_back(note);
   return loaded;
 }
 

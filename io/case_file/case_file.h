@@ -34,8 +34,9 @@ struct CaseText {
 
 /// Where a key of a case was written, and as what.
 struct KeyPlace {
-  std::string where;  // "house.toml:14" or "--set house.height=7"
-  std::string value;  // "7 m"; empty: a table
+  std::string where;      // "house.toml:14" or "--set house.height=7"
+  std::string value;      // "7 m"; empty: a table
+  bool included = false;  // written in a case that this one includes, or in a ready case that overrides are laid over
 };
 
 /// A case, and where each of its keys was written.
@@ -43,6 +44,7 @@ struct LoadedCase {
   cases::Case value;
   std::string path;                      // as in CaseText
   std::map<std::string, KeyPlace> keys;  // by the path of InputError: "house.opening[1].width"; only keys that are given
+  std::vector<std::string> notes;        // what people should be told of before it runs; none is a fault
 
   /// The whole message of a fault found later: "house.toml:14: house.opening[1].width = 7 m is wider than the wall (5.4 m)".
   /// If the key itself is not given, file and line are those of the nearest table around it.

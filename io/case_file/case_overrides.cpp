@@ -7,6 +7,7 @@
 
 #include "io/case_file/case_file.h"
 #include "io/document/case_tree.h"
+#include "io/motion/motion_keys.h"
 
 namespace voussoir::io {
 namespace {
@@ -132,13 +133,50 @@ void set_source(Node& node, Source source) {
   }
 }
 
+/// A source of the motion that an override names takes the place of the one that the case names, as a later file does over an included one.
+void make_way(Node& document, const Override& o) {
+  if (o.path.size() != 2 || o.path[0].name != "motion" || o.path[1].bracket || o.value.empty()) return;
+  Entry* motion = find_entry(*document.as<Node::Table>(), "motion");
+  auto* keys = motion == nullptr ? nullptr : motion->node.as<Node::Table>();
+  if (keys == nullptr) return;
+  for (const std::string_view other : give_way_to(o.path[1].name)) std::erase_if(*keys, [&](const Entry& e) { return e.name == other; });
+}
+
+/// The tables of an array that an override takes away, with their names if they have any; empty: it takes away no such array.
+std::string tables_in(const Node& document, const Override& o) {
+  const Node* node = &document;
+  for (const Step& step : o.path) {
+    const auto* table = node->as<Node::Table>();
+    const Entry* entry = table == nullptr ? nullptr : find_entry(*table, step.name);
+    if (entry == nullptr) return "";
+    node = &entry->node;
+  }
+  const auto* array = node->as<Node::Array>();
+  if (array == nullptr || array->empty() || array->front().as<Node::Table>() == nullptr) return "";
+  std::string names;
+  for (const Node& each : *array) {
+    const auto* table = each.as<Node::Table>();
+    const Entry* name = table == nullptr ? nullptr : find_entry(*table, "name");
+    const auto* text = name == nullptr ? nullptr : name->node.as<std::string>();
+    if (text != nullptr) names += (names.empty() ? ": " : ", ") + *text;
+  }
+  return std::to_string(array->size()) + names;
+}
+
 }  // namespace
 
-void apply_overrides(Node& document, const std::vector<std::string>& overrides) {
+std::vector<std::string> apply_overrides(Node& document, const std::vector<std::string>& overrides) {
+  std::vector<std::string> notes;
+  std::vector<Override> all;
   for (std::size_t i = 0; i < overrides.size(); ++i) {
-    const Override o = parse_override(overrides[i], static_cast<int>(i));
-    if (!is_utf8(o.text)) o.refuse("is not in UTF-8");
+    all.push_back(parse_override(overrides[i], static_cast<int>(i)));
+    if (!is_utf8(all.back().text)) all.back().refuse("is not in UTF-8");
+  }
+  for (const Override& o : all) make_way(document, o);  // before any is set: two of them may still contradict each other
+  for (const Override& o : all) {
     if (o.value.empty()) {
+      const std::string gone = tables_in(document, o);
+      if (!gone.empty()) notes.push_back("--set " + std::string(o.text) + " takes away all that the case has there (" + gone + ")");
       remove(document, o);
       continue;
     }
@@ -147,6 +185,7 @@ void apply_overrides(Node& document, const std::vector<std::string>& overrides) 
     *node = parse_value(o.value);
     set_source(*node, o.source());
   }
+  return notes;
 }
 
 }  // namespace voussoir::io

@@ -74,6 +74,22 @@ Key<Motion> scale_key() {
   return key;
 }
 
+/// One length for both ends, or one each.
+Key<Motion> taper_key() {
+  Key<Motion> key = value<Motion>(
+      "taper", [](auto& motion) -> auto& { return motion.treatment.taper; }, "s", at_least(0.0),
+      "half a cosine from zero at the start and to zero at the end of each component, after cut and baseline; or one each");
+  key.info.shape = "a number or an array [start, end]";
+  key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
+    if (node.as<Node::Array>() != nullptr) {
+      read_value(node, motion.treatment.taper, info, reading, path);
+    } else if (double both = 0.0; read_value(node, both, info, reading, path)) {
+      motion.treatment.taper.fill(both);
+    }
+  };
+  return key;
+}
+
 /// A file of one axis; the array is Motion::xyz or Motion::ltv.
 template <class Files>
 Key<Motion> file_key(const char* name, Files files, std::size_t axis, const char* sentence) {
@@ -94,6 +110,8 @@ void check_motion(const Motion& s, const RuleCheck& check) {
   if (!xyz.empty() && !ltv.empty()) return check.fault(ltv, "does not go with motion." + xyz + "; give files for x, y, z, or for L, T, V");
   if (!xyz.empty() && s.direction != Motion{}.direction)
     return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
+  if (s.treatment.to && *s.treatment.to <= s.treatment.from.value_or(0.0))
+    return check.fault("to", "must be above motion.from, where the window begins");
   if (!s.record && xyz.empty() && ltv.empty()) check.fault("", "names no motion; give record, or files for x, y, z, or for L, T, V");
 }
 
@@ -105,6 +123,26 @@ Table<HistoryPoint> history_table() {
           [](const S& s, const RuleCheck& check) {
             if (!can_name_history(s.name))
               check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
+          }};
+}
+
+Table<Cut> cut_table() {
+  using S = Cut;
+  return {"a plane; the force and the moment that pass it are written",
+          {required(value<S>("name", &S::name, "", filled(), "its name in the results: /cuts/<name>")),
+           required(value<S>("point", &S::point, "m", any(), "a point of the plane; moments are about it")),
+           value<S>("normal", &S::normal, "", any(),
+                    "across the plane, need not be a unit vector; what lies there (by centroids) acts on what lies behind"),
+           value<S>("box", &S::box, "m", any(),
+                    "two opposite corners: only pairs of elements across the plane with their midpoint in the box count; none: all")},
+          [](const S& s, const RuleCheck& check) {
+            if (!can_name_history(s.name))
+              check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
+            if (s.normal == Vec3{}) check.fault("normal", "has no direction");
+            if (!s.box) return;
+            const auto& [low, high] = *s.box;
+            if (!(low.x < high.x && low.y < high.y && low.z < high.z))
+              check.fault("box", "has no room in it: each coordinate of the first corner must be below that of the second");
           }};
 }
 
@@ -171,6 +209,8 @@ Table<Motion> motion_table() {
   const std::vector<std::pair<std::string, std::string>> directions{{"LTV", "LTV"}, {"LVT", "LVT"}, {"TLV", "TLV"},
                                                                     {"TVL", "TVL"}, {"VLT", "VLT"}, {"VTL", "VTL"}};
   const std::vector<std::pair<std::string, std::string>> units{{"g", "g"}, {"m/s2", "m/s2"}, {"cm/s2", "cm/s2"}};
+  const std::vector<std::pair<std::string, Baseline>> baselines{
+      {"none", Baseline::none}, {"mean", Baseline::mean}, {"linear", Baseline::linear}, {"parabolic", Baseline::parabolic}};
   return {
       "acceleration of the base: a record, or files; any axis may be absent",
       {value<S>("record", &S::record, "", filled(), "\"bam-like\", a folder that holds record.toml, or a file that holds L, T and V"),
@@ -179,18 +219,35 @@ Table<Motion> motion_table() {
        file_key("x", &S::xyz, 0, "file of the motion along x"), file_key("y", &S::xyz, 1, "file of the motion along y"),
        file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
        file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
-       choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"), scale_key()},
+       choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"),
+       value<S>("dt", &S::dt, "s", within(1e-6, 10.0), "between samples of the files, where a format does not say (one column)"),
+       value<S>(
+           "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0),
+           "of the record: the sample nearest to it shakes first, at time zero; none: its start"),
+       value<S>(
+           "to", [](auto& s) -> auto& { return s.treatment.to; }, "s", above(0.0),
+           "of the record: the last sample that shakes; none: its end"),
+       choice<S>(
+           "baseline", [](auto& s) -> auto& { return s.treatment.baseline; }, "", baselines,
+           "taken off each component after the cut: its mean, a least-squares line, or the parabola that leaves the least mean square of "
+           "velocity"),
+       taper_key(), scale_key()},
       check_motion};
 }
 
 Table<Output> output_table() {
   using S = Output;
   return {"what is written, and how often",
-          {value<S>("history_interval", &S::history_interval, "s", above(0.0), "between rows of histories"),
+          {value<S>("history_interval", &S::history_interval, "s", above(0.0),
+                    "between rows of histories; time.step = \"auto\" takes a step that divides it"),
            value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
            value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
-           table<S>("history", &S::history, history_table())},
+           table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
           [](const S& s, const RuleCheck& check) {
+            std::set<std::string> cuts;
+            for (std::size_t i = 0; i < s.cuts.size(); ++i) {
+              if (!cuts.insert(s.cuts[i].name).second) return check.fault(path_to("cut", i) + ".name", "is the name of another cut, too");
+            }
             std::set<std::string> names;
             for (std::size_t i = 0; i < s.history.size(); ++i) {
               if (!names.insert(s.history[i].name).second)

@@ -9,11 +9,15 @@ using namespace cases;
 
 Table<HouseWood> wood_table() {
   using S = HouseWood;
-  return {"timber of the house",
-          {value<S>("material", &S::material, "", filled(), "of lintels, beams and columns"),
-           value<S>("within_member", &S::within_member, "", filled(), "joint law between elements of one member"),
-           value<S>("between_members", &S::between_members, "", filled(), "joint law between members, and of members with all else")},
-          nullptr};
+  return {
+      "timber of the house",
+      {value<S>("material", &S::material, "", filled(), "of lintels, beams and columns"),
+       value<S>("within_member", &S::within_member, "", filled(), "joint law between elements of one member"),
+       value<S>("between_members", &S::between_members, "", filled(), "joint law between members, and of members with all else"),
+       value<S>("timber_on_timber", &S::timber_on_timber, "", filled(),
+                "joint law between members of timber (ring beam on column or ring beam, roof beam on ring beam; not between roof beams); "
+                "none: between_members, the paper's mortar")},
+      nullptr};
 }
 
 Table<Roof> roof_table() {
@@ -58,13 +62,18 @@ Table<Opening> opening_table() {
 
 Table<Reinforcement> reinforcement_table() {
   using S = Reinforcement;
-  return {"timber columns and ring beams at the inner faces of the walls",
-          {value<S>("column", &S::column, "m", above(0.0), "section of the columns, along x and y"),
-           value<S>("bearing", &S::bearing, "m", at_least(0.0), "x of the column axes at both bearing walls"),
-           value<S>("nonbearing", &S::nonbearing, "m", at_least(0.0), "y of the column axes at both non-bearing walls"),
-           value<S>("ring_beam", &S::ring_beam, "m", above(0.0), "section of the ring beams, width and height"),
-           value<S>("element", &S::element, "m", above(0.0), "length of an element of a member")},
-          nullptr};
+  return {
+      "timber columns at the inner faces of the walls, and ring beams there or upon the walls",
+      {value<S>("column", &S::column, "m", above(0.0), "section of the columns, along x and y"),
+       value<S>("bearing", &S::bearing, "m", at_least(0.0), "x of the column axes at both bearing walls"),
+       value<S>("nonbearing", &S::nonbearing, "m", at_least(0.0), "y of the column axes at both non-bearing walls"),
+       value<S>("ring_beam", &S::ring_beam, "m", above(0.0), "section of the ring beams, width and height"),
+       choice<S, RingPlace S::*, RingPlace>(
+           "ring_beam_place", &S::ring_beam_place, "", {{"inside", RingPlace::inside}, {"middle", RingPlace::middle}},
+           "inside: at the inner faces of the walls, flush with their top; middle: upon the walls, over their middle, under a flat roof "
+           "or none (at most as wide as the thinnest wall)"),
+       value<S>("element", &S::element, "m", above(0.0), "length of an element of a member")},
+      nullptr};
 }
 
 }  // namespace

@@ -43,18 +43,36 @@ Table<Time> time_table() {
           nullptr};
 }
 
+/// A frequency in Hz, or "auto" for the model's own.
+Key<Damping> frequency_key() {
+  Key<Damping> key = value<Damping>("frequency", &Damping::frequency, "Hz", above(0.0),
+                                    "where the ratio holds: the natural frequency; auto: of the mode with the largest mass in y, computed "
+                                    "before the run and kept in its case.toml (four digits)");
+  key.info.shape = "\"auto\" or a number";
+  key.read = [info = key.info](const Node& node, Damping& damping, Reading& reading, const std::string& path) {
+    damping.own_frequency = same_word(node, "\"auto\"");
+    if (damping.own_frequency) {
+      damping.frequency.reset();
+    } else {
+      read_value(node, damping.frequency, info, reading, path);
+    }
+  };
+  key.text = [](const Damping& d) { return d.frequency ? value_text(*d.frequency) : std::string(d.own_frequency ? "\"auto\"" : ""); };
+  return key;
+}
+
 Table<Damping> damping_table() {
   using S = Damping;
   return {
       "mass damping: ratio at frequency, or alpha",
       {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
-       value<S>("frequency", &S::frequency, "Hz", above(0.0), "where the ratio holds: the first natural frequency"),
-       value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
+       frequency_key(), value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond")},
       [](const S& s, const RuleCheck& check) {
         if (s.alpha && s.ratio > 0.0) check.fault("alpha", "does not go with damping.ratio; give ratio and frequency, or alpha");
-        if (s.ratio > 0.0 && !s.frequency) check.fault("ratio", "needs damping.frequency (Hz, > 0), where the ratio holds");
-        if (s.frequency && !s.alpha && !check.given("ratio"))
+        if (s.ratio > 0.0 && !s.frequency && !s.own_frequency)
+          check.fault("ratio", "needs damping.frequency (Hz, > 0, or \"auto\"), where the ratio holds");
+        if ((s.frequency || s.own_frequency) && !s.alpha && !check.given("ratio"))
           check.fault("frequency", "needs damping.ratio, of critical damping at this frequency");
       }};
 }

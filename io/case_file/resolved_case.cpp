@@ -5,6 +5,7 @@
 #include "io/case_file/case_file.h"
 #include "io/case_file/case_tables.h"
 #include "io/document/case_tree.h"
+#include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 
 namespace voussoir::io {
@@ -47,7 +48,7 @@ cases::Case without_folders(cases::Case value) {
 
 std::string resolved_toml(const cases::Case& value) {
   Lines lines;
-  lines.out = "# All keys of the case with their values, as used. \"none\": the key has no value.\n\n";
+  lines.out = std::string(kResolvedHead) + " \"none\": the key has no value.\n\n";
   write_table(case_table(), value, lines, "");
   return std::move(lines.out);
 }
@@ -57,7 +58,7 @@ std::string key_reference() {
   lines.out =
       "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n"
       "include                          a ready case or a .toml file, or an array of them: read first; this case lies over them, key by "
-      "key\n\n";
+      "key; KEY = [] takes away what they brought\n\n";
   list_table(case_table(), lines, {});
   return std::move(lines.out);
 }
@@ -71,7 +72,10 @@ std::string key_reference_markdown() {
       "`<name>`\n"
       "is the user's own. `none`: without a value. SI units, z up, degrees. Beside these keys, `include` at the top names a ready case or "
       "a\n"
-      "`.toml` file, or an array of them: read first; the case lies over them, key by key.\n\n";
+      "`.toml` file, or an array of them: read first; the case lies over them, key by key. Arrays of tables (`[[...]]`) are replaced as a\n"
+      "whole. `KEY = []` takes away what they brought: all openings (`opening = []` in `[house]`), all followed points (`history = []` in\n"
+      "`[output]`), a table (`reinforcement = []`), or a single value, which has its default again; `--set KEY=` does so on the command "
+      "line.\n\n";
   list_table(case_table(), lines, {});
   return std::move(lines.out);
 }

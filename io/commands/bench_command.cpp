@@ -17,15 +17,15 @@
 #include "io/bench/bench_stages.h"
 #include "io/bench/bench_table.h"
 #include "io/bench/bench_timing.h"
-#include "io/commands/progress.h"
-#include "io/commands/restored_run.h"
 #include "io/commands/run_command.h"
-#include "io/commands/session.h"
-#include "io/commands/waiting_threads.h"
 #include "io/files/errors.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
+#include "io/session/restored_run.h"
+#include "io/session/session.h"
+#include "io/session/waiting_threads.h"
 #include "solver/bench/machine.h"
 #include "solver/bench/memory.h"
 #include "solver/bench/step_work.h"
@@ -94,6 +94,7 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
                   int batches, BenchTable& table) {
   ResultsOptions when_told;
   when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
+  when_told.cuts = cut_names(run.value);
   std::filesystem::create_directory(folder);
   ResultsWriter results(folder, run.model, "", history_names(run.value), provenance(0), when_told);
   std::vector<int> counts, steps;
@@ -165,8 +166,7 @@ struct FreshRun {
 }  // namespace
 
 int bench_command(const LoadedCase& c, const BenchOptions& o) {
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
+  const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
   if (c.value.motion && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
   const auto build = [&](bool gather) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
-
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -12,22 +12,25 @@
 #include "cases/levers.h"
 #include "cases/names.h"
 #include "io/case_file/catalogue.h"
-#include "io/commands/progress.h"
 #include "io/commands/run_command.h"
-#include "io/commands/tie_lines.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
 #include "io/report/drawing.h"
-#include "solver/setup/setup.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
+#include "io/session/tie_lines.h"
+#include "solver/run/simulation.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::io {
 
 namespace {
 
-// Rough figures for the estimate, from a 2021 server core: an intact house; a collapse takes several times as long.
-constexpr double kSecondsPerSide = 4.0e-8, kSecondsPerElement = 4.0e-8;
-constexpr double kSettling = 1.5;  // s simulated, typical
+// For the estimate: steps of the intact model are timed here and now; a house that collapses took ten times as long (perf/README.md).
+constexpr double kTrialTime = 0.3;  // s of wall-clock
+constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
+constexpr double kCollapse = 10.0;
+constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s simulated: the default ramp, a typical wait
 constexpr double kMegabyte = 1e6;
 
 double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
@@ -89,27 +92,53 @@ void print_step(const cases::Census& n, const cases::Model& m, double dt) {
   std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
 }
 
-void print_estimate(const cases::Case& c, const cases::Census& n, double dt, int threads) {
-  const double duration = c.time.duration + (c.gravity.settle ? kSettling : 0.0);
+/// s of wall-clock that a step of the intact model takes. Takes a few.
+double time_a_step(solver::Simulation& sim) {
+  using Clock = std::chrono::steady_clock;
+  for (int i = 0; i < kWarmUp; ++i) sim.step({});
+  const auto start = Clock::now();
+  int steps = 0;
+  double taken = 0.0;
+  while (steps < kMostTrialSteps && taken < kTrialTime) {
+    sim.step({});
+    ++steps;
+    taken = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return taken / steps;
+}
+
+/// s simulated before the shaking begins.
+double settling_time(const cases::Case& c) {
+  if (!c.gravity.settle) return 0.0;
+  const double ramp = c.gravity.ramp.value_or(c.damping.frequency ? 5.0 / *c.damping.frequency : kRamp);
+  return ramp + std::min(c.gravity.settle_limit, kWaitForRest);
+}
+
+void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
-  const double step = (joints * kSecondsPerSide + elements * kSecondsPerElement) / threads;
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
   const double frames = std::floor(c.time.duration / c.output.frame_interval) + 1.0;
   const double rows = c.time.duration / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
-  std::printf("\nestimate, %d threads      %s if nothing breaks, several times that in a collapse\n", threads,
-              format_duration(duration / dt * step).c_str());
+  try {
+    const double intact = (c.time.duration + settling_time(c)) / sim.dt() * time_a_step(sim);
+    std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
+                sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
+  } catch (const solver::NumericalError& e) {
+    std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
+  }
   std::printf("memory, disk             about %.0f MB, %.0f MB\n", memory / kMegabyte, disk / kMegabyte);
 }
 
 }  // namespace
 
 int check_command(const LoadedCase& c, const CheckOptions& o) {
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
-  if (c.value.motion) load_motion(*c.value.motion, c.value.folder);
-  const auto world = solver::build_world(c.value, model, {});
+  const cases::Model model = prepared_model(c.value);
+  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  solver::Options options;
+  options.threads = o.threads;
+  solver::Simulation sim(c.value, model, motion, options);
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
   std::printf("elements                 %s\n", format_count(n.elements).c_str());
@@ -120,15 +149,18 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_levers(c.value, model);
   print_ties(model);
-  print_step(n, model, world->dt);
+  print_bounded_ties(sim.world().ties, model);
+  print_step(n, model, sim.dt());
   print_friction(c.value.contact);
+  std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);
   print_bill(n, model);
-  print_estimate(c.value, n, world->dt, o.threads > 0 ? o.threads : omp_get_max_threads());
+  print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
   }
+  warn_of_slips(c.value, model);
   std::printf("\nno faults found\n");
   return kDone;
 }

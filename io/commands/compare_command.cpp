@@ -3,14 +3,20 @@
 #include "io/commands/compare_command.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
 #include "io/case_file/case_file.h"
+#include "io/commands/compared_measures.h"
+#include "io/commands/summary_command.h"
+#include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
@@ -18,6 +24,7 @@ namespace voussoir::io {
 namespace {
 
 constexpr std::uint64_t kPieceBytes = 4U << 20;  // of a dataset in memory at a time
+constexpr double kSameTime = 1e-9;               // s: below any step; runs with other steps round their times differently
 
 /// Paths of all datasets below a group, provenance apart.
 void list_datasets(const Hdf5File& file, const std::string& group, std::set<std::string>& all) {
@@ -38,32 +45,66 @@ std::uint64_t row_bytes(const Shape& shape, Hdf5Type type) {
   return bytes;
 }
 
-/// The first row in which two datasets of one shape and type differ.
-std::optional<std::uint64_t> first_row(const Hdf5File& a, const Hdf5File& b, const std::string& name) {
-  const Shape shape = a.shape(name);
+/// Rows of two tables that belong together: (row of the first, row of the second), ascending in both.
+struct RowPairs {
+  std::vector<std::array<std::uint64_t, 2>> rows;
+  bool same_times = true;  // the shorter table has the times of the beginning of the longer one
+
+  /// Row by row, as long as both have one.
+  static RowPairs in_order(std::uint64_t n) {
+    RowPairs p;
+    for (std::uint64_t i = 0; i < n; ++i) p.rows.push_back({i, i});
+    return p;
+  }
+  /// Rows of the same time. \param a, b  ascending, s
+  static RowPairs at_times(const std::vector<double>& a, const std::vector<double>& b) {
+    RowPairs p;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      if (std::abs(a[i] - b[j]) <= kSameTime) {
+        p.same_times = p.same_times && i == j;
+        p.rows.push_back({i++, j++});
+      } else {
+        p.same_times = false;
+        a[i] < b[j] ? ++i : ++j;
+      }
+    }
+    return p;
+  }
+};
+
+/// The first pair of rows in which two datasets of one type and width differ.
+std::optional<std::array<std::uint64_t, 2>> first_pair(const Hdf5File& a, const Hdf5File& b, const std::string& name,
+                                                       const RowPairs& pairs) {
   const Hdf5Type type = a.type(name);
-  const std::uint64_t rows = shape.empty() ? 1 : shape[0], bytes = std::max<std::uint64_t>(1, row_bytes(shape, type));
+  const std::uint64_t bytes = std::max<std::uint64_t>(1, row_bytes(a.shape(name), type));
   const std::uint64_t piece = std::max<std::uint64_t>(1, kPieceBytes / bytes);
   std::vector<std::byte> p, q;
-  for (std::uint64_t first = 0; first < rows; first += piece) {
-    const std::uint64_t n = std::min(piece, rows - first);
-    p.assign(n * bytes, std::byte{}), q.assign(n * bytes, std::byte{});
-    a.read_rows(name, type, first, n, p.data());
-    b.read_rows(name, type, first, n, q.data());
-    const auto [at, other] = std::ranges::mismatch(p, q);
-    if (at != p.end()) return first + static_cast<std::uint64_t>(at - p.begin()) / bytes;
+  for (std::size_t first = 0, end = 0; first < pairs.rows.size(); first = end) {
+    const auto [i, j] = pairs.rows[first];
+    while (end < pairs.rows.size() && pairs.rows[end][0] - i < piece && pairs.rows[end][1] - j < piece) ++end;
+    const std::uint64_t m = pairs.rows[end - 1][0] - i + 1, n = pairs.rows[end - 1][1] - j + 1;
+    p.assign(m * bytes, std::byte{}), q.assign(n * bytes, std::byte{});
+    a.read_rows(name, type, i, m, p.data());
+    b.read_rows(name, type, j, n, q.data());
+    for (std::size_t k = first; k < end; ++k)
+      if (std::memcmp(p.data() + (pairs.rows[k][0] - i) * bytes, q.data() + (pairs.rows[k][1] - j) * bytes, bytes) != 0)
+        return pairs.rows[k];
   }
   return std::nullopt;
 }
 
-/// The time of a row: that of the dataset `time` beside it, or beside the group it is in.
-std::optional<double> time_of(const Hdf5File& file, const std::string& dataset, std::uint64_t row) {
+/// The dataset of the times of a row table's datasets: the `time` of the group at the top. Empty: none, as in /model.
+std::string times_of(const Hdf5File& file, const std::string& dataset) {
   const std::size_t top = dataset.find('/', 1);
-  if (top == std::string::npos) return std::nullopt;
+  if (top == std::string::npos) return "";
   const std::string time = dataset.substr(0, top) + "/time";
-  if (!file.exists(time)) return std::nullopt;
-  const Shape shape = file.shape(time);
-  if (shape.size() != 1 || row >= shape[0]) return std::nullopt;
+  return file.exists(time) && file.shape(time).size() == 1 ? time : "";
+}
+
+/// The time of a row.
+std::optional<double> time_of(const Hdf5File& file, const std::string& dataset, std::uint64_t row) {
+  const std::string time = times_of(file, dataset);
+  if (time.empty() || row >= file.shape(time)[0]) return std::nullopt;
   double value = 0.0;
   file.read_rows(time, Hdf5Type::f64, row, 1, &value);
   return value;
@@ -110,13 +151,36 @@ class Comparer {
     }
     if (a_.type(name) != b_.type(name)) return note({name, "other types", std::nullopt});
     const Shape p = a_.shape(name), q = b_.shape(name);
-    const bool only_rows = p.size() == q.size() && !p.empty() && std::equal(p.begin() + 1, p.end(), q.begin() + 1);
-    if (p != q && only_rows) {
-      const std::string what = std::to_string(p[0]) + " rows and " + std::to_string(q[0]);
-      return note({name, what, time_of(p[0] > q[0] ? a_ : b_, name, std::min(p[0], q[0]))});
-    }
-    if (p != q) return note({name, "other shapes", std::nullopt});
-    if (const auto row = first_row(a_, b_, name)) note({name, "row " + std::to_string(*row), time_of(a_, name, *row)});
+    const bool rows = p.size() == q.size() && !p.empty() && std::equal(p.begin() + 1, p.end(), q.begin() + 1);
+    if (p != q && !rows) return note({name, "other shapes", std::nullopt});
+    const std::uint64_t m = p.empty() ? 1 : p[0], n = q.empty() ? 1 : q[0];
+    const RowPairs& pairs = pairs_of(name, std::min(m, n));
+    if (name == times_of(a_, name) && !pairs.same_times) return note_times(name, pairs.rows.size());
+    if (const auto at = first_pair(a_, b_, name, pairs)) return note_rows(name, *at);
+    if (m != n && pairs.same_times)
+      note({name, std::to_string(m) + " rows and " + std::to_string(n), time_of(m > n ? a_ : b_, name, std::min(m, n))});
+  }
+
+  /// Tables with a row at a time go by time; cracks, of which many may have one, and all others row by row.
+  const RowPairs& pairs_of(const std::string& name, std::uint64_t rows) {
+    const std::string time = times_of(a_, name);
+    const bool by_time = !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/");
+    const std::string key = by_time ? time : std::to_string(rows);
+    const auto known = pairs_.find(key);
+    if (known != pairs_.end()) return known->second;
+    return pairs_.emplace(key, by_time ? RowPairs::at_times(a_.read<double>(time), b_.read<double>(time)) : RowPairs::in_order(rows))
+        .first->second;
+  }
+
+  /// Two runs that wrote at other times: told once for the group, whose other datasets are compared where both have a row.
+  void note_times(const std::string& name, std::size_t common) {
+    note({name, "other times; " + std::to_string(common) + " in common, at which the others of its group are compared", std::nullopt});
+  }
+
+  void note_rows(const std::string& name, const std::array<std::uint64_t, 2>& rows) {
+    const std::string what = "row " + std::to_string(rows[0]) + (rows[0] == rows[1] ? "" : " and row " + std::to_string(rows[1]));
+    const std::optional<double> in_a = time_of(a_, name, rows[0]), in_b = time_of(b_, name, rows[1]);
+    note({name, what, in_a && in_b ? std::min(*in_a, *in_b) : in_a});
   }
 
   void compare_attributes(const std::string& group) {
@@ -126,24 +190,54 @@ class Comparer {
       if (group == "/" && name == "parts") continue;  // how the rows are kept, not what they are
       const auto other = q.find(name);
       if (group == "/case" && name == "toml" && other != q.end() && meaning_of_case(a_) == meaning_of_case(b_)) continue;
-      if (other == q.end() || other->second != value) note({group, "attribute " + name, std::nullopt});
+      if (other == q.end() || other->second != value) note_attribute(group, name);
     }
     for (const auto& [name, value] : q) {
-      if (!p.contains(name)) note({group, "attribute " + name, std::nullopt});
+      if (!p.contains(name)) note_attribute(group, name);
     }
   }
 
+  void note_attribute(const std::string& group, const std::string& name) {
+    ++result_.differing_attributes;
+    keep_first({group, "attribute " + name, std::nullopt});
+  }
+
   void note(Difference d) {
+    ++result_.differing_datasets;
+    keep_first(std::move(d));
+  }
+
+  void keep_first(Difference d) {
     ++result_.differing;
+    const bool is_input = d.dataset == "/case" || d.dataset.starts_with("/model/");
+    if (is_input && !result_.input) result_.input = d;
     const bool earlier = !result_.first || (d.time && (!result_.first->time || *d.time < *result_.first->time));
     if (earlier) result_.first = std::move(d);
   }
 
   const Hdf5File &a_, &b_;
+  std::map<std::string, RowPairs> pairs_;  // by the dataset of their times, else by their number
   Comparison result_;
 };
 
 std::string results_of(const std::string& path) { return std::filesystem::is_directory(path) ? path + "/run.h5" : path; }
+
+std::string summary_of(const std::string& path) { return summary_json(Hdf5File::open(path)); }
+
+std::string as_json(const Comparison& c, const std::string& a, const std::string& b) {
+  using Json = nlohmann::ordered_json;
+  Json out{
+      {"identical", c.differing == 0}, {"datasets", c.datasets}, {"differing", c.differing}, {"first", nullptr}, {"measures", nullptr}};
+  if (c.first) {
+    out["first"] = Json{{"dataset", c.first->dataset}, {"what", c.first->what}, {"time", nullptr}};
+    if (c.first->time) out["first"]["time"] = *c.first->time;
+  }
+  try {
+    out["measures"] = Json::parse(measures_beside_json(summary_of(a), summary_of(b)));
+  } catch (const FileError&) {  // no runs: null
+  }
+  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -152,16 +246,32 @@ Comparison compare_files(const std::string& a, const std::string& b) {
   return Comparer(p, q).all();
 }
 
-int compare_command(const std::string& a, const std::string& b) {
+int compare_command(const std::string& a, const std::string& b, bool json) {
   const Comparison c = compare_files(results_of(a), results_of(b));
-  if (c.differing == 0) {
+  const bool same = c.differing == 0;
+  if (json) {
+    std::printf("%s\n", as_json(c, results_of(a), results_of(b)).c_str());
+    return same ? 0 : 1;
+  }
+  if (same) {
     std::printf("identical: %zu datasets\n", c.datasets);
     return 0;
   }
-  std::printf("different: %zu of %zu datasets and attributes\n", c.differing, c.datasets);
-  std::printf("first: %s, %s", c.first->dataset.c_str(), c.first->what.c_str());
-  if (c.first->time) std::printf(", at %.6f s", *c.first->time);
+  std::printf("different: %zu of %zu datasets", c.differing_datasets, c.datasets);
+  if (c.differing_attributes > 0) std::printf(", %zu attributes", c.differing_attributes);
   std::printf("\n");
+  const auto print = [](const char* what, const Difference& d) {
+    std::printf("%s: %s, %s", what, d.dataset.c_str(), d.what.c_str());
+    if (d.time) std::printf(", at %.6f s", *d.time);
+    std::printf("\n");
+  };
+  if (c.input) print("input", *c.input);
+  print("first", *c.first);
+  try {
+    std::printf("\n%s", measures_beside(summary_of(results_of(a)), summary_of(results_of(b))).c_str());
+  } catch (const FileError& e) {
+    std::printf("\nno measures: %s\n", e.what());  // files that are no runs can be compared, too
+  }
   return 1;
 }
 

@@ -11,21 +11,28 @@ namespace voussoir::io {
 /// Where two files part.
 struct Difference {
   std::string dataset;
-  std::string what;            // "row 12", "other shapes", "only in A"
+  std::string what;            // "row 12", "row 12 and row 6", "other times; ...", "other shapes", "only in the first"
   std::optional<double> time;  // s, of the row
 };
 
 /// What compare_files found. Nothing but `differing` = 0: the same bits.
 struct Comparison {
-  std::size_t datasets = 0, differing = 0;
-  std::optional<Difference> first;  // the earliest in time; else the first by name
+  std::size_t datasets = 0;  // in either file
+  std::size_t differing_datasets = 0, differing_attributes = 0;
+  std::size_t differing = 0;        // both
+  std::optional<Difference> first;  // the earliest in time; without any time the first by name
+  std::optional<Difference> input;  // the first of /case and /model: why they part
 };
 
-/// Compares every dataset of two HDF5 files, and the attributes of /case and /summary; provenance apart. Rows are compared byte by byte, so
-/// a NaN equals itself. \throw FileError
+/// Compares every dataset of two HDF5 files, and the attributes of /, /case and /summary; provenance apart. Rows are compared byte by byte,
+/// so a NaN equals itself. Rows of one time belong together: where two runs wrote at other intervals, the dataset of the times differs, and
+/// the others of its group only if they do at a time that both have. Cracks are compared in order. \throw FileError
 Comparison compare_files(const std::string& a, const std::string& b);
 
-/// \param a, b  folders of runs, or files. \return 0: the same; 1: not, and standard output says where they part \throw FileError
-int compare_command(const std::string& a, const std::string& b);
+/// Says on standard output whether two runs are the same; if not, where they part, and their measures side by side
+/// (compared_measures.h).
+/// \param a, b  folders of runs, or files. \param json  one object for programs: identical, datasets, differing, first, measures (always;
+/// null if a file is no run). \return 0: the same; 1: not \throw FileError
+int compare_command(const std::string& a, const std::string& b, bool json = false);
 
 }  // namespace voussoir::io

@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/commands/progress.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
-#include "io/motion/support_motion.h"
 #include "io/report/vtu_file.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
 #include "solver/analysis/impulse.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
@@ -85,8 +85,7 @@ int modes_command(const LoadedCase& loaded, const ModesOptions& o) {
   if (!o.shapes.empty() && !o.overwrite && std::filesystem::exists(o.shapes, none))
     throw FileError(o.shapes, "exists; --overwrite replaces it");
   cases::Case c = loaded.value;
-  cases::Model model = cases::build_model(c);
-  load_support_motions(model, c.folder);
+  const cases::Model model = prepared_model(c);
   const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), o.count);
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
   std::printf("%s\n\n", c.title.c_str());

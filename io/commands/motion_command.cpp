@@ -6,27 +6,23 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <numbers>
+#include <sstream>
 #include <system_error>
 
 #include "cases/names.h"
+#include "cases/motion/treatment.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
+#include "io/motion/motion_spectra.h"
+#include "io/motion/motion_text.h"
+#include "io/motion/target_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
-
-/// One line of the table.
-struct Component {
-  std::string record, name;
-  cases::Accelerogram motion;
-  std::optional<double> stated_peak;  // m/s2, of the file's header
-};
 
 /// One argument: a record of three components, or the components of a file.
 struct Source {
@@ -34,19 +30,19 @@ struct Source {
   std::vector<Component> of_file;
 };
 
-Source read_source(const std::string& argument, const std::optional<std::string>& unit) {
+Source read_source(const std::string& argument, const Unstated& unstated) {
   std::error_code error;
   if (argument == "bam-like") return {{argument, cases::bam_like()}, {}};
-  if (fs::is_directory(argument, error)) return {read_record_folder(argument, unit), {}};
+  if (fs::is_directory(argument, error)) return {read_record_folder(argument, unstated), {}};
   const bool exists = fs::exists(argument, error);
   if (!exists && argument.find('#') == std::string::npos) {
     throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, or bam-like");
   }
   Source source;
-  std::vector<Channel> channels = exists ? read_motion_file(argument, unit) : std::vector<Channel>{read_channel(argument, unit)};
+  std::vector<Channel> channels = exists ? read_motion_file(argument, unstated) : std::vector<Channel>{read_channel(argument, unstated)};
   for (Channel& c : channels) {
     const std::string name = c.component.empty() ? "-" : c.component;
-    source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak});
+    source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak, c.axis, 0});
   }
   return source;
 }
@@ -57,6 +53,29 @@ void cut(cases::Accelerogram& a, double until) {
   if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
 }
 
+/// Cut, corrected, tapered.
+void prepare(Source& s, const MotionOptions& o) {
+  if (o.until) {
+    for (auto& a : s.record.ltv) cut(a, *o.until);
+    for (Component& c : s.of_file) cut(c.motion, *o.until);
+  }
+  cases::treat(s.record.ltv, o.treatment, "--");
+  for (Component& c : s.of_file) {
+    std::array<cases::Accelerogram, 3> one{std::move(c.motion)};
+    cases::treat(one, o.treatment, "--");
+    c.motion = std::move(one[0]);
+  }
+}
+
+void check_spectra(const MotionOptions& o) {
+  if (o.combine && !o.spectra && !o.target)
+    throw cases::InputError("--combine", "is of spectra; allowed: with --spectra FILE.csv, or with --target");
+  if (!(o.fit[0] > 0.0 && o.fit[1] > o.fit[0]) || !std::isfinite(o.fit[1])) {
+    throw cases::InputError("--fit",
+                            "from " + cases::text(o.fit[0]) + " to " + cases::text(o.fit[1]) + " s; allowed: two rising periods above 0");
+  }
+}
+
 void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   if (arguments.empty()) throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like");
   if (o.unit && !acceleration_unit(*o.unit)) throw cases::InputError("--unit", shown(*o.unit) + "; allowed: " + kUnitNames);
@@ -64,7 +83,12 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   for (const double z : o.damping) {
     if (!(z >= 0.0 && z < 1.0)) throw cases::InputError("--damping", cases::text(z) + "; allowed: from 0 to below 1 (of critical)");
   }
-  if (o.spectra && o.damping.empty()) throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
+  if (o.until && o.treatment.to) throw cases::InputError("--until", "does not go with --to; give one of them");
+  if (o.dt && !(*o.dt >= kShortestStep && *o.dt <= kLongestStep))
+    throw cases::InputError("--dt", cases::text(*o.dt) + " s; allowed: from 1e-6 to 10");
+  check_spectra(o);
+  if ((o.spectra || o.target) && o.damping.empty())
+    throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
   std::error_code error;
   if (o.spectra && !o.overwrite && fs::exists(*o.spectra, error)) throw FileError(*o.spectra, "exists; --overwrite replaces it");
   if (o.write && arguments.size() != 1) {
@@ -74,10 +98,15 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
 
 std::vector<Component> components_of(std::vector<Source>& sources) {
   std::vector<Component> all;
-  for (Source& s : sources) {
-    all.insert(all.end(), s.of_file.begin(), s.of_file.end());
+  for (std::size_t n = 0; n < sources.size(); ++n) {
+    Source& s = sources[n];
+    for (Component& c : s.of_file) {
+      c.source = n;
+      all.push_back(c);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!s.record.ltv[i].acceleration.empty()) all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i], std::nullopt});
+      if (s.record.ltv[i].acceleration.empty()) continue;
+      all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i], std::nullopt, "LTV"[i], n});
     }
   }
   return all;
@@ -126,51 +155,28 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   }
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-void write_spectra(const std::vector<Component>& components, const MotionOptions& o) {
-  constexpr int kFrequencies = 271;
-  constexpr double kLowest = 0.1, kHighest = 50.0;  // Hz
-  std::ofstream out(*o.spectra, std::ios::binary | std::ios::trunc);
-  out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
-  for (const Component& c : components) {
-    for (const double z : o.damping) {
-      for (int i = 0; i < kFrequencies; ++i) {
-        const double f = kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)), w = 2.0 * std::numbers::pi * f;
-        const double sd = cases::spectral_displacement(c.motion, f, z);
-        char line[160];
-        std::snprintf(line, sizeof line, ",%.6g,%.6g,%.6g,%.8g,%.8g,%.8g\n", z, f, 1.0 / f, sd, w * sd, w * w * sd);
-        out << csv_field(c.record) << ',' << csv_field(c.name) << line;
-      }
-    }
-  }
-  out.close();
-  if (!out) throw FileError(*o.spectra, "cannot be written");
-}
-
 }  // namespace
 
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
   check(arguments, o);
   std::vector<Source> sources;
   for (const std::string& argument : arguments) {
-    Source s = read_source(argument, o.unit);
-    if (o.until) {
-      for (auto& a : s.record.ltv) cut(a, *o.until);
-      for (Component& c : s.of_file) cut(c.motion, *o.until);
-    }
+    Source s = read_source(argument, {o.unit, o.dt});
+    prepare(s, o);
     sources.push_back(std::move(s));
   }
-  if (o.write) write_record(sources[0], arguments[0], o);
   tell_apart(sources, arguments);
   const std::vector<Component> components = components_of(sources);
-  if (o.spectra) write_spectra(components, o);
+  Spectra spectra{components, {}, o.damping, {}, o.fit};
+  if (o.combine) spectra.pairs = horizontal_pairs(components);
+  if (o.target) spectra.target = read_target(*o.target, o.unit);
+  std::ostringstream fits;  // whatever is wrong with them is found before anything is written
+  if (o.target) print_fits(spectra, fits);
+  if (o.write) write_record(sources[0], arguments[0], o);
+  if (o.spectra) write_spectra(spectra, *o.spectra);
   print_table(components, out);
+  if (const std::string done = cases::described(o.treatment); !done.empty()) out << "\n" << done << "\n";
+  out << fits.str();
   return 0;
 }
 

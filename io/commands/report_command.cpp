@@ -4,33 +4,14 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <cstdio>
-#include <filesystem>
 
 #include "cases/case.h"
-#include "io/commands/run_command.h"
-#include "io/files/errors.h"
-#include "io/files/text_file.h"
-#include "io/report/paraview_files.h"
-#include "io/report/report_data.h"
 #include "io/report/stills.h"
+#include "io/session/exit_code.h"
+#include "io/session/views.h"
 
 namespace voussoir::io {
 namespace {
-
-void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite) {
-  std::error_code none;
-  if (!overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
-  const std::string text = report_html(runs);
-  write_text_file(page, text, overwrite);
-  std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
-}
-
-void write_for_paraview(const std::string& folder, bool overwrite) {
-  write_paraview(folder, overwrite);
-  std::printf("%s/run.xdmf\n", folder.c_str());
-}
 
 /// Numbers of words that commas part, too: {"1.2,2", "3,"}. \throw cases::InputError
 std::vector<double> numbers(const char* key, const std::vector<std::string>& words) {
@@ -79,23 +60,6 @@ int report_command(const ReportOptions& o) {
   if (!o.paraview && times.empty() && !film)
     write_page(runs, o.output.empty() ? folder + (runs.size() > 1 ? "/comparison.html" : "/report.html") : o.output, o.overwrite);
   return kDone;
-}
-
-void write_views(const std::string& folder, const Views& views) {
-  if (views.page || views.page_every > 0) write_page({folder + "/run.h5"}, folder + "/report.html", true);
-  if (views.paraview) write_for_paraview(folder, true);
-}
-
-void LivePage::look(double now) {
-  if (every_ <= 0 || now < next_) return;
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    write_text_file(folder_ + "/report.html", report_html({folder_ + "/run.h5"}), true);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this page\n", e.what());
-  }
-  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  next_ = now + took + std::max(every_, 20 * took);
 }
 
 }  // namespace voussoir::io

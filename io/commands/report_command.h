@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/report/film.h"
@@ -25,26 +24,5 @@ struct ReportOptions {
 /// \throw FileError, before anything is read if a file exists and may not be replaced; cases::InputError for what does not go together, and
 /// times that are no numbers or that the run does not have
 int report_command(const ReportOptions& o);
-
-/// What `run` and `resume` write once they are done.
-struct Views {
-  bool page = false, paraview = false;
-  double page_every = 0;  // s of wall-clock between two pages while the run goes on; 0: only at the end, if at all
-};
-/// Replaces what an earlier run of the folder left. \throw FileError
-void write_views(const std::string& folder, const Views& views);
-
-/// Rewrites report.html in the folder of a run that goes on, every so many seconds of wall-clock, but so seldom that it takes no more than
-/// a twentieth of the time. What cannot be written is a warning.
-class LivePage {
- public:
-  LivePage(std::string folder, double every) : folder_(std::move(folder)), every_(every) {}
-  /// \param now  s of wall-clock since the start
-  void look(double now);
-
- private:
-  std::string folder_;
-  double every_, next_ = 0;
-};
 
 }  // namespace voussoir::io

@@ -11,10 +11,11 @@
 
 #include "cases/names.h"
 #include "io/case_file/case_file.h"
-#include "io/commands/restored_run.h"
 #include "io/commands/run_command.h"
-#include "io/commands/session.h"
 #include "io/files/run_folder.h"
+#include "io/results/base_motion.h"
+#include "io/session/restored_run.h"
+#include "io/session/session.h"
 
 namespace voussoir::io {
 
@@ -42,7 +43,8 @@ Found newest_good(const std::string& folder) {
   if (!faults.empty()) throw FileError(folder, "holds no checkpoint that is whole (" + faults + "); the case must be run anew");
   if (fs::exists(folder + "/checkpoint-failed.h5"))
     throw FileError(folder, "holds a numerical failure only; run the case anew with what the failure's message said");
-  throw FileError(folder, "holds no checkpoint: nothing to go on from");
+  throw FileError(folder,
+                  "holds no checkpoint: nothing to go on from; run the case anew ('voussoir run CASE -o " + folder + " --overwrite')");
 }
 
 /// The first line in which two texts differ, as "'a' there, 'b' here"; empty if none does.
@@ -118,7 +120,9 @@ int resume_command(const ResumeOptions& o) {
   const std::string resolved = resolved_toml(r->value);
   folder.write_case(resolved);
   ResultsOptions keep;
+  keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
+  keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);

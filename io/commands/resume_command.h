@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/commands/report_command.h"
+#include "io/session/views.h"
 #include "io/results/checkpoints.h"
 
 /// `voussoir resume`: goes on with a run that was stopped, killed, or is to last longer.

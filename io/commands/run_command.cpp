@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/run_command.h"
 
-#include <omp.h>
+#include <cstdio>
+#include <optional>
 
-#include "io/commands/session.h"
-#include "io/commands/tie_lines.h"
+#include "io/files/errors.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
+#include "io/results/base_motion.h"
+#include "io/session/prepared_case.h"
+#include "io/session/session.h"
+#include "io/session/tie_lines.h"
 
 namespace voussoir::io {
 
 int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
+  const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
@@ -23,15 +25,26 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
   print_bounded_ties(sim.world().ties, model);
+  warn_of_slips(c.value, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(anchored(c.value));
-  folder.write_case(resolved);
-  ResultsWriter results(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()));
+  ResultsOptions kept;
+  kept.motion = motion_datasets(c.value, motion, sim.dt());
+  kept.cuts = cut_names(c.value);
+  std::optional<ResultsWriter> results;
+  try {
+    folder.write_case(resolved);
+    results.emplace(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()), kept);
+  } catch (const FileError&) {
+    print_way_on(folder.path());
+    throw;
+  }
+  if (c.value.motion && !o.quiet) std::fputs(motion_lines(*c.value.motion, motion).c_str(), stderr);
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;
-  const int code = run_session(c.value, sim, plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
+  const int code = run_session(c.value, sim, plan, *results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;
 }

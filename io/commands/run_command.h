@@ -5,15 +5,13 @@
 #include <string>
 
 #include "io/case_file/case_file.h"
-#include "io/commands/report_command.h"
 #include "io/results/checkpoints.h"
+#include "io/session/exit_code.h"
+#include "io/session/views.h"
 
 /// `voussoir run`, `check` and `cases`: what they do once the command line is read. Results go to standard output, progress to standard
 /// error.
 namespace voussoir::io {
-
-/// Exit codes of the program; a stop by signal N exits with 128 + N.
-enum ExitCode : int { kDone = 0, kNumericalFailure = 1, kInputFault = 2, kFileFault = 3 };
 
 struct RunOptions {
   std::string folder;  // of the results

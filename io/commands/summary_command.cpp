@@ -22,7 +22,7 @@ Json told(const Hdf5File& run) {
   Json out = Json::object();
   const auto has = [&](const char* name) { return run.has_attribute("/summary", name); };
   for (const char* name : {"finished", "collapsed", "settled", "tension", "shear", "compression", "slipped", "first_tension", "first_shear",
-                           "first_compression"})
+                           "first_compression", "settling_tension", "settling_shear", "settling_compression", "settling_slipped"})
     if (has(name)) out[name] = run.attribute_int("/summary", name);
   for (const char* name : {"fallen_mass_fraction", "first_crack_time", "peak_base_shear", "peak_speed", "worst_residual", "end_time"})
     if (has(name)) out[name] = run.attribute_double("/summary", name);
@@ -57,12 +57,22 @@ void line(const char* name, const std::string& value) { std::printf("%-21s%s\n",
 void print_grade(const Measures& m) {
   if (m.damage_grade < 0) return line("damage grade", "-");
   std::string value = "G" + std::to_string(m.damage_grade);
-  for (std::size_t g = 0; g < static_cast<std::size_t>(m.damage_grade); ++g)
-    value += (g == 0 ? "  (G" : ", G") + std::to_string(g + 1) + " from " + seconds(m.grade_time[g]);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(m.damage_grade); ++g) {
+    const bool settled = static_cast<std::int64_t>(g) < m.settling_damage_grade;
+    value += (g == 0 ? "  (G" : ", G") + std::to_string(g + 1) + " from " + (settled ? "settling" : seconds(m.grade_time[g]));
+  }
   line("damage grade", value + (m.damage_grade > 0 ? ")" : ""));
 }
 
 std::string millimetres(double x) { return text("%.3f mm", 1e3 * x); }
+
+/// Segment sides by mode: "3 in tension, ...". \param prefix  of the names
+std::string counts(const Json& s, const std::string& prefix) {
+  std::string value;
+  for (const char* mode : {"tension", "shear", "compression"})
+    value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
+  return value;
+}
 
 /// How deep bodies are in each other, where the contact of the solver should stop them.
 void print_penetration(const Measures& m) {
@@ -77,32 +87,37 @@ void print_penetration(const Measures& m) {
   line("touching", std::to_string(m.touching_pairs) + " pairs at the end");
 }
 
+/// What broke under the building's own weight, and what the shaking broke.
+void print_origin(const Json& s, const Measures& m) {
+  if (m.settling_cracks == 0)
+    return line("broken by settling", "nothing; by the shaking " + std::to_string(m.shaking_cracks) + " segments");
+  line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first at " + text("%.3f s", m.settling_first_crack_time) +
+                                 "; by the shaking " + std::to_string(m.shaking_cracks));
+  if (s.contains("settling_tension"))
+    line("sides of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
+}
+
 void print_walls(const Measures& m) {
   if (m.walls.empty()) return;
   std::size_t width = 20;
   for (const WallMeasures& w : m.walls) width = std::max(width, w.name.size());
   const int indent = static_cast<int>(width);
-  std::printf("\n%-*s %8s %12s %11s %10s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "cracks 1 mm",
-              "of 5 mm");
+  std::printf("\n%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "in plane",
+              "cracks 1 mm", "of 5 mm", "of settling");
   for (const WallMeasures& w : m.walls)
-    std::printf("%-*s %8s %12s %11s %10s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
+    std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
                 seconds(w.first_fallen_time).c_str(), percent(w.peak_drift).c_str(), percent(w.residual_drift).c_str(),
-                text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str());
+                percent(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
+                text("%.2f", w.settling_crack_extent).c_str());
   if (!std::isnan(m.roof_fallen_mass_fraction))
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
 }
 
 /// Segment sides by the limit that they reached first and by what opened them; a run of an earlier version tells the latter alone.
 void print_modes(const Json& s) {
-  const auto counts = [&](const std::string& prefix) {
-    std::string value;
-    for (const char* mode : {"tension", "shear", "compression"})
-      value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
-    return value;
-  };
-  if (s.contains("first_tension")) line("sides reached first", counts("first_"));
+  if (s.contains("first_tension")) line("sides reached first", counts(s, "first_"));
   if (!s.contains("tension")) return;
-  line("sides opened by", counts("") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
+  line("sides opened by", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
 }
 
 void print_table(const Json& s, const Measures& m) {
@@ -110,22 +125,29 @@ void print_table(const Json& s, const Measures& m) {
   line("run", (s.value("finished", 0) != 0 ? "finished at " : "not finished, to ") + text("%.3f s", end));
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
-  line("first crack", seconds(s["first_crack_time"]));
+  line("first crack",
+       m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; of the shaking " + seconds(s["first_crack_time"]));
+  print_origin(s, m);
   line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
   line("fallen mass", percent(s["fallen_mass_fraction"]));
   line("debris", text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
                      text("%.2f m", m.debris.reach_95));
   line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
   line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  line("in-plane drift", percent(m.peak_in_plane_drift) + " at most");
   print_penetration(m);
   print_modes(s);
   if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
   if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  for (const PointAcceleration& p : m.accelerations.points)
+    line("peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
 }
 
 }  // namespace
+
+std::string summary_json(const Hdf5File& run) { return summary_of(run, measure(run)).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 int summary_command(const SummaryOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);

@@ -10,11 +10,11 @@
 #include <memory>
 #include <set>
 
-#include "io/commands/progress.h"
-#include "io/commands/session.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
-#include "io/motion/support_motion.h"
+#include "io/session/prepared_case.h"
+#include "io/session/progress.h"
+#include "io/session/session.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -107,8 +107,7 @@ int verify(const Setting& s, int threads) {
 }  // namespace
 
 int verify_command(const LoadedCase& c, const RunOptions& o) {
-  cases::Model model = cases::build_model(c.value);
-  load_support_motions(model, c.value.folder);
+  const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   // Two threads are worth a look even where one is the default.
   const int threads = std::max(2, o.threads > 0 ? o.threads : omp_get_max_threads());

@@ -81,7 +81,10 @@ Node parse_value(const std::string& text);
 bool is_utf8(std::string_view text);
 
 /// Applies overrides "a.b[0].c=value" to the document. A number may stand for an index (a.b.0.c); missing tables are made, an index one
-/// past the end appends, and an empty value takes the key away. \throw CaseFileError naming the override that cannot be applied.
-void apply_overrides(Node& document, const std::vector<std::string>& overrides);
+/// past the end appends, and an empty value takes the key away. A source of the motion (motion.record, .x, ..., .V) takes the place of the
+/// other sources that the document names.
+/// \return what people should be told of: whole arrays of tables that were taken away
+/// \throw CaseFileError naming the override that cannot be applied.
+std::vector<std::string> apply_overrides(Node& document, const std::vector<std::string>& overrides);
 
 }  // namespace voussoir::io

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -87,6 +88,40 @@ std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(cons
   // run.h5 last in the alphabet, but first to go: a half-removed run must not look like results.
   std::ranges::sort(names, std::greater<>());
   return names;
+}
+
+/// What no run wrote, as far as names tell; hidden files apart. Sorted, folders with a '/'.
+std::vector<std::string> foreign_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') || is_result(name)) continue;
+    const bool own = name == "parts" ? !names_in(entry.path().string(), is_part).empty() || fs::is_empty(entry.path())
+                                     : name == "stills" && !names_in(entry.path().string(), is_still).empty();
+    if (!own) names.push_back(name + (entry.is_directory() ? "/" : ""));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The file of that name is a case of the user's, not one that a run wrote.
+bool is_own_case(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  return file && !(std::getline(file, line) && line.starts_with(kResolvedHead));
+}
+
+/// Results go to a folder of their own. \throw FileError
+void check_folder(const std::string& path, bool used, bool overwrite) {
+  if (is_own_case(path + "/case.toml"))
+    throw FileError(path + "/case.toml", "is no case that a run wrote, and would be replaced by one; give another folder");
+  if (overwrite) return;
+  if (used) throw FileError(path, "holds the results of another run; give another folder, or --overwrite to replace them");
+  const std::vector<std::string> foreign = foreign_in(path);
+  if (foreign.empty()) return;
+  const std::string more = foreign.size() > 1 ? " and " + std::to_string(foreign.size() - 1) + " more" : "";
+  throw FileError(path, "holds what is of no run (" + foreign.front() + more +
+                            "); give a new or empty folder, or --overwrite to put the results beside it");
 }
 
 void remove_results(const std::string& folder) {
@@ -169,15 +204,19 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
   if (fs::exists(path, error) && !fs::is_directory(path, error)) throw FileError(path, "is a file; results need a folder");
   fs::create_directories(path, error);
   if (error) throw FileError(path, "cannot make the folder: " + error.message());
-  RunFolder folder(path);
-  try {
+  const auto check = [&] {
     const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
-    if (used && !overwrite) throw FileError(path, "holds the results of another run; give another folder, or --overwrite to replace them");
-    if (used) remove_results(path);
+    check_folder(path, used, overwrite);
+    return used;
+  };
+  try {
+    if (!fs::exists(path + "/.lock", error)) check();  // before the folder is touched
+    RunFolder folder(path);
+    if (check()) remove_results(path);
+    return folder;
   } catch (const fs::filesystem_error& e) {
     throw FileError(path, "cannot remove old results: " + e.code().message());
   }
-  return folder;
 }
 
 RunFolder RunFolder::open(const std::string& path) {

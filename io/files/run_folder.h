@@ -5,9 +5,13 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 /// The folder of one run, held by one process.
 namespace voussoir::io {
+
+/// How every case.toml begins that a run wrote.
+inline constexpr std::string_view kResolvedHead = "# All keys of the case with their values, as used.";
 
 /// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
 /// file or the new one, never a part. \throw FileError; then `temporary` is gone
@@ -22,10 +26,10 @@ void write_text_file(const std::string& path, const std::string& text);
 class RunFolder {
  public:
   /// Makes the folder (and those above it) and locks it, for a new run.
-  /// \param overwrite  remove the results of an earlier run: run.h5, parts/, checkpoint-*.h5, case.toml, and what was made
-  /// of them under its usual name (report.html, run.xdmf, paraview.h5, stills/VIEW-TIMEs.png); nothing else
-  /// \throw FileError if another process holds the folder (with its number), it holds results and `overwrite` is false, it is a file,
-  /// or it cannot be written to
+  /// \param overwrite  use the folder whatever it holds (but for a case.toml that no run wrote), and remove the results of an earlier run:
+  /// run.h5, parts/, checkpoint-*.h5, case.toml, and what was made of them under its usual name (report.html, run.xdmf, paraview.h5,
+  /// stills/VIEW-TIMEs.png); nothing else \throw FileError if another process holds the folder (with its number), it holds results or other
+  /// files that are not hidden and `overwrite` is false, it is a file, or it cannot be written to
   static RunFolder create(const std::string& path, bool overwrite);
   /// Locks a folder that holds an earlier run, to go on with it. \throw FileError
   static RunFolder open(const std::string& path);

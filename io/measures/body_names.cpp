@@ -14,8 +14,6 @@ constexpr double kBuilding = 0.6;  // of all mass: the building, less what has c
 constexpr double kSunk = 0.5;      // of its size: it falls
 constexpr double kStill = 5e-3;    // m: nothing of it has moved further
 
-double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 /// "", "upper half", "lower left part"
 std::string place_of(const Body& b, const Wall& w) {
   const std::size_t along = 1 - w.across;
@@ -24,7 +22,7 @@ std::string place_of(const Body& b, const Wall& w) {
   if (tall < kWhole) where = component(b.centre, 2) > w.box.centre(2) ? "upper" : "lower";
   if (wide < kWhole) {
     // Seen from outside, x runs to the right before a front wall (outward −y), y before a right wall (outward x).
-    const double right = w.across == 1 ? -w.outward : w.outward, off = right * (component(b.centre, along) - w.box.centre(along));
+    const double off = w.right() * (component(b.centre, along) - w.box.centre(along));
     const char* side = std::abs(off) < 0.15 * w.length() ? "middle" : off > 0 ? "right" : "left";
     where += (where.empty() ? "" : " ") + std::string(side);
   }

@@ -194,6 +194,11 @@ void Box::include(const Box& other) noexcept {
   for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
 }
 
+std::string part_of(const std::string& tag) {
+  const std::size_t end = tag.find_last_not_of("0123456789 ");
+  return end == std::string::npos ? tag : tag.substr(0, end + 1);
+}
+
 Building building_of(const Hdf5File& run) {
   Building b;
   b.base = case_number(run, "base", "z");

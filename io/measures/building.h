@@ -38,7 +38,12 @@ struct Wall {
   [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
   [[nodiscard]] double thickness() const noexcept { return box.size(across); }
   [[nodiscard]] double height() const noexcept { return box.size(2); }
+  /// 1: the wall's axis runs to the right for somebody who looks at it from outside, −1: to the left.
+  [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
 };
+
+/// Along x (0), y (1) or z (2).
+inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// The space between the walls of one house, up to their height.
 struct Room {
@@ -61,6 +66,9 @@ struct Building {
     return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
   }
 };
+
+/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam".
+std::string part_of(const std::string& tag);
 
 /// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
 Building building_of(const Hdf5File& run);

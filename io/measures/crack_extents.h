@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/measures/building.h"
+#include "io/replay/joint_openings.h"
 #include "io/replay/placed_elements.h"
 
 namespace voussoir::io {
@@ -30,14 +31,12 @@ class Cracks {
   [[nodiscard]] std::vector<CrackExtent> extents(double time, const std::vector<Pose>& poses) const;
 
  private:
-  struct OpenJoint {
-    double time;                  // when it came open, s
+  struct CrackedJoint {
+    OpenJoint joint;
     double area;                  // m2
-    std::int32_t a, b;            // elements; b = −1: the base
     std::int32_t wall_a, wall_b;  // −1: none, or the other's
-    Vec3 from_a, from_b;          // its centre from the elements' centroids, m; from_b of the base: from the origin
   };
-  std::vector<OpenJoint> joints_;
+  std::vector<CrackedJoint> joints_;
   std::vector<double> section_;  // m2, of each wall
 };
 

@@ -49,12 +49,13 @@ class Measurer {
         tags_(run.read_strings("/model/element/tag")),
         fallen_(frames_.elements()),
         walls_(building_.walls.size()) {
-    for (const Wall& w : building_.walls) m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone});
+    for (const Wall& w : building_.walls)
+      m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone, .peak_in_plane_drift = kNone});
     for (std::size_t e = 0; e < building_.mass.size(); ++e) {
       all_.mass += building_.mass[e];
       if (Part* part = part_of(e)) part->mass += building_.mass[e];
     }
-    m_.first_crack_time = first_crack(run);
+    read_cracks(run);
     m_.initial_free_volume = volume_.initial();
   }
 
@@ -74,10 +75,12 @@ class Measurer {
   }
 
  private:
-  static double first_crack(const Hdf5File& run) {
-    for (const double t : run.read<double>("/cracks/time"))
-      if (t >= 0) return t;
-    return kNeverReached;
+  void read_cracks(const Hdf5File& run) {
+    m_.settling_first_crack_time = kNone;
+    for (const double t : run.read<double>("/cracks/time")) {
+      if (t < 0 && m_.settling_cracks++ == 0) m_.settling_first_crack_time = t;
+      if (t >= 0 && m_.shaking_cracks++ == 0) m_.first_crack_time = t;
+    }
   }
 
   Part* part_of(std::size_t element) {
@@ -122,9 +125,13 @@ class Measurer {
     WallMeasures& measures = m_.walls[w];
     const std::optional<double> drift = wall_drift(wall, start_, poses, fallen_);
     measures.crack_extent = cracks.fine, measures.large_crack_extent = cracks.large;
+    if (m_.series.time.empty()) measures.settling_crack_extent = cracks.fine;
     measures.residual_drift = drift.value_or(kNone);
     m_.series.drift.push_back(measures.residual_drift);
     if (drift) keep_larger(measures.peak_drift, *drift);
+    const std::optional<double> in_plane = wall_drift(wall, start_, poses, fallen_, DriftDirection::in_plane);
+    m_.series.in_plane_drift.push_back(in_plane.value_or(kNone));
+    if (in_plane) keep_larger(measures.peak_in_plane_drift, *in_plane);
     return {cracks, walls_[w].share(), std::abs(drift.value_or(0.0)) * wall.height() / wall.thickness()};
   }
 
@@ -133,6 +140,7 @@ class Measurer {
     std::vector<std::int64_t>& grade = m_.series.damage_grade;
     for (std::size_t f = grade.size(); f-- > 1;) grade[f - 1] = std::min(grade[f - 1], grade[f]);
     m_.damage_grade = grade.empty() ? -1 : grade.back();
+    m_.settling_damage_grade = grade.empty() ? -1 : grade.front();
     for (std::size_t g = 0; g < m_.grade_time.size(); ++g) {
       const auto first = std::ranges::lower_bound(grade, static_cast<std::int64_t>(g) + 1);
       m_.grade_time[g] = first == grade.end() ? kNeverReached : m_.series.time[static_cast<std::size_t>(first - grade.begin())];
@@ -162,7 +170,7 @@ class Measurer {
   }
 
   void finish_walls() {
-    m_.peak_drift = m_.residual_drift = kNone;
+    m_.peak_drift = m_.residual_drift = m_.peak_in_plane_drift = kNone;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       WallMeasures& measures = m_.walls[w];
@@ -173,6 +181,7 @@ class Measurer {
         m_.first_fallen_wall = measures.name;
       }
       if (!std::isnan(measures.peak_drift)) keep_larger(m_.peak_drift, std::abs(measures.peak_drift));
+      if (!std::isnan(measures.peak_in_plane_drift)) keep_larger(m_.peak_in_plane_drift, std::abs(measures.peak_in_plane_drift));
       if (!std::isnan(measures.residual_drift)) keep_larger(m_.residual_drift, std::abs(measures.residual_drift));
     }
   }
@@ -193,6 +202,10 @@ class Measurer {
 
 }  // namespace
 
-Measures measure(const Hdf5File& run) { return Measurer(run).all(); }
+Measures measure(const Hdf5File& run) {
+  Measures m = Measurer(run).all();
+  m.accelerations = point_accelerations(run);
+  return m;
+}
 
 }  // namespace voussoir::io

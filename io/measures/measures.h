@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/measures/debris.h"
+#include "io/measures/point_accelerations.h"
 
 /// Measures of a collapse, from what a run has recorded: its model, its cracks and its frames. The one place for the summary of a run, the
 /// report page and studies; definitions and limits: io/MEASURES.md. What "fallen" and "collapsed" mean stands in solver/collapse.h.
@@ -25,7 +26,9 @@ struct WallMeasures {
   double first_fallen_time = kNeverReached;         // of the first frame in which an element of it has fallen, s
   double peak_drift = 0;                            // as long as it stood, the largest in magnitude; NaN: never stood
   double residual_drift = 0;                        // at the end; NaN: it does not stand
+  double peak_in_plane_drift = 0;                   // as peak_drift, along the wall
   double crack_extent = 0, large_crack_extent = 0;  // at the end: CrackExtent::fine and large
+  double settling_crack_extent = 0;                 // CrackExtent::fine in the first frame
 };
 
 /// A value for each frame.
@@ -37,12 +40,17 @@ struct MeasureSeries {
   std::vector<double> penetration;       // of the deepest pair of bodies, m
   std::vector<std::int64_t> deep_pairs;  // deeper than half a segment
   std::vector<double> drift;             // an entry a wall in each frame; NaN: it does not stand
+  std::vector<double> in_plane_drift;    // the same along the wall
 };
 
 struct Measures {
   bool collapsed = false;                   // in the last frame
   double fallen_mass_fraction = 0;          // in the last frame
   double first_crack_time = kNeverReached;  // of the first row of /cracks at or after time zero, s
+  // What the building's own weight did before the shaking began, and what came after: rows of /cracks before and from time zero.
+  std::int64_t settling_cracks = 0, shaking_cracks = 0;
+  double settling_first_crack_time = 0;     // s, below 0; NaN: nothing broke before time zero
+  std::int64_t settling_damage_grade = -1;  // damage_grade that there was in the first frame already; -1: as damage_grade
   double collapse_time = kNeverReached;     // of the first frame in which the building is collapsed, s
   std::int64_t damage_grade = -1;           // EMS-98, 0 to 5; -1: there are no walls, or no frames
   std::array<double, 5> grade_time{};       // from when on damage was of grade 1, ..., 5 at least, s
@@ -53,6 +61,7 @@ struct Measures {
   double initial_free_volume = 0;                                                    // m3
   double free_volume = 0, least_free_volume = 0;  // of the initial one: in the last frame, in all; NaN: there is no room
   double peak_drift = 0, residual_drift = 0;      // of all walls the largest magnitude; NaN: there is none
+  double peak_in_plane_drift = 0;                 // the same along the walls
   // How deep bodies are in each other: see Interpenetration. In the last frame, and at the worst over all frames.
   double penetration = 0, base_penetration = 0;            // m: of any two elements or an element and the base; of elements in the base
   double peak_penetration = 0, peak_base_penetration = 0;  // m
@@ -63,6 +72,7 @@ struct Measures {
   std::int64_t touching_pairs = 0;                         // in the last frame
   std::vector<WallMeasures> walls;
   MeasureSeries series;
+  PointAccelerations accelerations;
 };
 
 /// \throw FileError

@@ -39,12 +39,18 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
   put(file, "/measures/deep_pairs", s.deep_pairs, rows, {"1", "pairs deeper in each other than half a segment; -1: not known"});
   put(file, "/measures/drift", s.drift, {s.time.size(), walls},
       {"1", "out-of-plane drift of each wall of /summary/wall, outward positive; NaN: it does not stand"});
+  put(file, "/measures/in_plane_drift", s.in_plane_drift, {s.time.size(), walls},
+      {"1", "in-plane drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
 }
 
 }  // namespace
 
 std::vector<Figure> figures_of(const Measures& m) {
   return {{"damage_grade", m.damage_grade, "EMS-98 (below 0: there are no walls)"},
+          {"settling_damage_grade", m.settling_damage_grade, "EMS-98 (below 0: there are no walls)"},
+          {"settling_cracks", m.settling_cracks, "segments"},
+          {"settling_first_crack_time", m.settling_first_crack_time, "s (below 0: before the shaking; NaN: none)"},
+          {"shaking_cracks", m.shaking_cracks, "segments"},
           {"collapse_time", m.collapse_time, "s (below 0: never)"},
           {"first_fallen_time", m.first_fallen_time, "s (below 0: never)"},
           {"first_fallen_wall", m.first_fallen_wall, "a name of wall/name (empty: none)"},
@@ -58,6 +64,7 @@ std::vector<Figure> figures_of(const Measures& m) {
           {"least_free_volume", m.least_free_volume, "1 (NaN: there is no room)"},
           {"peak_drift", m.peak_drift, "1 (NaN: there is no wall)"},
           {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"},
+          {"peak_in_plane_drift", m.peak_in_plane_drift, "1 (NaN: there is no wall)"},
           {"penetration", m.penetration, "m"},
           {"peak_penetration", m.peak_penetration, "m"},
           {"peak_penetration_time", m.peak_penetration_time, "s (below 0: never)"},
@@ -90,6 +97,9 @@ std::string measures_json(const Measures& m) {
     nlohmann::ordered_json& wall = out["walls"].emplace_back(nlohmann::ordered_json{{"name", w.name}});
     for (const WallColumn& column : kWallColumns) wall[column.name] = w.*column.value;
   }
+  out["points"] = nlohmann::ordered_json::array();
+  for (const PointAcceleration& p : m.accelerations.points)
+    out["points"].push_back({{"name", p.name}, {"peak_acceleration", p.peak_horizontal}});
   return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -99,6 +109,7 @@ void write_measures(Hdf5File& file, const Measures& m) {
       {"s", "from when on damage was of grade 1, 2, 3, 4, 5 of EMS-98 at least; below 0: never"});
   write_walls(file, m.walls);
   write_series(file, m.series, m.walls.size());
+  write_accelerations(file, m.accelerations);
 }
 
 }  // namespace voussoir::io

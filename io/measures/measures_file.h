@@ -35,14 +35,17 @@ inline constexpr std::array kWallColumns{
     WallColumn{"first_fallen_time", &WallMeasures::first_fallen_time, "s", "when its first element had fallen; below 0: none has"},
     WallColumn{"peak_drift", &WallMeasures::peak_drift, "1", "out-of-plane drift while it stood, outward positive; NaN: it never stood"},
     WallColumn{"residual_drift", &WallMeasures::residual_drift, "1", "out-of-plane drift at the end; NaN: the wall does not stand"},
+    WallColumn{"peak_in_plane_drift", &WallMeasures::peak_in_plane_drift, "1",
+               "in-plane drift while it stood, along x or y positive; NaN: it never stood"},
     WallColumn{"crack_extent", &WallMeasures::crack_extent, "1", "area of joints 1 mm open or more over the wall's horizontal section"},
+    WallColumn{"settling_crack_extent", &WallMeasures::settling_crack_extent, "1", "crack_extent when the shaking began"},
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
 };
 
 /// Units of the figures, as the attribute `units` of /summary has them: "name, name: unit; ...".
 std::string figure_units();
 
-/// Figures, `grade_time` and `walls` as one JSON object; null for NaN.
+/// Figures, `grade_time`, `walls` and `points` as one JSON object; null for NaN.
 std::string measures_json(const Measures& m);
 
 /// Writes figures as attributes of /summary (which exists), /summary/wall, /summary/grade_time, and the group /measures. \throw FileError

@@ -9,8 +9,10 @@
 #include <system_error>
 
 #include "cases/names.h"
+#include "cases/motion/treatment.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/motion/motion_text.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -28,15 +30,17 @@ std::size_t component_index(char letter) { return letter == 'L' ? 0 : letter == 
 
 std::string path_from(const std::string& folder, const std::string& path) { return (fs::path(folder) / path).string(); }
 
+Unstated unstated_of(const cases::Motion& m) { return {m.unit, m.dt}; }
+
 /// \param axes what files[i] is taken for in a file of several components, as read_accelerogram.
 /// \param keys of the files, of motion
 std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::array<char, 3>& axes, std::string_view keys,
-                                              const std::string& folder, const std::optional<std::string>& unit) {
+                                              const std::string& folder, const Unstated& unstated) {
   std::array<cases::Accelerogram, 3> components;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!files[i]) continue;
     try {
-      components[i] = read_accelerogram(path_from(folder, *files[i]), unit, axes[i]);
+      components[i] = read_accelerogram(path_from(folder, *files[i]), unstated, axes[i]);
     } catch (const FileError& e) {
       throw NamedFileError(e, std::string("motion.") + keys[i]);
     }
@@ -49,8 +53,8 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
   const std::string folder = path_from(case_folder, *m.record);
   std::error_code error;
   try {
-    if (!m.record->empty() && fs::is_directory(folder, error)) return read_record_folder(folder, m.unit);
-    if (!m.record->empty() && fs::exists(folder, error)) return read_record_file(folder, m.unit);
+    if (!m.record->empty() && fs::is_directory(folder, error)) return read_record_folder(folder, unstated_of(m));
+    if (!m.record->empty() && fs::exists(folder, error)) return read_record_file(folder, unstated_of(m));
   } catch (const FileError& e) {
     throw NamedFileError(e, "motion.record");
   }
@@ -73,6 +77,9 @@ void check(const cases::Motion& m) {
   if (m.unit && !acceleration_unit(*m.unit)) {
     throw cases::InputError("motion.unit", "\"" + *m.unit + "\" is no unit of acceleration; allowed: " + kUnitNames);
   }
+  if (m.dt && !(*m.dt >= kShortestStep && *m.dt <= kLongestStep)) {
+    throw cases::InputError("motion.dt", "is " + cases::text(*m.dt) + " s; allowed: from 1e-6 to 10 s");
+  }
   for (const double s : m.scale) {
     if (!std::isfinite(s)) throw cases::InputError("motion.scale", "is " + cases::text(s) + "; allowed: finite numbers");
   }
@@ -82,9 +89,9 @@ void check(const cases::Motion& m) {
 
 bool is_built_in_record(std::string_view name) { return name == "bam-like"; }
 
-Record read_record_file(const std::string& path, const std::optional<std::string>& unit) {
+Record read_record_file(const std::string& path, const Unstated& unstated) {
   Record record{fs::path(path).filename().string(), {}};
-  std::vector<Channel> channels = read_motion_file(path, unit);
+  std::vector<Channel> channels = read_motion_file(path, unstated);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto marked = [&](const Channel& c) { return c.axis == kLtv[i]; };
     if (std::count_if(channels.begin(), channels.end(), marked) != 1) {
@@ -112,8 +119,9 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
   check(motion);
   const bool turned = !any_given(motion.xyz);
   std::array<cases::Accelerogram, 3> read = motion.record ? named_record(motion, case_folder).ltv
-                                            : turned      ? read_files(motion.ltv, kLtv, "LTV", case_folder, motion.unit)
-                                                          : read_files(motion.xyz, {}, "xyz", case_folder, motion.unit);
+                                            : turned      ? read_files(motion.ltv, kLtv, "LTV", case_folder, unstated_of(motion))
+                                                          : read_files(motion.xyz, {}, "xyz", case_folder, unstated_of(motion));
+  cases::treat(read, motion.treatment, "motion.");
   cases::GroundMotion result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t from = turned ? component_index(motion.direction[i]) : i;

@@ -20,22 +20,26 @@ struct Record {
   std::array<cases::Accelerogram, 3> ltv;
 };
 
-/// The folder's record.toml: L, T and V name files in it (at least one), optional name and unit (where a format does not say; else `unit`
-/// holds). \throw FileError
-Record read_record_folder(const std::string& folder, const std::optional<std::string>& unit);
+/// The folder's record.toml: L, T and V name files in it (at least one), optional name, unit and dt (where a format does not say; else
+/// `unstated` holds). \throw FileError
+Record read_record_folder(const std::string& folder, const Unstated& unstated);
 
 /// True of records that are part of the program.
 bool is_built_in_record(std::string_view name);
 
 /// A file that holds three components and says which is L, T and V (BHRC V1, GeoNet V2A). \throw FileError
-Record read_record_file(const std::string& path, const std::optional<std::string>& unit);
+Record read_record_file(const std::string& path, const Unstated& unstated);
 
 /// Writes L.csv, T.csv, V.csv (t [s], a [m/s2]) and record.toml into the folder, which is made if it is missing.
 /// \throw FileError, before anything is written if one of the files exists and `overwrite` is false.
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite);
 
-/// The motion on x, y, z in m/s2, turned by the direction and scaled. Relative paths start at `case_folder` (empty: the working folder).
-/// \throw cases::InputError with the key (motion, motion.record, motion.direction, motion.unit, motion.scale); FileError.
+/// The motion on x, y, z in m/s2: cut, corrected and tapered (cases/motion/treatment.h), turned by the direction and scaled. Relative paths start
+/// at `case_folder` (empty: the working folder). \throw cases::InputError with the key (motion, or motion.record, direction, unit, dt,
+/// scale, from, to, taper, baseline); FileError.
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder);
+
+/// A line for each axis that moves, with its peaks, and one that says what was done to the record, if anything was.
+std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied);
 
 }  // namespace voussoir::io

@@ -35,8 +35,9 @@ struct Format {
 
 constexpr std::size_t kFirstLines = 16;  // enough for every mark
 constexpr const char* kFormats =
-    "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and acceleration "
-    "(.csv, .txt)";
+    "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and "
+    "acceleration, "
+    "or one of acceleration (.csv, .txt)";
 
 bool any_begins(Lines lines, std::string_view word) {
   return std::any_of(lines.begin(), lines.end(), [&](std::string_view line) { return begins(line, word); });
@@ -97,12 +98,12 @@ const Channel* numbered(const std::vector<Channel>& channels, const std::string&
 
 }  // namespace
 
-std::vector<Channel> read_motion_file(const std::string& path, const std::optional<std::string>& unit) {
+std::vector<Channel> read_motion_file(const std::string& path, const Unstated& unstated) {
   if (const Format* known = format_of(path)) return known->read(path);
   const std::string ending = upper(fs::path(path).extension().string());
   // VT2 and DT2 go to the same reader: their third line says what they hold, and so does its refusal.
   if (ending == ".AT2" || ending == ".VT2" || ending == ".DT2") return only(read_at2(path));
-  if (ending == ".CSV" || ending == ".TXT") return only(read_motion_csv(path, unit));
+  if (ending == ".CSV" || ending == ".TXT") return only(read_motion_csv(path, unstated));
   throw FileError(path, std::string("is in no format that is read; allowed: ") + kFormats);
 }
 
@@ -114,9 +115,9 @@ std::string component_list(const std::vector<Channel>& channels) {
   return all;
 }
 
-Channel read_channel(const std::string& path, const std::optional<std::string>& unit, char axis) {
+Channel read_channel(const std::string& path, const Unstated& unstated, char axis) {
   const Choice choice = choice_of(path);
-  const std::vector<Channel> channels = read_motion_file(choice.file, unit);
+  const std::vector<Channel> channels = read_motion_file(choice.file, unstated);
   const Channel* found = nullptr;
   if (!choice.component.empty()) {
     found = only_one(channels, [&](const Channel& c) { return upper(c.component) == upper(choice.component); });
@@ -138,8 +139,8 @@ Channel read_channel(const std::string& path, const std::optional<std::string>& 
   return *found;
 }
 
-cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis) {
-  return read_channel(path, unit, axis).motion;
+cases::Accelerogram read_accelerogram(const std::string& path, const Unstated& unstated, char axis) {
+  return read_channel(path, unstated, axis).motion;
 }
 
 }  // namespace voussoir::io

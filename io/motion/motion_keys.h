@@ -12,11 +12,12 @@ namespace voussoir::io {
 inline constexpr std::array<std::string_view, 7> kMotionPaths{"record", "x", "y", "z", "L", "T", "V"};
 
 /// Keys of [motion] that give way to `key` where it comes later, over an included case or on the command line: a motion has one source,
-/// and `unit` is of its files.
+/// and `unit`, `dt`, `from` and `to` are of its files.
 inline std::span<const std::string_view> give_way_to(std::string_view key) {
-  static constexpr std::array<std::string_view, 7> kToRecord{"x", "y", "z", "L", "T", "V", "unit"};
-  static constexpr std::array<std::string_view, 6> kToAxes{"record", "L", "T", "V", "unit", "direction"};  // which says where L, T, V go
-  static constexpr std::array<std::string_view, 5> kToComponents{"record", "x", "y", "z", "unit"};
+  static constexpr std::array<std::string_view, 10> kToRecord{"x", "y", "z", "L", "T", "V", "unit", "dt", "from", "to"};
+  static constexpr std::array<std::string_view, 9> kToAxes{"record", "L",    "T",  "V",        "unit",
+                                                           "dt",     "from", "to", "direction"};  // which says where L, T, V go
+  static constexpr std::array<std::string_view, 8> kToComponents{"record", "x", "y", "z", "unit", "dt", "from", "to"};
   if (key == "record") return kToRecord;
   if (key == "x" || key == "y" || key == "z") return kToAxes;
   if (key == "L" || key == "T" || key == "V") return kToComponents;

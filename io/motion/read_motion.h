@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cases/motion.h"
@@ -23,15 +25,26 @@ inline constexpr const char* kUnitNames = R"("g", "m/s2" or "cm/s2")";
 /// "gal", "mm/s/s".
 std::optional<double> acceleration_unit(std::string_view name);
 
+/// What a user says of files that do not say it themselves. A unit alone converts to it.
+struct Unstated {
+  std::optional<std::string> unit;  // of acceleration, see acceleration_unit
+  std::optional<double> dt;         // s between samples
+  Unstated() = default;
+  template <class T>
+  requires std::convertible_to<T, std::optional<std::string>> Unstated(T&& u, std::optional<double> step = {})
+      : unit(std::forward<T>(u)), dt(step) {}
+};
+
 /// PEER AT2: NGA-West2, NGA-West1, NGA-East and the older forms. The header states unit, number of values and step.
 /// \throw FileError with the line for a header that cannot be understood, a file of velocity or displacement, a value that is missing,
 /// glued or not finite, or a count other than the header's.
 cases::Accelerogram read_at2(const std::string& path);
 
 /// Two columns, time [s] from 0 in equal steps (to 1e-6 of a step) and acceleration, divided by a comma, a semicolon or blanks; lines that
-/// start with '#' are comments; before the data may stand one header line, "t [s], a [m/s2]". \param unit holds where the header states
-/// none. \throw FileError with the line.
-cases::Accelerogram read_motion_csv(const std::string& path, const std::optional<std::string>& unit);
+/// start with '#' are comments; before the data may stand one header line, "t [s], a [m/s2]". Or one column, accelerations at steps of
+/// `unstated.dt`, perhaps under a header "a [m/s2]". `unstated.unit` holds where the header states none; where there are times, they hold.
+/// \throw FileError with the line.
+cases::Accelerogram read_motion_csv(const std::string& path, const Unstated& unstated);
 
 /// One component of a file, as the file describes it.
 struct Channel {
@@ -54,16 +67,16 @@ std::vector<Channel> read_knet(const std::string& path);    // NIED K-NET, KiK-n
 
 /// All components of a file of any format, known by its first lines; AT2 and CSV also by the name's ending (.AT2, .csv, .txt).
 /// \throw FileError, also for VT2 and DT2 files and unknown formats.
-std::vector<Channel> read_motion_file(const std::string& path, const std::optional<std::string>& unit);
+std::vector<Channel> read_motion_file(const std::string& path, const Unstated& unstated);
 
 /// "#1 (90 DEG), #2 (UP)": numbers and names of all components, for messages.
 std::string component_list(const std::vector<Channel>& channels);
 
 /// One component: the only one of the file, or the one that "FILE#NAME" or "FILE#NUMBER" names, or the one that the file marks as `axis`
 /// ('L', 'T', 'V'; 0: none). \throw FileError, also where no one component is meant.
-Channel read_channel(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
+Channel read_channel(const std::string& path, const Unstated& unstated, char axis = 0);
 
 /// Its motion alone.
-cases::Accelerogram read_accelerogram(const std::string& path, const std::optional<std::string>& unit, char axis = 0);
+cases::Accelerogram read_accelerogram(const std::string& path, const Unstated& unstated, char axis = 0);
 
 }  // namespace voussoir::io

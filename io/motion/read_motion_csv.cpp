@@ -42,13 +42,15 @@ std::string_view bracketed(std::string_view field) {
   return trimmed(field.substr(open + 1, close - open - 1));
 }
 
-/// The header line: the unit it states, if any.
+/// The header line: the unit it states, if any. One column has a header without a comma, "a [m/s2]".
 std::optional<double> unit_of_header(const std::string& path, long line, std::string_view text) {
   const std::size_t mark = text.find_first_of(",;");
-  if (mark == std::string_view::npos || text.find_first_of(",;", mark + 1) != std::string_view::npos) {
+  const bool one = mark == std::string_view::npos && !bracketed(text).empty();
+  if (!one && (mark == std::string_view::npos || text.find_first_of(",;", mark + 1) != std::string_view::npos)) {
     throw FileError(path, line, "header " + shown(text) + ": " + kColumns + ", as in 't [s], a [m/s2]'");
   }
-  const std::string_view time = bracketed(text.substr(0, mark)), acceleration = bracketed(text.substr(mark + 1));
+  const std::string_view time = one ? std::string_view() : bracketed(text.substr(0, mark));
+  const std::string_view acceleration = bracketed(one ? text : text.substr(mark + 1));
   if (!time.empty() && time != "s") throw FileError(path, line, "unit of time is " + shown(time) + "; allowed: s");
   if (acceleration.empty()) return std::nullopt;
   const auto unit = acceleration_unit(acceleration);
@@ -60,6 +62,17 @@ struct Row {
   double time, value;
   long line;
 };
+
+/// What the columns are, told by the first row of numbers.
+enum class Layout { time_and_value, value };
+
+Layout layout_of(const std::string& path, long line, const Fields& fields, const Unstated& unstated) {
+  if (fields.size() != 1) return Layout::time_and_value;
+  if (unstated.dt) return Layout::value;
+  throw FileError(path, line,
+                  std::string("one column, and its step is not stated; ") + kColumns +
+                      ", or dt beside it, in s (motion.dt in a case, dt in record.toml, --dt of voussoir motion)");
+}
 
 std::array<double, 2> numbers_of(const std::string& path, long line, const Fields& fields) {
   if (fields.size() != 2) {
@@ -74,6 +87,13 @@ std::array<double, 2> numbers_of(const std::string& path, long line, const Field
     numbers[i] = *number;
   }
   return numbers;
+}
+
+double value_of(const std::string& path, long line, const Fields& fields) {
+  if (fields.size() != 1) throw FileError(path, line, "more than one column, and the rows before have one");
+  const auto number = finite_number(fields[0]);
+  if (!number) throw FileError(path, line, "acceleration " + shown(fields[0]) + " is no finite number");
+  return *number;
 }
 
 /// The step of the rows, checked to be the same everywhere.
@@ -99,10 +119,11 @@ double step_of(const std::string& path, const std::vector<Row>& rows) {
 
 }  // namespace
 
-cases::Accelerogram read_motion_csv(const std::string& path, const std::optional<std::string>& unit) {
+cases::Accelerogram read_motion_csv(const std::string& path, const Unstated& unstated) {
   const std::string text = read_text_file(path, kLargestMotionFile);
   LineReader lines(text);
   std::optional<double> factor;
+  std::optional<Layout> layout;
   std::vector<Row> rows;
   bool header_allowed = true;
   while (const auto line = lines.next()) {
@@ -112,16 +133,23 @@ cases::Accelerogram read_motion_csv(const std::string& path, const std::optional
     if (header_allowed && !finite_number(fields[0])) {
       factor = unit_of_header(path, lines.line(), content);
     } else {
-      const auto [time, value] = numbers_of(path, lines.line(), fields);
-      rows.push_back({time, value, lines.line()});
+      if (!layout) layout = layout_of(path, lines.line(), fields, unstated);
+      if (*layout == Layout::value) {
+        rows.push_back({0.0, value_of(path, lines.line(), fields), lines.line()});
+      } else {
+        const auto [time, value] = numbers_of(path, lines.line(), fields);
+        rows.push_back({time, value, lines.line()});
+      }
     }
     header_allowed = false;
   }
-  const double dt = step_of(path, rows);
-  if (!factor && unit) factor = acceleration_unit(*unit);
+  const bool stated = layout != Layout::value;
+  if (!stated && rows.size() < 2) throw FileError(path, "holds one number; allowed: 2 or more");
+  const double dt = stated ? step_of(path, rows) : *unstated.dt;
+  if (!factor && unstated.unit) factor = acceleration_unit(*unstated.unit);
   if (!factor) {
-    throw FileError(path, "the unit of acceleration is not stated; give the file a header line 't [s], a [m/s2]', or set unit to " +
-                              std::string(kUnitNames));
+    throw FileError(path, std::string("the unit of acceleration is not stated; give the file a header line '") +
+                              (stated ? "t [s], a [m/s2]" : "a [m/s2]") + "', or set unit to " + std::string(kUnitNames));
   }
   cases::Accelerogram a{std::filesystem::path(path).stem().string(), dt, {}};
   a.acceleration.reserve(rows.size());

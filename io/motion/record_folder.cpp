@@ -13,6 +13,7 @@
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
+#include "io/motion/motion_text.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -28,6 +29,15 @@ Node parsed(const std::string& path) {
   } catch (const SyntaxError& e) {
     throw FileError(path, e.line(), e.what());
   }
+}
+
+/// The key dt: s between samples, where a format does not say.
+double step_of(const std::string& path, long line, const Node& node) {
+  const auto* number = node.as<double>();
+  const auto* whole = node.as<std::int64_t>();
+  const double dt = number != nullptr ? *number : whole != nullptr ? static_cast<double>(*whole) : 0.0;
+  if (!(dt >= kShortestStep && dt <= kLongestStep)) throw FileError(path, line, "dt is no step; allowed: a number from 1e-6 to 10, in s");
+  return dt;
 }
 
 /// The shortest decimal that reads back as the same number.
@@ -56,25 +66,29 @@ std::string csv_of(const cases::Accelerogram& a) {
 
 }  // namespace
 
-Record read_record_folder(const std::string& folder, const std::optional<std::string>& unit) {
+Record read_record_folder(const std::string& folder, const Unstated& unstated) {
   const std::string path = (fs::path(folder) / "record.toml").string();
   const Node document = parsed(path);
   Record record;
   const fs::path normal = fs::absolute(folder).lexically_normal();
   record.name = (normal.has_filename() ? normal : normal.parent_path()).filename().string();
-  std::optional<std::string> stated = unit;
+  Unstated stated = unstated;
   std::array<std::optional<std::string>, 3> files;
   std::array<long, 3> lines{};
   for (const auto& [name, node] : *document.as<Node::Table>()) {
     const long line = node.source.line;
+    if (name == "dt") {
+      stated.dt = step_of(path, line, node);
+      continue;
+    }
     const auto* value = node.as<std::string>();
     const auto component = std::find(kComponents.begin(), kComponents.end(), name);
     if (component == kComponents.end() && name != "name" && name != "unit") {
-      throw FileError(path, line, "key " + shown(name) + " is not known; allowed: L, T, V, name, unit");
+      throw FileError(path, line, "key " + shown(name) + " is not known; allowed: L, T, V, name, unit, dt");
     }
     if (value == nullptr || value->empty()) throw FileError(path, line, name + " is no text; allowed: a string in quotes");
     if (name == "name") record.name = *value;
-    if (name == "unit") stated = *value;
+    if (name == "unit") stated.unit = *value;
     if (name == "unit" && !acceleration_unit(*value)) {
       throw FileError(path, line, "unit " + shown(*value) + " is not known; allowed: " + kUnitNames);
     }

@@ -78,10 +78,10 @@ void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
   browser.open(page, "still&film");
   const double step = o.speed / o.rate;
   const auto pictures = static_cast<long>(std::floor((time.until - time.from) / step + 1e-6)) + 1;
+  const auto at = [&](long i) { return cases::text(time.from + static_cast<double>(i) * step); };
   for (long i = 0; i < pictures; ++i) {
-    const std::string t = cases::text(time.from + static_cast<double>(i) * step);
-    const std::string view = i == 0 ? "\"" + o.view + "\"" : "null";
-    ffmpeg.write(from_base64(browser.evaluate("opened.then((report) => report.shot(" + t + ", " + view + ", " + kSize + "))")));
+    const std::string view = i == 0 ? "\"" + o.view + "\"" : "null", next = i + 1 < pictures ? ", " + at(i + 1) : "";
+    ffmpeg.write(from_base64(browser.evaluate("opened.then((report) => report.shot(" + at(i) + ", " + view + ", " + kSize + next + "))")));
   }
   ffmpeg.finish();
   fs::copy_file(made, o.file, fs::copy_options::overwrite_existing, none);

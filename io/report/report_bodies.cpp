@@ -8,6 +8,7 @@
 
 #include "io/measures/bodies.h"
 #include "io/replay/frame_reader.h"
+#include "io/report/report_facts.h"
 
 namespace voussoir::io {
 
@@ -33,8 +34,7 @@ ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
         for (const double x : {p.x, p.y, p.z}) line.push_back(std::round(1000 * x) / 1000);
     }
   }
-  for (const char c : out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
-    result.json += c == '<' ? std::string("\\u003c") : std::string(1, c);  // nothing in it can end the element
+  result.json = safe_json(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   return result;
 }
 

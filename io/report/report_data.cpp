@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <span>
 #include <vector>
 
+#include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"
 #include "io/replay/covered_faces.h"
@@ -44,6 +46,17 @@ std::vector<std::uint8_t> steps(std::vector<std::uint8_t> rows, std::size_t widt
   return rows;
 }
 
+/// The mechanism; of a run whose case this program cannot read there is none, and the page does without.
+void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
+  try {
+    const ReportBodies bodies = report_bodies(file, reader);
+    out.put("application/json", "bodies", bodies.json);
+    out.put("body-ids", steps(bodies.id, static_cast<std::size_t>(reader.elements())));
+  } catch (const FileError& e) {
+    std::fprintf(stderr, "warning: the page has no mechanism: %s\n", e.what());
+  }
+}
+
 }  // namespace
 
 std::string report_data(const std::string& run, const std::string& prefix) {
@@ -72,9 +85,7 @@ std::string report_data(const std::string& run, const std::string& prefix) {
   out.put("crack-edges", cracks.edges);
   out.put("crack-ends", cracks.ends);
   out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
-  const ReportBodies bodies = report_bodies(file, reader);
-  out.put("application/json", "bodies", bodies.json);
-  out.put("body-ids", steps(bodies.id, static_cast<std::size_t>(reader.elements())));
+  put_bodies(out, file, reader);
   out.put("text/plain", "frames", frames.text);
   return out.text;
 }

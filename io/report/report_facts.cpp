@@ -212,12 +212,6 @@ std::optional<LoadedCase> case_of(const Hdf5File& file) {
   }
 }
 
-/// "roof beam 11" is of the part "roof beam".
-std::string part_of(const std::string& tag) {
-  const std::size_t end = tag.find_last_not_of("0123456789 ");
-  return end == std::string::npos ? tag : tag.substr(0, end + 1);
-}
-
 /// Parts of the building by number, in order of their first element.
 std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   std::map<std::string, std::int32_t> numbers;
@@ -231,15 +225,13 @@ std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   return part;
 }
 
-/// JSON that may stand inside a script element: nothing in it can end the element.
-std::string safe_json(const Json& json) {
+}  // namespace
+
+std::string safe_json(const std::string& json) {
   std::string out;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
-    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : json) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
-
-}  // namespace
 
 ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double quantum) {
   const std::optional<LoadedCase> c = case_of(file);
@@ -256,7 +248,8 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["summary"] =
       numbers(file, "/summary",
               {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
-               "slipped", "first_tension", "first_shear", "first_compression", "peak_base_shear", "peak_speed", "worst_residual"});
+               "slipped", "first_tension", "first_shear", "first_compression", "settling_tension", "settling_shear", "settling_compression",
+               "settling_slipped", "peak_base_shear", "peak_speed", "worst_residual"});
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();
@@ -265,7 +258,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["quantum"] = quantum;
   out.part = number_parts(file, facts);
   out.material = file.read<std::int32_t>("/model/element/material");
-  out.json = safe_json(facts);
+  out.json = safe_json(facts.dump(-1, ' ', false, Json::error_handler_t::replace));
   return out;
 }
 

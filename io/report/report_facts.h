@@ -11,6 +11,9 @@ namespace voussoir::io {
 class FrameReader;
 class Hdf5File;
 
+/// JSON that may stand inside a script element: nothing in it can end the element. \param json  dumped
+std::string safe_json(const std::string& json);
+
 /// What the report page says of a run in words and curves.
 struct ReportFacts {
   /// JSON that may stand in a script element: title; motion (direction, record, scale, peak: of the ground's acceleration along x, y, z,

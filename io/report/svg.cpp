@@ -45,8 +45,8 @@ Svg::Svg(double width, double height) {
          " font-family=\"sans-serif\" stroke-linejoin=\"round\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
 }
 
-void Svg::polygon(std::span<const geometry::Point2> corners, std::string_view fill) {
-  out_ += "<path stroke=\"#4a3728\" stroke-width=\"0.5\"" + attribute("fill", fill) + " d=\"";
+void Svg::polygon(std::span<const geometry::Point2> corners, std::string_view fill, std::string_view edge) {
+  out_ += "<path" + attribute("stroke", edge) + " stroke-width=\"0.5\"" + attribute("fill", fill) + " d=\"";
   char command = 'M';
   for (const geometry::Point2 p : corners) {
     out_ += command + number(p.s) + " " + number(p.t);

@@ -15,8 +15,8 @@ class Svg {
  public:
   Svg(double width, double height);
 
-  /// A closed polygon. `fill` is a colour; edges are thin and dark.
-  void polygon(std::span<const geometry::Point2> corners, std::string_view fill);
+  /// A closed polygon with thin edges. `fill` and `edge` are colours.
+  void polygon(std::span<const geometry::Point2> corners, std::string_view fill, std::string_view edge = "#4a3728");
   void line(geometry::Point2 from, geometry::Point2 to, std::string_view colour, double width);
   void circle(geometry::Point2 centre, double radius, std::string_view fill);
   /// `anchor`: start, middle or end.

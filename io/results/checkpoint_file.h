@@ -19,7 +19,7 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 3;
+inline constexpr std::int64_t kCheckpointSchema = 4;
 
 /// Everything but the state.
 struct CheckpointFacts {

@@ -58,13 +58,18 @@ void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary
   file.set_attribute(at, "first_tension", s.first.tension);
   file.set_attribute(at, "first_shear", s.first.shear);
   file.set_attribute(at, "first_compression", s.first.compression);
+  file.set_attribute(at, "settling_tension", s.settling.tension);
+  file.set_attribute(at, "settling_shear", s.settling.shear);
+  file.set_attribute(at, "settling_compression", s.settling.compression);
+  file.set_attribute(at, "settling_slipped", s.settling.slipped);
   file.set_attribute(at, "peak_base_shear", s.peak_base_shear);
   file.set_attribute(at, "peak_speed", s.peak_speed);
   file.set_attribute(at, "worst_residual", s.worst_residual);
   file.set_attribute(at, "end_time", s.end_time);
   file.set_attribute(at, "units",
-                     "first_crack_time (below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, first_shear, "
-                     "first_compression: segment sides; "
+                     "first_crack_time (of the shaking; below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, "
+                     "first_shear, first_compression, settling_tension, settling_shear, settling_compression, settling_slipped: segment "
+                     "sides; "
                      "peak_base_shear: N; peak_speed: m/s; " +
                          figure_units() + "; the others: 1");
 }
@@ -78,10 +83,11 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       elements_(model.blocks.size()),
       histories_(history_names.size()),
       ties_(model.ties.size()),
-      schema_(row_schema(history_names, model.blocks.size(), model.ties.size())),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, model.ties.size())),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
+  model_.insert(model_.end(), options_.motion.begin(), options_.motion.end());
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t] = RowBuffer(schema_[t]);
   if (options_.earlier)
     continue_earlier();
@@ -153,6 +159,18 @@ void ResultsWriter::forces(const solver::ForcesRow& row) {
   if (!to.begin(row.time)) return;
   to.put(1, row.base_shear);
   to.put(2, row.base_moment);
+  write_if_due();
+}
+
+void ResultsWriter::cuts(double time, std::span<const solver::CutSample> samples) {
+  if (samples.size() != options_.cuts.size()) throw std::logic_error("a row of cuts has another number of samples than there are names");
+  RowBuffer& to = table(RowTable::cuts);
+  if (!to.begin(time)) return;
+  std::size_t column = 1;
+  for (const solver::CutSample& s : samples) {
+    to.put(column++, s.force);
+    to.put(column++, s.moment);
+  }
   write_if_due();
 }
 

@@ -28,6 +28,8 @@ struct ResultsOptions {
   std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
   bool merge = true;               // finish() puts all rows into run.h5
   std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
+  std::vector<StaticDataset> motion;      // of the base: motion_datasets
+  std::vector<std::string> cuts;          // names, one for each sample of cuts(), in order
   /// Go on with the results in the folder. Absent: a new run.
   std::optional<EarlierRows> earlier;
 };
@@ -55,6 +57,7 @@ class ResultsWriter final : public solver::Recorder {
   void ties(double time, std::span<const solver::TieSample> samples) override;
   void energy(const solver::EnergyRow& row) override;
   void forces(const solver::ForcesRow& row) override;
+  void cuts(double time, std::span<const solver::CutSample> samples) override;
   void damage(const solver::DamageRow& row) override;
   void cracks(std::span<const solver::CrackRow> rows) override;
   void frame(const solver::FrameView& frame) override;

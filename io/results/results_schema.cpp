@@ -20,13 +20,14 @@ ColumnSpec vector(const std::string& name, const char* unit, const char* descrip
 
 ColumnSpec integer(const std::string& name, Hdf5Type type, const char* description) { return {name, type, {}, {"1", description}, {}}; }
 
-void check_names(std::span<const std::string> names) {
+/// \param what  has the names, for messages
+void check_names(const std::string& what, std::span<const std::string> names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
-    if (name.empty()) throw std::invalid_argument("a history has no name");
+    if (name.empty()) throw std::invalid_argument("a " + what + " has no name");
     if (!can_name_history(name))
-      throw std::invalid_argument("history \"" + name + "\": a name may not be 'time', '.' or '..' nor hold '/' or control characters");
-    if (!seen.insert(name).second) throw std::invalid_argument("history \"" + name + "\": the name is given twice");
+      throw std::invalid_argument(what + " \"" + name + "\": a name may not be 'time', '.' or '..' nor hold '/' or control characters");
+    if (!seen.insert(name).second) throw std::invalid_argument(what + " \"" + name + "\": the name is given twice");
   }
 }
 
@@ -52,13 +53,13 @@ TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties
 TableSpec energy_columns() {
   return {scalar("/energy/time", "s", "time of the rows; zero is the start of shaking"),
           scalar("/energy/kinetic", "J", "stored: kinetic energy relative to the base"),
-          scalar("/energy/strain", "J", "stored: elastic energy of bonds"),
+          scalar("/energy/strain", "J", "stored: elastic energy of bonds and ties"),
           scalar("/energy/contact", "J", "stored: elastic energy of contacts"),
           scalar("/energy/gravity", "J", "stored: potential energy of gravity"),
           scalar("/energy/input", "J", "work put in by ground, loads and supports, with the initial energy"),
           scalar("/energy/dashpot", "J", "lost in the dashpots of contacts"),
-          scalar("/energy/friction", "J", "lost by sliding, and where bonds that hold slip or are crushed"),
-          scalar("/energy/fracture", "J", "lost where bonds break"),
+          scalar("/energy/friction", "J", "lost by sliding, where bonds that hold slip or are crushed, and where ties yield"),
+          scalar("/energy/fracture", "J", "lost where bonds and ties break"),
           scalar("/energy/damping", "J", "lost by mass damping"),
           scalar("/energy/residual", "1", "what the balance leaves over, as a ratio")};
 }
@@ -107,10 +108,21 @@ TableSpec frames_columns(std::uint64_t n) {
           {"/frames/broken", f32, {n}, {"1", "broken fraction of each element's bonds"}, {}}};
 }
 
+TableSpec cuts_columns(std::span<const std::string> names) {
+  TableSpec t{scalar("/cuts/time", "s", "time of the rows of all cuts, those of /forces; zero is the start of shaking")};
+  for (const std::string& name : names) {
+    const std::string group = "/cuts/" + name + "/";
+    t.push_back(
+        vector(group + "force", "N", "of what lies before the plane on what lies behind it; times the normal: tension; global axes"));
+    t.push_back(vector(group + "moment", "N m", "of that force about the cut's point; global axes"));
+  }
+  return t;
+}
+
 }  // namespace
 
 const char* table_name(RowTable table) noexcept {
-  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames"};
+  constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames", "cuts"};
   return names[static_cast<std::size_t>(table)];
 }
 
@@ -120,14 +132,12 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
   return bytes;
 }
 
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::uint64_t ties) {
-  check_names(history_names);
-  return {history_columns(history_names, ties),
-          energy_columns(),
-          forces_columns(),
-          damage_columns(),
-          cracks_columns(),
-          frames_columns(elements)};
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names,
+                     std::uint64_t ties) {
+  check_names("history", history_names);
+  check_names("cut", cut_names);
+  return {history_columns(history_names, ties), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
+          frames_columns(elements),       cuts_columns(cut_names)};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

@@ -16,11 +16,11 @@
 namespace voussoir::io {
 
 /// Version of the layout of run.h5, its attribute `schema_version`.
-inline constexpr std::int64_t kResultsSchema = 2;
+inline constexpr std::int64_t kResultsSchema = 3;
 
 /// The group of a table is "/" and its name: see table_name.
-enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames };
-inline constexpr std::size_t kRowTables = 6;
+enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts };
+inline constexpr std::size_t kRowTables = 7;
 
 [[nodiscard]] const char* table_name(RowTable table) noexcept;
 
@@ -44,9 +44,11 @@ using TableSpec = std::vector<ColumnSpec>;
 using RowSchema = std::array<TableSpec, kRowTables>;
 
 /// \param history_names  of the followed elements, in the order of Recorder::history
+/// \param cut_names  in the order of Recorder::cuts
 /// \param ties  of the model: their rows stand in /ties and belong to the table of histories
 /// \throw std::invalid_argument if a name is empty, "time", given twice, or holds '/' or a control character, or is "." or ".."
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::uint64_t ties = 0);
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names = {},
+                     std::uint64_t ties = 0);
 
 /// Rows of one table that are not yet on disk.
 class RowBuffer {

@@ -5,13 +5,15 @@
 // may ask of a page: axe-core without findings in light and dark, on a desk and on a phone; targets of 44 pixels there; keys that turn the
 // house; cracks that are seen while it stands (RED=1.8: at least 2,000 red pixels at that time in the corner view, under 5 % of the picture).
 // usage: node check.mjs PAGE.html RUN.h5 [FOLDER for pictures] (needs chromium and hdf5-tools)
+//        node check.mjs COMPARISON.html [FOLDER for pictures]: a page of two runs: one clock, one camera, both in each plot and in the tables
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 
-const [page_file, run_file, pictures = mkdtempSync(join(tmpdir(), "report-"))] = process.argv.slice(2);
+const [page_file, ...others] = process.argv.slice(2), run_file = others[0]?.endsWith(".h5") ? others.shift() : null;
+const pictures = others[0] ?? mkdtempSync(join(tmpdir(), "report-"));
 const scratch = mkdtempSync(join(tmpdir(), "report-"));
 const faults = [];
 
@@ -40,10 +42,61 @@ async function opened(options, fragment = "") {
 }
 
 const megabytes = statSync(page_file).size / 1e6;
-if (megabytes >= 25) faults.push(`the page has ${megabytes.toFixed(1)} MB, more than 25`);
+const most = run_file === null ? 50 : 25; // two runs, or one
+if (megabytes >= most) faults.push(`the page has ${megabytes.toFixed(1)} MB, more than ${most}`);
 const start = performance.now();
 const page = await opened({}, "#motion=1");
 console.log(`${megabytes.toFixed(1)} MB, loaded in ${((performance.now() - start) / 1000).toFixed(1)} s`);
+
+/** A page of two runs; of one, without its run to compare with, the same but for these. */
+async function checkTwo(page) {
+  const two = await page.evaluate(`({ panes: report.panes.length, last: report.last })`);
+  if (two.panes !== 2) return faults.push(`${two.panes} houses, not two; a page of one run needs its run.h5`);
+  const letters = await page.locator(".pane .letter").allTextContents();
+  if (letters.join() !== "A,B") faults.push(`houses have the letters ${letters.join()}, not A,B`);
+  for (const part of [0.2, 0.6, 1]) {
+    await page.locator("#time").fill(String(Math.round(part * two.last)));
+    const times = await page.evaluate(`report.panes.map(({ house, times }) => times[Math.floor(house.at)] + (house.at % 1) * ((times[Math.floor(house.at) + 1] ?? 0) - times[Math.floor(house.at)]))`);
+    if (Math.abs(times[0] - times[1]) > 1e-6) faults.push(`one clock, but the houses are at ${times} s`);
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(pictures, `two-${part}.png`) });
+  }
+  await page.locator("canvas.view").nth(1).focus();
+  await page.keyboard.press("ArrowLeft");
+  const cameras = await page.evaluate("report.panes.map(({ house }) => [...house.camera.position, ...house.controls.target].map((x) => x.toFixed(3)).join())");
+  if (cameras[0] !== cameras[1]) faults.push(`one camera, but they are at ${cameras.join(" and ")}`);
+  const alone = await page.evaluate(`report.plots.filter((p) => !["A", "B"].every((run) => p.series.some((s) => s.label?.endsWith(" " + run)))).map((p) => p.title)`);
+  if (alone.length > 0) faults.push(`not of both runs: ${alone}`);
+  const heads = await page.evaluate(`[...document.querySelectorAll("#summary table")].slice(0, 2).map((t) => [...t.querySelectorAll("th[scope=col]")].map((h) => h.textContent).join(""))`);
+  if (heads.join() !== "AB,AB") faults.push(`the tables are not of A and B: ${heads}`);
+  const wide = await page.evaluate(`(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)(document.querySelector("aside"))`);
+  if (wide > 0) faults.push(`the side panel is ${wide} pixels too wide`);
+}
+
+/** The button that records, until there is a film: a WebM begins with the mark of EBML. */
+async function checkRecorder(page) {
+  await page.evaluate("report.show(0)");
+  await page.evaluate(`document.getElementById("more").open = true`);
+  await page.locator("#record").click();
+  await page.waitForTimeout(2500);
+  await page.locator("#record").click();
+  for (let i = 0; i < 100 && !(await page.evaluate("Boolean(report.film)")); ++i) await page.waitForTimeout(200);
+  const start = await page.evaluate("report.film ? report.film.slice(0, 4).arrayBuffer().then((b) => [...new Uint8Array(b)].join()) : null");
+  if (start !== "26,69,223,163") faults.push(`what is recorded is no WebM: it begins with ${start}`);
+  console.log(`recorded: ${await page.evaluate("report.film?.size ?? 0")} bytes`);
+}
+
+const end = async () => {
+  await browser.close();
+  for (const f of faults) console.log(`FAULT ${f}`);
+  console.log(`pictures in ${pictures}`);
+  process.exit(faults.length > 0 ? 1 : 0);
+};
+if (run_file === null) {
+  await checkTwo(page);
+  await checkRecorder(page);
+  await end();
+}
 
 const { last, n, quantum } = await page.evaluate("({ last: report.last, n: report.run.frames.n, quantum: report.run.facts.quantum })");
 for (const part of [0.2, 0.45, 0.6, 1]) {
@@ -76,6 +129,7 @@ const rate = await page.evaluate(`new Promise((done) => {
   setTimeout(() => { report.play(false); done((report.house.renderer.info.render.frame - before) / ((performance.now() - start) / 1000)); }, 4000);
 })`);
 console.log(`replay: ${rate.toFixed(1)} frames/s at 1280 x 720`);
+await checkRecorder(page);
 const shot = Buffer.from(await page.evaluate(`report.shot(report.times[report.last], "front", 640, 360)`), "base64");
 if (shot.readUInt16BE(0) !== 0xffd8) faults.push("a picture of a film is no JPEG");
 await page.close();
@@ -133,7 +187,4 @@ await keys.waitForTimeout(700);
 const address = await keys.evaluate("location.hash");
 if (!/camera=[-0-9.,]+/.test(address)) faults.push(`the camera is not in the address: ${address}`);
 await keys.close();
-await browser.close();
-for (const f of faults) console.log(`FAULT ${f}`);
-console.log(`pictures in ${pictures}`);
-process.exit(faults.length > 0 ? 1 : 0);
+await end();

@@ -18,7 +18,7 @@ import h5py
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
          "residual_drift", "first_tension", "first_shear", "first_compression", "tension", "shear", "compression", "slipped",
          "peak_base_shear", "peak_speed")
-NOT_RESULTS = ("finished", "grade_time", "walls")
+NOT_RESULTS = ("finished", "grade_time", "walls", "points")
 COSTS = ("starts", "wall_clock", "core_hours")
 
 
@@ -29,6 +29,7 @@ def flat(summary):
     out |= {f"grade_{grade}_time": time for grade, time in enumerate(summary["grade_time"], 1)}
     for wall in summary["walls"]:
         out |= {f"{wall['name']}: {name}": value for name, value in wall.items() if name != "name"}
+    out |= {f"{point['name']}: peak_acceleration": point["peak_acceleration"] for point in summary.get("points", [])}
     return {name: "" if value is None else value for name, value in out.items()}
 
 

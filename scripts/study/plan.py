@@ -53,6 +53,21 @@ def is_scale(value):
     return is_number(value) or (isinstance(value, list) and len(value) == 3 and all(map(is_number, value)))
 
 
+MOTION_FILES, MOTION_TEXTS = ("record", "L", "T", "V", "x", "y", "z"), ("unit", "baseline")
+MOTION_KEYS = (*MOTION_FILES, *MOTION_TEXTS, "dt", "from", "to", "taper")
+
+
+def is_record(value):
+    """A name or a path, or a table: a name, and keys of [motion] with their values, files among them."""
+    if not isinstance(value, dict):
+        return is_text(value)
+    keys = {key: v for key, v in value.items() if key != "name"}
+    return (NAME.fullmatch(str(value.get("name", ""))) is not None and any(key in MOTION_FILES for key in keys)
+            and all(key in MOTION_KEYS and (is_text(v) if key in (*MOTION_FILES, *MOTION_TEXTS) else is_number(v)
+                                            or key == "taper" and isinstance(v, list) and all(map(is_number, v)))
+                    for key, v in keys.items()))
+
+
 def is_seed(value):
     return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**31
 
@@ -70,7 +85,9 @@ VALUES = {
 LISTS = {
     "cases": (None, is_text, "a name of `voussoir cases`, or the path of a .toml file, from the study file's folder"),
     "directions": ([], lambda v: v in DIRECTIONS, ", ".join(DIRECTIONS)),
-    "records": ([], is_text, '"bam-like", or the path of a record, from the study file\'s folder'),
+    "records": ([], is_record, '"bam-like", or the path of a record, from the study file\'s folder, or a table { name = "...", L = "file", '
+                               'T = "file", V = "file" }: a name, and keys of [motion] (files: record, L, T, V, x, y, z; unit, dt, from, to, '
+                               'baseline, taper)'),
     "scales": ([], is_scale, "a number, or an array [L, T, V]"),
     "seeds": ([], is_seed, "an integer from 0 to 2147483647"),
     "set": ([], is_override, '"key=value" of the case file, for all runs'),
@@ -91,7 +108,8 @@ def read_list(path, key, value, test, allowed):
         if key != "set" and entry in value[:i]:
             raise fault(path, f"{key}[{i}]", entry, "every entry once")
     for i, entry in enumerate(value):
-        for name in ENVIRONMENT.findall(entry) if isinstance(entry, str) else []:
+        texts = [entry] if isinstance(entry, str) else [v for v in entry.values() if isinstance(v, str)] if isinstance(entry, dict) else []
+        for name in ENVIRONMENT.findall(" ".join(texts)):
             if name not in os.environ:
                 raise fault(path, f"{key}[{i}]", entry, f"what the environment has; {name} is not set")
     return value
@@ -157,6 +175,17 @@ def scale_name(scale):
     return "x" + "_".join(f"{k:g}" for k in (scale if isinstance(scale, list) else [scale]))
 
 
+def motion_of(record, folder):
+    """Overrides of a record that is a table, as the study says them and as they are in fact: in place of what the case names."""
+    yield from ((f"motion.{key}=", None) for key in (*MOTION_FILES, "unit", "dt", "from", "to") if key not in record)
+    for key, value in record.items():
+        if key in MOTION_FILES:
+            path = from_folder(folder, from_environment(value), not (key == "record" and value == "bam-like"))
+            yield f"motion.{key}={json.dumps(value)}", f"motion.{key}={json.dumps(path)}"
+        elif key != "name":
+            yield f"motion.{key}={json.dumps(value)}", None
+
+
 def one_run(study, folder, case, direction, record, scale, options, seed):
     said = study["set"] + study["options"][options]  # overrides, as the study says them
     actual = [from_environment(o) for o in said]
@@ -173,7 +202,11 @@ def one_run(study, folder, case, direction, record, scale, options, seed):
     if direction:
         names.append(direction)
         add(f"motion.direction={json.dumps(direction)}")
-    if record:
+    if isinstance(record, dict):
+        names.append(record["name"])
+        for override, in_fact in motion_of(record, folder):
+            add(override, in_fact)
+    elif record:
         path = from_folder(folder, from_environment(record), record != "bam-like")
         names.append(pathlib.Path(path).stem)
         add(f"motion.record={json.dumps(record)}", f"motion.record={json.dumps(path)}")
@@ -185,7 +218,8 @@ def one_run(study, folder, case, direction, record, scale, options, seed):
     if seed is not None:
         names.append(f"seed{seed}")
         add(f"scatter.seed={seed}")
-    return {"name": "-".join(names), "axes": {"case": names[0], "direction": direction, "record": record, "scale": scale, "options": options,
+    called = record["name"] if isinstance(record, dict) else record
+    return {"name": "-".join(names), "axes": {"case": names[0], "direction": direction, "record": called, "scale": scale, "options": options,
                                               "seed": seed},
             "case": case, "set": actual, "identity": identity(case, said)}
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "solver/setup/side_stiffness.h"
 #include "solver/world/errors.h"
@@ -22,7 +23,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
-using Motion = Eigen::Matrix<double, 6, 1>;         // of one element: displacement, rotation
+using Motion = Eigen::Matrix<double, 6, 1>;  // of one element: displacement, rotation
 
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
@@ -48,6 +49,11 @@ class Structure {
       const kernels::Side side = world_.sides.side(id);
       const Stiffness12 of_side = side_stiffness(side, world_.points.view(world_.sides.set[i]));
       add(Eigen::Map<const Matrix12>(of_side.data()), {side.master, side.slave}, entries);
+    }
+    for (std::size_t i = 0; i < world_.ties.tie.size(); ++i) {
+      const Ties::Tie& t = world_.ties.tie[i];
+      const bool bears = t.law.compression || t.pretension > 0.0 || world_.ties.state[i].force > 0.0;
+      if (bears && world_.ties.state[i].broken == 0) add(t, entries);
     }
     Sparse k(size(), size());
     k.setFromTriplets(entries.begin(), entries.end());
@@ -99,6 +105,28 @@ class Structure {
         for (int i = 0; i < 6; ++i) {
           for (int j = 0; j < 6; ++j) {
             if (row + i >= column + j) entries.emplace_back(row + i, column + j, part(i, j));
+          }
+        }
+      }
+    }
+  }
+
+  /// A tie as it was at the start, along its axis.
+  void add(const Ties::Tie& t, std::vector<Eigen::Triplet<double>>& entries) const {
+    std::vector<std::pair<std::int32_t, Motion>> holds;  // row, and elongation by a unit of each motion
+    for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
+      const Ties::Hold& h = world_.ties.hold[static_cast<std::size_t>(k)];
+      const std::int32_t row = row_[static_cast<std::size_t>(h.element)];
+      if (row < 0) continue;
+      const Vec3 turning = cross(h.arm, t.axis);
+      const Motion motion = h.share * Motion{t.axis.x, t.axis.y, t.axis.z, turning.x, turning.y, turning.z};
+      holds.emplace_back(row, scale_[static_cast<std::size_t>(row / 6)].transpose() * motion);
+    }
+    for (const auto& [row, a] : holds) {
+      for (const auto& [column, b] : holds) {
+        for (int i = 0; i < 6; ++i) {
+          for (int j = 0; j < 6; ++j) {
+            if (row + i >= column + j) entries.emplace_back(row + i, column + j, t.law.stiffness * a(i) * b(j));
           }
         }
       }

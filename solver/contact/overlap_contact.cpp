@@ -104,6 +104,10 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels:
   w.overlaps.friction += friction;
   w.overlaps.impact += lost - friction;
   add_forces(w, s, at, c.dashpot);
+  if (w.keep_pairs) {
+    const Vec3 torque_a = cross(at.arm_a, c.dashpot), torque_b = -cross(at.arm_b, c.dashpot);
+    w.overlaps.wrench.push_back({s.force + c.dashpot, s.torque_a + torque_a, s.torque_b + torque_b, c.dashpot, torque_a, torque_b});
+  }
   return s;
 }
 
@@ -144,6 +148,7 @@ void find_overlaps(World& w, std::vector<OverlapFound>& found) {
 
 void apply_overlaps(World& w, std::vector<OverlapFound>& found) {
   std::vector<OverlapSpring>& springs = w.overlaps.springs;
+  w.overlaps.wrench.clear();
   if (found.empty() && springs.empty()) return;
   std::ranges::sort(found, {}, &OverlapFound::pair);
   std::vector<OverlapSpring> now;

@@ -25,7 +25,8 @@ struct TieSample {
   bool broken = false;
 };
 
-/// The energy ledger [J]: stores (strain: of bonds and ties), work put in, losses since time zero (or since the start while settling), residual as a ratio.
+/// The energy ledger [J]: stores (strain: of bonds and ties), work put in, losses since time zero (or since the start while settling),
+/// residual as a ratio.
 struct EnergyRow {
   double time = 0;                                           // s
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stores
@@ -38,6 +39,12 @@ struct EnergyRow {
 struct ForcesRow {
   double time = 0;               // s
   Vec3 base_shear, base_moment;  // N, N m
+};
+
+/// What goes through a cut: force that the part before its plane (where the normal points) exerts on the part behind it, and moment of that
+/// force about the cut's point. So the force times the normal is tension.
+struct CutSample {
+  Vec3 force, moment;  // N, N m
 };
 
 /// Segment sides that have failed, by the limit they reached first.
@@ -69,12 +76,21 @@ struct FrameView {
   std::span<const float> position, quaternion, broken;
 };
 
+/// What the building's own weight has done to it: segment sides as in DamageRow when the shaking began, or so far.
+struct SettlingDamage {
+  std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;
+  double first_crack_time = 0;  // s, below 0; 0: none
+
+  [[nodiscard]] std::int64_t opened() const noexcept { return tension + shear + compression; }
+};
+
 struct Summary {
   bool collapsed = false;
   double fallen_mass_fraction = 0;
-  double first_crack_time = -1;                                       // s, < 0: none
+  double first_crack_time = -1;                                       // s, of the shaking; < 0: none
   std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides, as in DamageRow
   FirstLimits first;
+  SettlingDamage settling;     // part of the counts above
   double peak_base_shear = 0;  // N
   double peak_speed = 0;       // m/s
   double worst_residual = 0;
@@ -87,10 +103,12 @@ class Recorder {
   virtual ~Recorder() = default;
   /// One sample per Output::history entry, in order.
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
-  /// Before history() of the same time, for a model with ties: one sample a tie, in order.
-  virtual void ties(double time, std::span<const TieSample> samples) = 0;
+  /// Before history() of the same time: one sample a tie, in order; not called where there are none.
+  virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
+  /// One sample per Output::cuts entry, in order; not called where there are none.
+  virtual void cuts(double /*time*/, std::span<const CutSample> /*samples*/) {}
   virtual void damage(const DamageRow& row) = 0;
   virtual void cracks(std::span<const CrackRow> rows) = 0;
   virtual void frame(const FrameView& frame) = 0;

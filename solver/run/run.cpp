@@ -12,12 +12,12 @@
 
 namespace voussoir::solver {
 
+std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
+
 namespace {
 
 constexpr std::int64_t kTickInterval = 20;  // steps
 constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
-
-std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
 
 /// Keeps the buffers and the running figures of one run.
 class Reporter {
@@ -61,6 +61,7 @@ class Reporter {
     if (rows.empty()) return;
     for (const CrackRow& r : rows) {
       if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
+      if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
     }
     out_.cracks(rows);
     rows.clear();
@@ -156,6 +157,7 @@ class Plan {
       if (history) report_.samples(time);
       if (!ledger) continue;
       out_.forces(sim_.forces());
+      if (!sim_.cuts().empty()) out_.cuts(time, sim_.cuts());
       report_.ledger(time);
       check_residual(sim_);
     }
@@ -202,6 +204,8 @@ Summary summarise(const Simulation& sim, const RunState& state) {
   const Damage& d = sim.damage();
   s.tension = d.tension, s.shear = d.shear, s.compression = d.compression, s.slipped = d.slipped;
   s.first = first_limits(sim.world());
+  const Damage& before = state.shaking ? state.settling : d;
+  s.settling = {before.tension, before.shear, before.compression, before.slipped, state.settling_crack};
   s.peak_base_shear = state.peak_base_shear;
   s.peak_speed = sim.peak_speed();
   s.worst_residual = sim.worst_residual();
@@ -217,7 +221,9 @@ RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end
     if (sim.phase() == Phase::settling) stopped = !plan.settle();
     if (!stopped && !state.shaking) {
       sim.start_shaking();
+      plan.tell_cracks();
       state.shaking = true;
+      state.settling = sim.damage();
     }
     if (!stopped) stopped = !plan.shake();
   } catch (...) {

@@ -10,14 +10,19 @@
 /// The run plan: settle, shake, and tell a Recorder at the intervals the case asks for.
 namespace voussoir::solver {
 
+/// Whole steps of dt [s] between two rows that an interval [s] asks for.
+std::int64_t in_steps(double interval, double dt);
+
 /// What a run carries from step to step beside the simulation.
 struct RunState {
-  std::int64_t steps = 0;      // since the beginning of the run
-  bool shaking = false;        // the shaking has begun
-  bool settled = true;         // gravity came to rest before it did
-  double first_crack = -1.0;   // s, < 0: none
-  double collapse = -1.0;      // s, of the first frame in which the building has collapsed, < 0: none
-  double peak_base_shear = 0;  // N
+  Damage settling;              // when the shaking began; until then nothing
+  double settling_crack = 0.0;  // s, below 0: of the first crack while it settled; 0: none
+  std::int64_t steps = 0;       // since the beginning of the run
+  bool shaking = false;         // the shaking has begun
+  bool settled = true;          // gravity came to rest before it did
+  double first_crack = -1.0;    // s, < 0: none
+  double collapse = -1.0;       // s, of the first frame in which the building has collapsed, < 0: none
+  double peak_base_shear = 0;   // N
 };
 
 /// Where a run is, for a progress line.

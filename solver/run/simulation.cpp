@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/gravity.h"
 #include "kernels/prefetch.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
@@ -51,14 +52,6 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
   return most;
 }
 
-/// Gravity as seen from a base tilted about x and y by angles in degrees.
-Vec3 tilted(Vec3 g, const std::optional<cases::Base>& base) {
-  if (!base) return g;
-  const double ax = base->tilt[0] * std::numbers::pi / 180.0, ay = base->tilt[1] * std::numbers::pi / 180.0;
-  const Vec3 about_x{g.x, std::cos(ax) * g.y + std::sin(ax) * g.z, -std::sin(ax) * g.y + std::cos(ax) * g.z};
-  return {std::cos(ay) * about_x.x - std::sin(ay) * about_x.z, about_x.y, std::sin(ay) * about_x.x + std::cos(ay) * about_x.z};
-}
-
 Vec3 rotation_vector(Quaternion q, Quaternion start) {
   // q · start⁻¹
   const double w = q.w * start.w + q.x * start.x + q.y * start.y + q.z * start.z;
@@ -90,7 +83,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   World& w = *world_;
   list_live_blocks(w);
   forces_stage_.tasks = JointTasks(w);
-  full_gravity_ = tilted(c.gravity.acceleration, c.base);
+  full_gravity_ = cases::gravity_on_base(c);
   const double frequency = c.damping.frequency.value_or(0.0);
   ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
   damage_ = initial_damage(w);
@@ -101,6 +94,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   turned_.resize(followed_.size());
   velocity_before_.resize(followed_.size());
   samples_.resize(followed_.size());
+  cuts_ = Cuts(w, c.output.cuts);
   load_before_.resize(2 * w.loads.size());
   if (c.gravity.settle && norm(full_gravity_) > 0.0) {
     phase_ = Phase::settling;
@@ -302,10 +296,14 @@ void Simulation::step(Due due) {
     if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.gather_stale) build_gather(w);
   }
+  const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
     const StageTimer timer(times_, Stage::forces);
+    if (cuts_due && !w.options.gather) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
+    w.keep_pairs = cuts_due;
     solver::forces(w, t, step_, forces_stage_);
     ledger_.add_load_work(apply_ties(w, gravity_share(static_cast<double>(step_) * w.dt)));
+    if (cuts_due) cuts_.measure(w, cut_samples_);
   }
   {
     const StageTimer timer(times_, Stage::damage);

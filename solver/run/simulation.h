@@ -10,6 +10,7 @@
 #include "cases/case.h"
 #include "cases/model.h"
 #include "cases/motion.h"
+#include "solver/run/cuts.h"
 #include "solver/run/damage.h"
 #include "solver/run/forces.h"
 #include "solver/run/ledger.h"
@@ -60,6 +61,8 @@ class Simulation {
   [[nodiscard]] double worst_residual() const { return ledger_.worst_residual(); }
   [[nodiscard]] const std::vector<HistorySample>& history() const { return samples_; }
   [[nodiscard]] const ForcesRow& forces() const { return forces_; }
+  /// Of the last step that had a ledger row while it shook, in the order of Output::cuts.
+  [[nodiscard]] const std::vector<CutSample>& cuts() const { return cut_samples_; }
   [[nodiscard]] const Damage& damage() const { return damage_; }
   /// Cracks since the last call; the caller clears it.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
@@ -116,6 +119,8 @@ class Simulation {
   std::vector<Vec3> load_before_;       // N, N m of each load at the last step (force, moment pairs)
   std::vector<HistorySample> samples_;
   ForcesRow forces_;
+  Cuts cuts_;
+  std::vector<CutSample> cut_samples_;
   double peak_speed_ = 0.0;  // m/s
 };
 

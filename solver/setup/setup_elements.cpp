@@ -64,6 +64,8 @@ void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, V
 
 double mass_damping(const cases::Damping& d) {
   if (d.alpha) return *d.alpha;
+  if (d.own_frequency && !d.frequency && d.ratio > 0.0)
+    throw cases::InputError("damping.frequency", "is \"auto\" still: solver::main_frequency finds it before the world is built");
   return d.frequency ? 2.0 * d.ratio * 2.0 * std::numbers::pi * *d.frequency : 0.0;  // Eq. 14
 }
 

@@ -309,13 +309,14 @@ void set_up_sides(World& w, const cases::Case& c) {
   w.sides.springs.assign_zeros(n / kernels::kWidth);
 }
 
-void set_up_side_gather(World& w) {
+void set_up_side_gather(World& w, const cases::Case& c) {
   Sides& s = w.sides;
-  if (!w.options.gather) return;
+  if (!w.options.gather && c.output.cuts.empty()) return;
   const std::size_t n = s.parts.size();
   s.pair_wrench.assign(n * kernels::kPairStride, 0.0);
   s.pair_dashpot.assign(n * kernels::kPairStride, 0.0);
   s.pair_on.assign(n, 0);
+  if (!w.options.gather) return;
   std::vector<std::vector<std::int64_t>> of_element(static_cast<std::size_t>(w.elements.count));
   for (std::size_t id = 0; id < n; ++id) {
     if (s.joint[id] < 0) continue;

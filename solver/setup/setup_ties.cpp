@@ -9,12 +9,7 @@
 #include "solver/setup/setup.h"
 #include "solver/setup/side_stiffness.h"
 
-// Ties must not shorten the step. Two facts bound the highest frequency of the structure with ties. The stiffness of a joint between two
-// elements is at most twice its blocks on the diagonal, so the squared frequency of the joints alone is at most 2 λ_i, λ_i the largest
-// eigenvalue of M_i⁻¹ K_ii of an element. A tie that holds n elements is at most n times its blocks, so it adds at most n k s² g at an
-// element that takes the share s of its force, 1/g the mass that moves there. Central differences are stable while the sum stays
-// under 4/Δt² at every element. What is asked for beyond is taken from the ties' stiffness. A plate's holds may share an element with
-// another tie's: all of them count.
+// Ties must not shorten the step: their stiffness is bounded by THEORY.md (32). Holds of several ties may share an element: all count.
 namespace voussoir::solver {
 
 namespace {
@@ -27,7 +22,8 @@ constexpr double kOfStep = 0.9;  // of 4/Δt², for joints and ties together
 constexpr double kAtLeast = 0.05;
 
 Ties::Hold hold_of(const World& w, std::int32_t tie, const cases::TieHold& h, double sign) {
-  if (h.element == geometry::kBase) return {tie, w.elements.base, sign * h.share, {}};
+  if (h.element == geometry::kBase)
+    return {tie, w.elements.base, sign * h.share, h.point - w.elements.body[static_cast<std::size_t>(w.elements.base)].ref};
   return {tie, h.element, sign * h.share, h.point - w.model.assembly.elements[static_cast<std::size_t>(h.element)].mass.centroid};
 }
 
@@ -81,7 +77,7 @@ Matrix6 scale_of(const Elements& e, std::size_t i) {
   return scale;
 }
 
-/// λ_i of the elements that ties hold [1/s2], by entry of Ties::element.
+/// λ of the elements that ties hold [1/s2], by entry of Ties::element.
 std::vector<double> joint_rates(const World& w) {
   const Ties& ties = w.ties;
   std::vector<Matrix6> k(ties.element.size(), Matrix6::Zero());
@@ -124,9 +120,27 @@ double inverse_mass(const Elements& e, std::size_t i, Vec3 arm) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(both, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
+/// S of (32), by tie.
+std::vector<double> moving_shares(const World& w) {
+  std::vector<double> sum(w.ties.tie.size(), 0.0);
+  for (const Ties::Hold& h : w.ties.hold) {
+    const bool moves = h.element != w.elements.base && w.elements.inv_mass[static_cast<std::size_t>(h.element)] > 0.0;
+    if (moves) sum[static_cast<std::size_t>(h.tie)] += std::abs(h.share);
+  }
+  return sum;
+}
+
+/// Takes the stiffness down and keeps the forces and plastic elongations at which the tie yields and breaks.
+void soften(kernels::TieLaw& law, double factor) {
+  const double k = law.stiffness, trial = k * law.breaking;
+  const double most = trial <= law.yield ? trial : law.yield + law.hardening * (trial - law.yield) / (k + law.hardening);
+  law.stiffness = factor * k;
+  if (std::isfinite(law.breaking)) law.breaking += most / law.stiffness - most / k;
+}
+
 void bound_stiffness(World& w) {
   Ties& ties = w.ties;
-  const std::vector<double> rates = joint_rates(w);
+  const std::vector<double> rates = joint_rates(w), moving = moving_shares(w);
   const double step = 4.0 / (w.dt * w.dt);
   std::vector<double> factor(ties.tie.size(), 1.0);
   for (std::size_t n = 0; n < ties.element.size(); ++n) {
@@ -136,9 +150,9 @@ void bound_stiffness(World& w) {
     };
     double asked = 0.0;
     holds([&](const Ties::Hold& h) {
-      const Ties::Tie& t = ties.tie[static_cast<std::size_t>(h.tie)];
+      const auto tie = static_cast<std::size_t>(h.tie);
       const double g = inverse_mass(w.elements, static_cast<std::size_t>(h.element), h.arm);
-      asked += (t.last_hold - t.first_hold) * t.law.stiffness * h.share * h.share * g;
+      asked += moving[tie] * std::abs(h.share) * ties.tie[tie].law.stiffness * g;
     });
     const double left = std::max(kOfStep * step - 2.0 * rates[n], kAtLeast * step);
     if (asked <= left) continue;
@@ -147,7 +161,9 @@ void bound_stiffness(World& w) {
       f = std::min(f, left / asked);
     });
   }
-  for (std::size_t i = 0; i < ties.tie.size(); ++i) ties.tie[i].law.stiffness *= factor[i];
+  for (std::size_t i = 0; i < ties.tie.size(); ++i) {
+    if (factor[i] < 1.0) soften(ties.tie[i].law, factor[i]);
+  }
 }
 
 }  // namespace

@@ -233,7 +233,10 @@ std::vector<Field> fields(Simulation& sim, RunState& plan) {
   table.insert(table.end(),
                {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2), value("plan_shaking", plan.shaking, 0, 1),
                 value("plan_settled", plan.settled, 0, 1), value("plan_first_crack", "s", plan.first_crack),
-                value("plan_collapse", "s", plan.collapse), value("plan_peak_base_shear", "N", plan.peak_base_shear)});
+                value("plan_collapse", "s", plan.collapse), value("plan_peak_base_shear", "N", plan.peak_base_shear),
+                value("plan_settling_crack", "s", plan.settling_crack)});
+  const auto segment_sides = 2 * static_cast<std::int64_t>(sim.world().sides.bond.size());  // at most
+  table.push_back({"plan_settling", "-", "run", FieldType::i64, &plan.settling, 1, 5, 0, segment_sides});
   return table;
 }
 

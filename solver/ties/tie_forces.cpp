@@ -15,11 +15,14 @@ struct Held {
   Vec3 arm, displacement;
 };
 Held held(const World& w, const Ties::Hold& h) {
-  if (h.element == w.elements.base) return {};
+  if (h.element == w.elements.base) return {h.arm, {}};
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), h.element);
   const Vec3 turned = pose.d * h.arm;
   return {h.arm + turned, pose.u + turned};
 }
+
+/// N, on the element that is held: the share of a first end is negative.
+Vec3 force_on(const Ties& t, const Ties::Hold& h) { return -h.share * t.pull[static_cast<std::size_t>(h.tie)]; }
 
 /// Vector from the first end to the second, and by how much it is longer than at the start.
 struct Bar {
@@ -56,7 +59,7 @@ void add_to_element(World& w, std::size_t i) {
   Vec3 force, torque;
   for (std::int32_t k = w.ties.first_of_element[i]; k < w.ties.first_of_element[i + 1]; ++k) {
     const Ties::Hold& h = w.ties.hold[static_cast<std::size_t>(w.ties.hold_of_element[static_cast<std::size_t>(k)])];
-    const Vec3 f = -h.share * w.ties.pull[static_cast<std::size_t>(h.tie)];  // the share of a first end is negative
+    const Vec3 f = force_on(w.ties, h);
     force += f;
     torque += cross(held(w, h).arm, f);
   }
@@ -78,6 +81,11 @@ double apply_ties(World& w, double share) {
   double work = 0.0;
   for (const double j : w.ties.jack_work) work += j;
   return work;
+}
+
+HeldForce force_of_hold(const World& w, const Ties::Hold& h) {
+  const auto i = static_cast<std::size_t>(h.element);
+  return {w.elements.body[i].ref + h.arm + held(w, h).displacement, force_on(w.ties, h)};
 }
 
 double stored_energy(const Ties& t) noexcept {

@@ -12,6 +12,12 @@ namespace voussoir::solver {
 /// \return J, work of the jack that puts it on, since the last call
 double apply_ties(World& w, double share);
 
+/// What a tie does at one of its holds, by the last step: where it acts [m], as things stand, and the force [N] on what is held.
+struct HeldForce {
+  Vec3 point, force;
+};
+HeldForce force_of_hold(const World& w, const Ties::Hold& h);
+
 /// J
 double stored_energy(const Ties& t) noexcept;
 

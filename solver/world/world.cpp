@@ -60,7 +60,7 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
 
 kernels::Rows World::rows() noexcept {
   kernels::PairBuffer pairs;
-  if (options.gather) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data()};
+  if (options.gather || keep_pairs) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data(), !options.gather};
   return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
 }
 

@@ -89,7 +89,8 @@ struct Sides {
   std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
   std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
   std::vector<double> size;                           // m, segment size of the master
-  // --scatter gather: what each side left, and where each element finds its own (side × 2 + (0: master, 1: slave), ascending).
+  // --scatter gather, or World::keep_pairs: what each side left; for the former also where each element finds its own (side × 2 + (0:
+  // master, 1: slave), ascending).
   Array<double> pair_wrench, pair_dashpot;
   std::vector<std::uint8_t> pair_on;
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
@@ -179,8 +180,9 @@ struct Overlaps {
   bool stale = true;               // pairs are to be listed for all elements
   std::vector<OverlapPair> pairs;  // ascending (a, b)
   // State.
-  std::vector<OverlapSpring> springs;   // ascending (a, b)
-  double friction = 0.0, impact = 0.0;  // J, lost so far
+  std::vector<OverlapSpring> springs;       // ascending (a, b)
+  std::vector<kernels::PairWrench> wrench;  // of each spring with its dashpot in this step, if World::keep_pairs (derived)
+  double friction = 0.0, impact = 0.0;      // J, lost so far
 };
 
 /// Bars between points of elements (cases/ties.h).
@@ -188,7 +190,7 @@ struct Ties {
   struct Hold {
     std::int32_t tie = 0, element = 0;
     double share = 0.0;  // of the tie's force; negative at its first end
-    Vec3 arm;            // m, from the centroid, body axes
+    Vec3 arm;            // m, from the centroid (of the base: from its reference point), body axes
   };
   struct Tie {
     kernels::TieLaw law;
@@ -233,9 +235,10 @@ struct World {
   bool has_base = false;
   bool out_of_cache = false;  // the model is larger than the caches, see joints/out_of_cache.h
   bool drop_debris_damping = false;
-  double dt = 0.0;     // s
-  double bound = 0.0;  // s, Eq. 19
-  int threads = 1;     // of the teams that work on it
+  double dt = 0.0;          // s
+  double bound = 0.0;       // s, Eq. 19
+  int threads = 1;          // of the teams that work on it
+  bool keep_pairs = false;  // in this step sides and overlaps leave a copy of their forces, for cuts
   Elements elements;
   std::vector<kernels::Face> faces;  // of all elements, one more for the base
   PointSets points;

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;
@@ -54,4 +56,20 @@ TEST_CASE("levers: none is short under the rule of the rim") {
   Case c = two_blocks(0.05);
   c.segment_rule = geometry::SegmentRule::rim;
   CHECK(levers(c, build_model(c)).empty());
+}
+
+TEST_CASE("levers: a round joint has no number of segments across") {
+  Case c = two_blocks(0.05);
+  for (BlockSpec& b : c.blocks) {  // sixteen-sided, with its axis along x
+    const double x = b.name == "b0" ? 0.0 : 0.5;
+    b.box.reset();
+    b.extrude = {{x, x + 0.5}};
+    for (int k = 0; k < 16; ++k)
+      b.polygon.push_back({0.4 * std::cos(k * 0.3926990816987241), 0.5 + 0.4 * std::sin(k * 0.3926990816987241)});
+    b.free = true;
+  }
+  c.base.reset();
+  const Model m = build_model(c);
+  REQUIRE(m.assembly.joints.size() == 1);
+  CHECK(levers(c, m).empty());
 }

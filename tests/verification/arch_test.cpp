@@ -97,6 +97,16 @@ TEST_CASE("V6: the cases stand and fall as they say") {
   CHECK(movement(load("arch_falls").value) >= kFalls);
 }
 
+TEST_CASE("V6: the line of thrust and the linear programme agree on the least thickness" *
+          doctest::skip(!solver::has_linear_programmes())) {
+  const LeastThickness least;
+  const double ratio = least.by_limit_analysis();
+  const auto pushed = [&](double share) { return collapse_factors(shaped(least.arch(share * ratio)), 60.0, {0.0, 1.0, 0.0}); };
+  CHECK_THROWS_AS(pushed(0.998), cases::InputError);
+  CHECK(pushed(1.002).associated > 0.0);
+  CHECK(pushed(1.002).associated < 5e-3);
+}
+
 TEST_CASE("V6: least thickness of a semicircular dry arch" * doctest::skip()) {
   const LeastThickness least;
   const double found = least.found();
@@ -138,7 +148,7 @@ TEST_CASE("arch under horizontal acceleration" * doctest::skip()) {
   });
   expect_near("arch, t_e/R = 0.15: horizontal acceleration at which it falls [g]", found, continuum, 3e-2);
   expect_near("arch, t_e/R = 0.15: the same against limit analysis of the same voussoirs and contact points [g]", found, discrete, 1e-2);
-  const CollapseFactors programmes = collapse_factors(cases::build_model(shaped(arch)), 60.0, {0.0, 1.0, 0.0});
+  const CollapseFactors programmes = collapse_factors(shaped(arch), 60.0, {0.0, 1.0, 0.0});
   expect_near("arch, t_e/R = 0.15: line of thrust against linear programme [g]", programmes.associated, discrete, 1e-6);
 }
 

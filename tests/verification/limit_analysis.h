@@ -2,29 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/model.h"
+#include <doctest/doctest.h>
 
-/// Limit analysis of plane assemblies of rigid blocks with dry joints (Livesley 1978; Ferris and Tin-Loi 2001), by linear programmes.
+#include "cases/model.h"
+#include "solver/analysis/limit.h"
+#include "solver/analysis/linear_programme.h"
+
+/// Collapse factors of a case by the program's own limit analysis (solver/analysis/limit.h), for the problems that compare with it.
 namespace voussoir::testing {
 
-/// Factors of a horizontal body force, over the weight.
+/// Factors of a horizontal body force, over the weight: LimitResult::associated and ::coulomb.
 struct CollapseFactors {
-  /// The largest under which forces at the contact points of the joints keep every block in balance: no tension, |shear| <= tan φ ×
-  /// compression at each point. By the static theorem the collapse factor where slip opens joints by tan φ of its amount (associated flow).
-  /// Where slip does not, as in Coulomb's law, no collapse factor is higher (Drucker 1954, Radenkovic 1961).
-  double associated = 0.0;
-  /// A collapse factor with slip that does not open joints: the limits of shear hold their ground while the mechanism forms (Gilbert,
-  /// Casapulla and Ahmed 2006). There may be others: forces before collapse are not unique.
-  double coulomb = 0.0;
+  double associated = 0.0, coulomb = 0.0;
 };
 
-/// Contact points are the centres of the segments, as in the method; those behind one another are one.
-///
-/// \param model  blocks that touch in planes through the normal of (along, z); every joint dry; fixed blocks and the base are supports
-/// \param friction  angle φ [degrees]
-/// \param along  horizontal unit vector: where the body force points
-/// \throw std::runtime_error if the blocks do not stand under their weight alone, no factor is too large, or iterations find no end (they
-/// may not where tan φ > 1 and blocks interlock).
-CollapseFactors collapse_factors(const cases::Model& model, double friction, Vec3 along);
+/// \param friction  angle φ of all contacts [degrees] \param along  horizontal unit vector: where the body force points
+inline CollapseFactors collapse_factors(cases::Case c, double friction, Vec3 along) {
+  REQUIRE_MESSAGE(solver::has_linear_programmes(), "this build has no Clp (Debian: coinor-libclp-dev)");
+  c.contact.friction = friction;
+  c.contact.between.clear();
+  solver::LimitOptions options;
+  options.live = along;
+  const solver::LimitResult found = solver::limit_analysis(c, cases::build_model(c), options);
+  REQUIRE(found.coulomb_converged());
+  return {found.associated.multiplier, found.coulomb.multiplier};
+}
 
 }  // namespace voussoir::testing

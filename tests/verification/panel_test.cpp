@@ -23,7 +23,7 @@ cases::Case with_friction(const Panel& p) {
 }
 
 /// The base accelerates towards x, so inertia points to −x.
-CollapseFactors limits(const Panel& p) { return collapse_factors(cases::build_model(with_friction(p)), p.friction, {-1.0, 0.0, 0.0}); }
+CollapseFactors limits(const Panel& p) { return collapse_factors(with_friction(p), p.friction, {-1.0, 0.0, 0.0}); }
 
 bool falls(const Panel& p, double factor) {
   cases::Case c = with_friction(p);
@@ -52,18 +52,18 @@ void compare(const Panel& p, double got, const CollapseFactors& expected) {
 
 }  // namespace
 
-TEST_CASE("dry panels: limit analysis by linear programmes against closed forms") {
+TEST_CASE("dry panels: limit analysis by linear programmes against closed forms" * doctest::skip(!solver::has_linear_programmes())) {
   cases::Case block = load("tilt").value;
   block.base->tilt = {0.0, 0.0};
-  const CollapseFactors rocks = collapse_factors(cases::build_model(block), 60.0, {1.0, 0.0, 0.0});
+  const CollapseFactors rocks = collapse_factors(block, 60.0, {1.0, 0.0, 0.0});
   expect_near("dry panels: block that rocks, b_e/h", rocks.associated, 0.1 * (1.0 - 1.0 / 8.0) / 0.4, 1e-9);
   expect_near("dry panels: block that rocks, Coulomb's slip, b_e/h", rocks.coulomb, 0.1 * (1.0 - 1.0 / 8.0) / 0.4, 1e-4);
-  const CollapseFactors slides = collapse_factors(cases::build_model(block), 10.0, {1.0, 0.0, 0.0});
+  const CollapseFactors slides = collapse_factors(block, 10.0, {1.0, 0.0, 0.0});
   expect_near("dry panels: block that slides, tan phi", slides.associated, std::tan(radians(10.0)), 1e-9);
   expect_near("dry panels: block that slides, Coulomb's slip, tan phi", slides.coulomb, std::tan(radians(10.0)), 1e-4);
 }
 
-TEST_CASE("dry panels: with a door, stands and falls") {
+TEST_CASE("dry panels: with a door, stands and falls" * doctest::skip(!solver::has_linear_programmes())) {
   const Panel p{"panel_opening", 35.0, "rocks"};
   const CollapseFactors expected = limits(p);
   CHECK(expected.coulomb < expected.associated);

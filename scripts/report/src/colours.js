@@ -31,7 +31,7 @@ const chip = (hex, text) => ({ chip: css(hex), text });
 const bar = (from, to, low, high) => ({ from: css(from), to: css(to), low, high });
 
 /** By the name of the choice: {opened: whether faces that have come open are red, lines: whether cracks are drawn, edges: how dark bricks are
- *  outlined, paint: writes the colours of all elements at a frame into the state of brick.js, legend: entries for legend.js}. */
+ *  outlined, steady: whether colours are the same in all frames, paint: writes the colours of all elements at a frame into the state of brick.js, legend: entries for legend.js}. */
 export function colourings({ frames, parts, materials, facts }) {
   const damage = ramp(rgb(kIntact), rgb(kBroken)), way = ramp(rgb(kStill), rgb(kFar)), of = kParts.map(rgb), body = kBodies.map(rgb);
   const stuff = facts.materials.map((name, i) => rgb(colourOf(name, i))), pale = rgb(kPale), grey = rgb(kIntact);
@@ -42,12 +42,12 @@ export function colourings({ frames, parts, materials, facts }) {
   const shows = chip(kBroken, "broken face, once 5 mm open");
   const all = {
     cracks: {
-      opened: true, lines: true, edges: 0.22,
+      opened: true, lines: true, steady: true, edges: 0.22,
       paint: (at, state) => materials.forEach((m, e) => paint(state, e, stuff[m], 0)),
       legend: () => [...lines(), shows, ...used.map((m) => chip(colourOf(facts.materials[m], m), facts.materials[m]))],
     },
     only: {
-      opened: true, lines: true, edges: 0.05,
+      opened: true, lines: true, steady: true, edges: 0.05,
       paint: (at, state) => materials.forEach((_, e) => paint(state, e, pale, 0)),
       legend: () => [...lines(), shows],
     },
@@ -63,11 +63,11 @@ export function colourings({ frames, parts, materials, facts }) {
       },
       legend: () => [bar(kStill, kFar, "displacement 0", `${kLongest} m and more (by its root)`)],
     },
-    part: { edges: 0.35, lines: true, paint: (at, state) => parts.forEach((part, e) => paint(state, e, of[part % of.length], 0)), legend: () => facts.parts.map((name, i) => chip(kParts[i % kParts.length], name)) },
+    part: { edges: 0.35, lines: true, steady: true, paint: (at, state) => parts.forEach((part, e) => paint(state, e, of[part % of.length], 0)), legend: () => facts.parts.map((name, i) => chip(kParts[i % kParts.length], name)) },
   };
   if (frames.bodies) {
     all.bodies = {
-      edges: 0.2, lines: true, hinges: true,
+      edges: 0.2, lines: true,
       paint: (at, state) => frames.bodies.at(at).forEach((id, e) => paint(state, e, id === 0 ? grey : body[(id - 1) % body.length], 0)),
       legend: (at) => {
         const count = new Map(), all = frames.bodies.names(at);

@@ -81,9 +81,36 @@ function lines({ cracks, frames }) {
   return out;
 }
 
+/** Two faces an edge, on which its line lies: of its first element and of its second, or twice of one of them; where neither has one, the
+ *  number of all faces. @param faces  as FaceOrder wants them */
+function facesOf({ cracks, frames }, { plane, first }) {
+  const { elements, ends, joints } = cracks, all = plane.length / 4, out = new Uint32Array(ends.length / 3), kNear = 1e-4; // m
+  const on = (f, e, edge) => [0, 1].every((end) => {
+    const distance = [0, 1, 2].reduce((d, k) => d + plane[4 * f + k] * (ends[6 * edge + 3 * end + k] - frames.centroids[3 * e + k]), -plane[4 * f + 3]);
+    return Math.abs(distance) < kNear;
+  });
+  const along = (e, edge) => {
+    const found = [];
+    for (let f = e < 0 ? 0 : first[e]; e >= 0 && f < first[e + 1]; ++f) if (on(f, e, edge)) found.push(f);
+    return found;
+  };
+  const opposite = (f, g) => plane[4 * f] * plane[4 * g] + plane[4 * f + 1] * plane[4 * g + 1] + plane[4 * f + 2] * plane[4 * g + 2] < -0.999;
+  for (let j = 0, edge = 0; j < joints; ++j) {
+    for (const last = edge + cracks.edges[j]; edge < last; ++edge) {
+      const ofA = along(elements[2 * j], edge), ofB = along(elements[2 * j + 1], edge); // among them the two that met: these are opposite
+      const a = ofA.find((f) => !ofB.some((g) => opposite(f, g)));
+      const b = elements[2 * j + 1] < 0 ? ofA.at(-1) : ofB.find((f) => !ofA.some((g) => opposite(f, g))); // on the base, either of the first
+      out[2 * edge] = a ?? b ?? all, out[2 * edge + 1] = b ?? a ?? all;
+    }
+  }
+  return out;
+}
+
 export class CrackLines {
-  constructor(run, state, red) {
+  /** @param faces  of the elements, as FaceOrder wants them */
+  constructor(run, state, red, faces) {
     this.cracks = run.cracks;
+    this.faces = facesOf(run, faces);
     const all = lines(run), geometry = (this.geometry = new BufferGeometry());
     this.first = all.first;
     for (const name of ["position", "fromB", "otherA", "otherB"]) geometry.setAttribute(name, new BufferAttribute(all[name], 3));
@@ -101,17 +128,22 @@ export class CrackLines {
     this.shown = 0;
   }
 
-  /** Lines of frame `at`, none of hidden elements; the strongest last, on top. @param hidden  1 an element that is not drawn */
-  update(at, hidden) {
-    const { elements, joints } = this.cracks, levels = this.cracks.at(at), to = this.index.array, { first } = this;
-    this.levels.image.data.set(levels);
-    this.levels.needsUpdate = true;
+  /** Lines of frame `at`, none of hidden elements nor on faces that look away; the strongest last, on top. @param hidden  1 an element that is
+   *  not drawn  @param seen  1 a face that is drawn (FaceOrder) */
+  update(at, hidden, seen) {
+    const { elements, joints } = this.cracks, levels = this.cracks.at(at), to = this.index.array, { first, faces } = this;
+    if (this.written !== Math.floor(at)) {
+      this.levels.image.data.set(levels);
+      this.levels.needsUpdate = true;
+      this.written = Math.floor(at);
+    }
     let count = 0;
     for (let k = 0; k < kClasses.length; ++k) {
       const from = kClasses[k].level, until = kClasses[k + 1]?.level ?? kApart;
       for (let j = 0; j < joints; ++j) {
         if (levels[j] < from || levels[j] >= until || hidden[elements[2 * j]] || hidden[elements[2 * j + 1]]) continue;
         for (let e = first[j]; e < first[j + 1]; ++e) {
+          if (!seen[faces[2 * e]] && !seen[faces[2 * e + 1]]) continue;
           const v = 4 * e;
           to[count++] = v, to[count++] = v + 1, to[count++] = v + 2, to[count++] = v + 2, to[count++] = v + 1, to[count++] = v + 3;
         }

@@ -29,7 +29,9 @@ export class House {
     this.run = run;
     this.canvas = canvas;
     this.software = drawsInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: still || !this.software });
+    // Without a transparent background: the browser would blend the picture with the page below, and the processor would have to do that.
+    const context = canvas.getContext("webgl2", { alpha: false, stencil: false, antialias: still || !this.software });
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 1, 2);
     this.camera.up.set(0, 0, 1);
@@ -60,7 +62,7 @@ export class House {
     this.material = brickMaterial(this.texture, kRed);
     const mesh = new Mesh(geometry, this.material);
     mesh.frustumCulled = false; // the geometry does not know where its elements are
-    this.lines = new CrackLines(run, this.texture, kRed);
+    this.lines = new CrackLines(run, this.texture, kRed, faces);
     this.scene.add(mesh, this.lines.mesh);
     if (run.facts.base === null) return;
     this.shadow = new Mesh(geometry, shadowMaterial(this.texture, run.facts.base, kLight.shadow));
@@ -117,6 +119,14 @@ export class House {
     this.turned();
   }
 
+  /** Goes where an element has gone since the last call; `followed` null: from here on. */
+  follow(element) {
+    const at = kStride * element, here = new Vector3(this.state[at], this.state[at + 1], this.state[at + 2]), step = here.clone().sub(this.followed ?? here);
+    this.camera.position.add(step);
+    this.controls.target.add(step);
+    this.followed = here;
+  }
+
   /** Turns about the target by angles, and goes nearer by a factor. */
   orbit(across, up, nearer = 1) {
     const back = this.camera.position.clone().sub(this.controls.target), length = back.length() / nearer;
@@ -161,13 +171,13 @@ export class House {
     const { plane, low, high } = this, axis = plane?.axis ?? 0, at = low.getComponent(axis) + (plane?.at ?? 0) * (high.getComponent(axis) - low.getComponent(axis));
     for (let e = 0; e < frames.n; ++e) this.hidden[e] = (this.roofOff && roof[parts[e]]) || (plane && frames.centroids[3 * e + axis] < at) ? 1 : 0;
     this.partly = Boolean(this.roofOff || plane);
-    if (this.broken) this.lines.update(this.at, this.hidden);
   }
 
   /** Puts every element where it is at frame `at` (need not be whole), in the colours of `colouring` (colours.js). Faces that have come open by
    *  the time `now` are red, if the colouring says so. */
   show(at, colouring, now, magnified) {
     this.at = at;
+    this.now = magnified > 1 ? Infinity : now; // magnified, narrow joints are wide
     this.run.frames.place(at, this.state, kStride, magnified);
     if (colouring !== this.colouring || !colouring.steady) colouring.paint(at, this.state);
     this.colouring = colouring;
@@ -176,7 +186,6 @@ export class House {
     this.material.uniforms.now.value = colouring.opened ? now : kBefore;
     this.material.uniforms.edges.value = colouring.edges;
     this.lines.mesh.visible = Boolean(colouring.lines);
-    if (colouring.lines) this.lines.update(at, this.hidden);
     this.draw();
   }
 
@@ -208,7 +217,8 @@ export class House {
   }
 
   render() {
-    this.order.update(this.state, this.broken, this.camera.position, this.hidden, this.partly);
+    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly);
+    if (this.lines.mesh.visible) this.lines.update(this.at, this.hidden, this.order.seen);
     if (this.shadow) this.shadow.visible = !(this.software && this.moving);
     this.renderer.render(this.scene, this.camera);
   }

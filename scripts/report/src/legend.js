@@ -2,29 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of a legend, as HTML and burnt into pictures: {head}, {line, strength, colour, text}, {chip, text} or {from, to, low, high}.
 
-const make = (name, className, style = {}, text = "") => {
+const make = (className, style = {}, text = "") => {
   const element = Object.assign(document.createElement("span"), { className, textContent: text });
   Object.assign(element.style, style);
-  element.dataset.kind = name;
   return element;
 };
 
 export function showLegend(parent, entries) {
   parent.replaceChildren(...entries.map((e) => {
-    const item = make("item", "item");
-    if (e.head) item.append(make("head", "head", {}, e.head));
-    else if (e.line) item.append(make("line", "line", { borderTopWidth: `${e.line}px`, borderTopColor: e.colour, opacity: e.strength }), e.text);
-    else if (e.chip) item.append(make("chip", "chip", { background: e.chip }), e.text);
-    else item.append(e.low, make("bar", "bar", { background: `linear-gradient(90deg, ${e.from}, ${e.to})` }), e.high);
+    const item = make("item");
+    if (e.head) item.append(make("head", {}, e.head));
+    else if (e.line) item.append(make("line", { borderTopWidth: `${e.line}px`, borderTopColor: e.colour, opacity: e.strength }), e.text);
+    else if (e.chip) item.append(make("chip", { background: e.chip }), e.text);
+    else item.append(e.low, make("bar", { background: `linear-gradient(90deg, ${e.from}, ${e.to})` }), e.high);
     return item;
   }));
 }
 
 /** Draws it in one or more rows that end at the height `bottom`; returns where they begin. `u`: a unit of type, pixels. */
 export function drawLegend(c, entries, left, bottom, width, u) {
-  c.font = `${1.0 * u}px system-ui, "DejaVu Sans", sans-serif`;
+  const measure = () => {
+    c.font = `${u}px system-ui, "DejaVu Sans", sans-serif`;
+    return entries.map((e) => ({ e, w: (e.head ? 0 : e.from ? 9 * u : 2.4 * u) + c.measureText(e.head ?? (e.from ? e.low + e.high : e.text)).width + 1.2 * u }));
+  };
   c.textBaseline = "middle";
-  const measured = entries.map((e) => ({ e, w: (e.head ? 0 : e.from ? 9 * u : 2.4 * u) + c.measureText(e.head ?? (e.from ? e.low + e.high : e.text)).width + 1.2 * u }));
+  let measured = measure();
+  const over = measured.reduce((s, m) => s + m.w, 0) / width;
+  if (over > 1 && over < 1.25) u /= 1.01 * over, measured = measure(); // rather a little smaller than one entry in a second row
   const rows = [[]];
   for (const m of measured) {
     const row = rows.at(-1);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-import { kStride } from "./brick.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { drawOverlay } from "./overlay.js";
 import { Pane } from "./pane.js";
 import { compose, kPaper, Recorder } from "./pictures.js";
 import { Plot } from "./plots.js";
+import { Sheet } from "./sheet.js";
 import { showSummary, subtitle } from "./summary.js";
 import { showTimeline } from "./timeline.js";
 import { cameraNumbers, cameraText } from "./views.js";
@@ -16,8 +16,11 @@ const by = (id) => document.getElementById(id);
 function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
+const afterComma = (url) => url.slice(url.indexOf(",") + 1);
 const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
-const kSeldom = 8; // while it plays, only every so many frames are written upon and read in all plots
+// While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
+// times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
+const kStepped = 3, kSeldom = 3;
 
 class Report {
   /** @param runs  one, or two to see side by side  @param asked  what the page's address asks for after '#': t, view or camera, colour, motion;
@@ -30,6 +33,7 @@ class Report {
     this.last = this.times.length - 1;
     this.at = 0; // frame; between two while it plays
     this.playing = false;
+    this.unsaid = this.unread = 0; // frames since the page was last written
     this.panes = [];
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.#describeRun();
@@ -59,9 +63,10 @@ class Report {
     const still = asked.has("still");
     try {
       const first = document.querySelector(".pane");
+      const blank = first.cloneNode(true);
+      blank.querySelector(".view").removeAttribute("id");
       this.runs.forEach((run, i) => {
-        const element = i === 0 ? first : by("panes").appendChild(first.cloneNode(true));
-        if (i > 0) element.querySelector(".view").removeAttribute("id");
+        const element = i === 0 ? first : by("panes").appendChild(blank);
         if (this.runs.length > 1) element.appendChild(Object.assign(document.createElement("div"), { className: "letter", textContent: "AB"[i] }));
         const pane = new Pane(run, element, still && !asked.has("film"));
         pane.house.onDraw = () => this.#overlay(pane);
@@ -192,20 +197,28 @@ class Report {
     for (const pane of this.panes) {
       const own = pane === this.pane ? this.at : pane.frameAt(t);
       large = size === "auto" ? this.pane.magnify(t) : Number(size);
-      if (by("follow").checked && pane.picked >= 0) this.#follow(pane);
+      if (by("follow").checked && pane.picked >= 0) pane.house.follow(pane.picked);
       pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
     }
     this.large = large;
     say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);
     this.#legend(name);
     if (this.still_) return; // nobody looks at the page
+    if (!this.playing || !this.house?.software || ++this.unsaid >= kStepped) this.#say(t);
+    this.recorder?.shot();
+  }
+
+  /** What stands beside the house at a moment: clock, slider, plots, the element picked, the address. */
+  #say(t) {
+    this.unsaid = 0;
     say("clock", `${t.toFixed(2)} s`);
     by("time").value = Math.round(this.at);
     by("time").setAttribute("aria-valuetext", `${t.toFixed(2)} seconds`);
-    this.#plotsNow(t);
+    const read = !this.playing || !this.house?.software || ++this.unread >= kSeldom;
+    if (read) this.unread = 0;
+    for (const plot of this.plots) plot.now(t, read);
     this.#describe();
     this.#remember();
-    this.recorder?.shot();
   }
 
   #legend(name) {
@@ -214,13 +227,6 @@ class Report {
     if (key !== this.legendKey) showLegend(by("legend"), entries);
     this.legendKey = key;
     this.legend = entries;
-  }
-
-  #plotsNow(t) {
-    this.unread = (this.unread ?? 0) + 1;
-    const read = !this.playing || this.unread >= kSeldom;
-    if (read) this.unread = 0;
-    for (const plot of this.plots) plot.now(t, read);
   }
 
   #overlayOf(pane) {
@@ -232,14 +238,11 @@ class Report {
     if (this.composing) return;
     // While it plays, writing it all at every frame would take as long as the house.
     const camera = cameraText(pane.house.camera, pane.house.controls.target);
-    if (this.playing && camera === pane.written && ++pane.unwritten < kSeldom) return;
+    if (this.playing && camera === pane.written && ++pane.unwritten < kStepped * kSeldom) return;
     pane.written = camera, pane.unwritten = 0;
-    const canvas = pane.element.querySelector(".overlay"), ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) canvas.width = Math.round(width * ratio), canvas.height = Math.round(height * ratio);
-    const c = canvas.getContext("2d");
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    drawOverlay(c, pane.house, width, height, 13, this.#overlayOf(pane), this.ink);
+    const ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
+    pane.sheet ??= new Sheet(pane.element.querySelector(".overlay"));
+    pane.sheet.draw(width, height, ratio, (c) => drawOverlay(c, pane.house, width, height, 13, this.#overlayOf(pane), this.ink));
   }
 
   time() {
@@ -257,9 +260,9 @@ class Report {
     return { title: by("title").textContent, subtitle: by("subtitle").textContent, clock: `${time.toFixed(2)} s`, note: by("note").textContent, legend: this.legend };
   }
 
-  /** A picture at the time `t` as bytes in base64. @param view  one of the views; null: the camera as it is  @param between  whether elements
-   *  are put between two frames; else the nearest frame is shown */
-  #picture(t, view, width, height, type, between) {
+  /** Draws a picture at the time `t`; returns its canvas. @param view  one of the views; null: the camera as it is  @param between  whether
+   *  elements are put between two frames; else the nearest frame is shown */
+  #picture(t, view, width, height, between) {
     const off = (f) => Math.abs(this.times[f] - t);
     this.composing = true;
     for (const { house } of this.panes) house.fixed = true;
@@ -267,19 +270,18 @@ class Report {
     this.sized = `${width} ${height}`;
     if (between && view) this.show(this.last), this.look(view), (view = null); // a film has room for the debris from its beginning
     this.show(between ? this.pane.frameAt(t) : this.times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    // What was drawn last is still in the canvas: drawImage follows at once.
     if (view) this.look(view);
-    else for (const { house } of this.panes) house.render(); // drawImage must follow at once: the browser does not keep what it has shown
     const canvas = (this.paper ??= document.createElement("canvas"));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-    compose(canvas.getContext("2d"), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
+    compose(canvas.getContext("2d", { willReadFrequently: true }), this.panes, this.#caption(), (pane) => this.#overlayOf(pane));
     this.composing = false;
-    const url = canvas.toDataURL(type, 0.95);
-    return url.slice(url.indexOf(",") + 1);
+    return canvas;
   }
 
   /** A PNG in base64 from one of the views at the frame nearest to time `t`, with title, time, scale and legend. */
   still(t, view, width, height) {
-    const png = this.#picture(t, view, width, height, "image/png", false);
+    const png = afterComma(this.#picture(t, view, width, height, false).toDataURL("image/png"));
     if (!this.still_) {
       this.sized = "";
       for (const { house } of this.panes) house.fixed = false, house.resize();
@@ -287,8 +289,15 @@ class Report {
     return png;
   }
 
-  /** A JPEG in base64 of a film: the first from the view named, all others from where that was seen. */
-  shot(t, view, width, height) { return this.#picture(t, view, width, height, "image/jpeg", true); }
+  /** A JPEG in base64 of a film: the first from the view named, all others from where that was seen. @param next  the time of the picture that
+   *  will be asked for next, if there is one: it is drawn while this one is packed */
+  async shot(t, view, width, height, next) {
+    const jpeg = (time, from) => new Promise((done) => this.#picture(time, from, width, height, true).toBlob(done, "image/jpeg", 0.95));
+    const asked = this.ahead?.t === t ? this.ahead.jpeg : jpeg(t, view);
+    this.ahead = next === undefined ? null : { t: next, jpeg: jpeg(next, null) };
+    const blob = await asked, reader = new FileReader();
+    return new Promise((done) => (reader.addEventListener("load", () => done(afterComma(reader.result))), reader.readAsDataURL(blob)));
+  }
 
   play(on) {
     this.playing = on;
@@ -345,20 +354,9 @@ class Report {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
-  /** The camera goes where the picked element goes. */
-  #follow(pane) {
-    const { house } = pane, at = kStride * pane.picked, here = [0, 1, 2].map((k) => house.state[at + k]);
-    if (pane.followed) {
-      const numbers = [...house.camera.position, ...house.controls.target];
-      house.camera.position.fromArray(numbers.slice(0, 3).map((x, k) => x + here[k] - pane.followed[k]));
-      house.controls.target.fromArray(numbers.slice(3).map((x, k) => x + here[k] - pane.followed[k]));
-    }
-    pane.followed = here;
-  }
-
   /** Lights up an element, with its displacement over time as the first plot. -1: none. */
   pick(element, pane = this.pane) {
-    for (const p of this.panes) p.picked = p === pane ? element : -1, p.followed = null, p.house.lightUp(p.picked);
+    for (const p of this.panes) p.picked = p === pane ? element : -1, p.house.followed = null, p.house.lightUp(p.picked);
     this.picked = pane;
     this.own?.remove();
     this.plots = this.plots.filter((p) => p !== this.own);

@@ -44,8 +44,8 @@ function wallNames(c, facts, camera, width, height, u, ink) {
   }
 }
 
-/** The three axes in a corner, and beside them how long a metre is in the middle of the picture. */
-function axes(c, camera, target, left, bottom, u, ink, height, levels) {
+/** The three axes in a corner, and beside them how long a metre is in the middle of the picture; returns where that ends. */
+function axes(c, camera, target, left, bottom, u, ink, height) {
   const origin = [left + 2.6 * u, bottom - 2.2 * u];
   c.font = `${0.85 * u}px ${kType}`, c.lineWidth = 1.6, c.textAlign = "center", c.textBaseline = "middle";
   for (const [name, axis] of [["x", new Vector3(1, 0, 0)], ["y", new Vector3(0, 1, 0)], ["z", new Vector3(0, 0, 1)]]) {
@@ -60,20 +60,17 @@ function axes(c, camera, target, left, bottom, u, ink, height, levels) {
   c.beginPath(), c.moveTo(x, y - 0.35 * u), c.lineTo(x, y), c.lineTo(x + bar * metre, y), c.lineTo(x + bar * metre, y - 0.35 * u), c.stroke();
   c.textBaseline = "bottom";
   write(c, `${bar} m`, x + 0.5 * bar * metre, y - 0.25 * u, ink);
+  return x + bar * metre;
 }
 
-/** The acceleration of the ground as an arrow before the house. */
-function groundArrow(c, facts, ground, box, camera, width, height, u, ink) {
+/** The acceleration of the ground as an arrow beside the axes and the scale, turned as they are: there it crosses neither the house nor names. */
+function groundArrow(c, ground, camera, left, bottom, u, ink) {
   const size = Math.hypot(...ground);
-  if (size < 0.05 || facts.base === null) return;
-  const from = new Vector3(0.5 * (box.low.x + box.high.x), box.low.y - 1.3, facts.base + 0.02);
-  const to = from.clone().add(new Vector3(...ground).multiplyScalar(0.3));
-  const a = seen(from, camera, width, height), b = seen(to, camera, width, height);
-  if (!a || !b) return;
-  c.strokeStyle = c.fillStyle = ink.arrow, c.lineWidth = 3;
-  arrow(c, a, b, 0.9 * u);
-  c.font = `${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = b[1] > a[1] ? "bottom" : "top"; // away from the arrow
-  write(c, `ground ${size.toFixed(1)} m/s²`, a[0], a[1] + (b[1] > a[1] ? -0.5 : 0.5) * u, { ...ink, text: ink.arrow });
+  c.font = `${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = "bottom", c.lineWidth = 3;
+  const middle = [left + 3.4 * u, bottom - 4.2 * u], d = new Vector3(...ground).transformDirection(camera.matrixWorldInverse).multiplyScalar(0.2 * u * size);
+  c.strokeStyle = c.fillStyle = ink.arrow;
+  if (size >= 0.05) arrow(c, [middle[0] - d.x, middle[1] + d.y], [middle[0] + d.x, middle[1] - d.y], 0.9 * u);
+  write(c, `ground ${size.toFixed(1)} m/s²`, middle[0], bottom, { ...ink, text: ink.arrow });
 }
 
 function distanceNames(c, box, base, camera, width, height, u, ink) {
@@ -92,9 +89,9 @@ export function drawOverlay(c, house, width, height, u, on, ink) {
   camera.updateMatrixWorld();
   if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
   if (on.names) wallNames(c, facts, camera, width, height, u, ink);
-  if (on.ground) groundArrow(c, facts, on.ground, house, camera, width, height, u, ink);
-  axes(c, camera, house.controls.target, 0.6 * u, height - (on.bottom ?? 0.6 * u), u, ink, height);
-  for (const { points, name } of on.hinges ?? []) {
+  const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
+  if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
+  for (const { points } of on.hinges ?? []) {
     const ends = points.map((p) => seen(new Vector3(...p), camera, width, height));
     if (ends.some((p) => !p)) continue;
     c.strokeStyle = ink.hinge, c.lineWidth = 3, c.setLineDash([9, 5]);

@@ -100,7 +100,7 @@ export class Plot {
     const line = colour("--line"), faint = colour("--faint"), axis = { stroke: faint, font: kType, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1, size: 4 } };
     const value = (s) => (u, v, i, at) => (at === null ? "–" : number(this.#value(s, u.data[0][at])));
     const options = {
-      width: Math.max(200, this.holder.clientWidth), height: kHeight, padding: [6, 8, 0, 0],
+      width: Math.max(200, this.holder.clientWidth), height: kHeight, padding: [6, 16, 0, 0],
       cursor: { y: false, sync: { key: "report" }, drag: { x: false, y: false }, points: { size: 5 } },
       legend: { live: true },
       scales: { x: { time: false, range: () => [this.from, this.until] }, y: { range: (u, low, high) => this.#range(low, high) } },

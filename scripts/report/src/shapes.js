@@ -93,6 +93,6 @@ export function allShapes(run) {
   geometry.setAttribute("opened", new Float32BufferAttribute(faceOf.map((f) => opened[f]), 1));
   geometry.setIndex(to.index);
   geometry.computeVertexNormals(); // faces share no vertices, so they stay flat
-  const faces = { index: Uint32Array.from(to.index), start: Uint32Array.from(start), plane: Float32Array.from(plane), first: Uint32Array.from(first), covered: mark(new Uint8Array(count), run.coveredElements, run.coveredNormals, () => 1, first, plane) };
+  const faces = { index: Uint32Array.from(to.index), start: Uint32Array.from(start), plane: Float32Array.from(plane), first: Uint32Array.from(first), covered: mark(new Uint8Array(count), run.coveredElements, run.coveredNormals, () => 1, first, plane), opened };
   return { geometry, faces, extent };
 }

@@ -36,10 +36,10 @@ function penetration(m) {
 function keys({ facts }) {
   const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
   return [
-    g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${seconds(m.grade_time[g - 1])}` : ""}`],
+    g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
     ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `so far, at ${seconds(last ?? 0)}`],
     ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
-    ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : "no crack"],
+    ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : m?.settling_cracks > 0 ? "cracks from settling alone" : "no crack"],
   ].filter(Boolean);
 }
 
@@ -47,6 +47,8 @@ function damage({ facts }) {
   const s = facts.summary, m = facts.measures, has = (key) => s[key] !== undefined;
   return [
     has("first_crack_time") && ["First crack", when(s.first_crack_time)],
+    m?.settling_cracks !== undefined && ["Segments broken by settling", count(m.settling_cracks)],
+    m?.shaking_cracks !== undefined && ["… by the shaking", count(m.shaking_cracks)],
     m && ["Debris beyond the walls", m.debris_reach > 0 ? `to ${metres(m.debris_reach)}` : "none"],
     m?.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
     m && ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
@@ -87,6 +89,7 @@ function table(parent, head, rows, caption) {
     cells.forEach((text, i) => {
       const cell = row.appendChild(document.createElement(kind === "th" || i === 0 ? "th" : "td"));
       cell.textContent = text;
+      if (text.length > 16) cell.className = "long";
       if (cell.tagName === "TH") cell.scope = kind === "th" ? "col" : "row";
     });
   };

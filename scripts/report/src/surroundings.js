@@ -74,7 +74,7 @@ export class Surroundings {
       const middle = low.clone().add(high).multiplyScalar(0.5), half = Math.max(12, Math.ceil(2 * size)), x = Math.round(middle.x), y = Math.round(middle.y);
       this.ground = ground(4 * half);
       this.ground.position.set(x, y, z - 0.002);
-      this.ground.renderOrder = -2;
+      this.ground.renderOrder = 1; // after the house, which hides much of it
       this.grid = segments(grid(half, z), [0.4, 0.4, 0.4], 0.28);
       this.grid.position.set(x, y, 0.001);
       this.distances = segments(distanceLines(low, high, z + 0.006), [0.1, 0.35, 0.7], 0.9);

@@ -110,3 +110,60 @@ TEST_CASE("columns that cannot stand are refused") {
   check_refused([](House& h) { h.reinforcement->element = 0.001; }, "house.reinforcement.element", "more than 1000 parts");
   check_refused([](House& h) { h.walls = {"front", "rear"}; }, "house.reinforcement", "four walls");
 }
+
+TEST_CASE("timber on timber: mortar as the paper has it, or a law of its own, between members but not with bricks nor between roof beams") {
+  Case c = testing::reinforced(testing::paper_flat20());
+  const std::vector<std::int32_t> before = build_model(c).joint_law;
+  c.house->wood.timber_on_timber = c.house->wood.between_members;
+  CHECK(build_model(c).joint_law == before);
+  c.joint_laws["carpenter"] = c.joint_laws["wood"];
+  c.house->wood.timber_on_timber = "carpenter";
+  const std::map<std::string, Sort> found = sorts(build_model(c));
+  using Laws = std::set<std::string>;
+  CHECK(found.at("column - ring beam").laws == Laws{"carpenter"});
+  CHECK(found.at("ring beam - ring beam").laws == Laws{"carpenter"});
+  CHECK(found.at("ring beam - roof beam").laws == Laws{"carpenter"});
+  CHECK(found.at("brick - ring beam").laws == Laws{"normal"});
+  CHECK(found.at("brick - column").laws == Laws{"normal"});
+  CHECK(found.at("roof beam - roof beam").laws == Laws{"normal"});
+  CHECK(found.at("same ring beam").laws == Laws{"wood"});
+  c.house->wood.timber_on_timber = "glue";
+  CHECK_THROWS_WITH_AS(build_model(c), doctest::Contains("house.wood.timber_on_timber"), InputError);
+}
+
+TEST_CASE("a ring beam over the walls' middle is a closed ring upon them, and carries the roof") {
+  Case c = testing::reinforced(testing::paper_flat20());
+  c.house->reinforcement->ring_beam_place = RingPlace::middle;
+  const Model model = build_model(c);
+  double timber = 0.0;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& b = model.blocks[i];
+    const auto [low, high] = geometry::bounds(b.shape);
+    if (b.kind == PartKind::beam) CHECK(low.z == doctest::Approx(2.5));
+    if (b.kind == PartKind::column) CHECK(high.z <= 2.4 + 1e-9);
+    if (b.kind != PartKind::ring_beam) continue;
+    CHECK(low.z == doctest::Approx(2.4));
+    CHECK(high.z == doctest::Approx(2.5));
+    timber += model.assembly.elements[i].mass.volume;
+    if (b.tag == "front ring beam") {
+      CHECK(low.y == doctest::Approx(0.05));
+      CHECK(high.y == doctest::Approx(0.15));
+    }
+  }
+  CHECK(timber == doctest::Approx(0.01 * (2 * 5.3 + 2 * 3.1)).epsilon(1e-9));  // axes 5.2 m and 3.2 m apart
+  const std::map<std::string, Sort> found = sorts(model);
+  CHECK(found.at("ring beam - ring beam").area == doctest::Approx(4 * 0.01).epsilon(1e-9));
+  CHECK(found.at("brick - ring beam").area == doctest::Approx(0.1 * (2 * 5.3 + 2 * 3.1)).epsilon(1e-6));
+  CHECK(found.count("brick - roof beam") == 0);
+
+  c.house->reinforcement->ring_beam = {0.2, 0.1};  // as wide as the walls
+  CHECK(sorts(build_model(c)).at("brick - ring beam").area == doctest::Approx(0.2 * (2 * 5.4 + 2 * 3.0)).epsilon(1e-6));
+  const auto middle = [](House& h) { h.reinforcement->ring_beam_place = RingPlace::middle; };
+  check_refused(
+      [&](House& h) {
+        middle(h), h.reinforcement->ring_beam = {0.3, 0.1};
+      },
+      "house.reinforcement.ring_beam", "wider than a wall");
+  check_refused([&](House& h) { middle(h), h.roof.kind = RoofKind::gables; }, "house.reinforcement.ring_beam_place",
+                "does not go with this roof");
+}

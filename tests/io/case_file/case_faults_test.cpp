@@ -162,6 +162,11 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal("[damping]\nratio = 0.02").starts_with("test.toml:2: damping.ratio = 0.02 needs damping.frequency"));
   CHECK(refusal("[damping]\nfrequency = 6").starts_with("test.toml:2: damping.frequency = 6 Hz needs damping.ratio"));
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 0") == "accepted");
+  CHECK(refusal("[damping]\nfrequency = \"auto\"\nratio = 0.02") == "accepted");
+  CHECK(refusal("[damping]\nfrequency = \"auto\"").starts_with("test.toml:2: damping.frequency = \"auto\" needs damping.ratio"));
+  CHECK(refusal("[damping]\nratio = 0.02\nfrequency = \"first\"").find("\"auto\" or a number") != std::string::npos);
+  CHECK(refusal("[house]\nwood = { timber_on_timber = \"\" }").starts_with("test.toml:2: house.wood.timber_on_timber"));
+  CHECK(refusal("[house.reinforcement]\nring_beam_place = \"outside\"").find("must be \"inside\" | \"middle\"") != std::string::npos);
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 2").starts_with("test.toml:3: damping.ratio = 2: must be"));
   CHECK(refusal("[damping]\nalpha = 1.5") == "accepted");
   const std::string law = "[joint_laws.n]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n";
@@ -195,6 +200,31 @@ TEST_CASE("faults: rules of blocks and loads") {
   CHECK(refusal("[[load]]\nblock = \"a\"\nramp = [1, 0]").starts_with("test.toml:3: load[0].ramp = [1, 0] s: must be"));
 }
 
+TEST_CASE("faults: ties") {
+  const std::string tie = "[[tie]]\nname = \"t\"\nfrom = [0,0,0]\nto = [1,0,0]\n", section = tie + "area = 1e-4\n";
+  CHECK(refusal(section) == "accepted");
+  CHECK(refusal("[[tie]]\nfrom = [0,0,0]\nto = [1,0,0]\narea = 1e-4") ==
+        "test.toml:1: tie[0].name is missing; wanted a string in quotes, must not be empty: a name of its own, for results and messages");
+  CHECK(refusal("[[tie]]\nname = \"t\"\nto = [1,0,0]\narea = 1e-4").starts_with("test.toml:1: tie[0].from is missing; wanted an array"));
+  CHECK(refusal("[[tie]]\nname = \"t\"\nfrom = [1,0,0]\narea = 1e-4").starts_with("test.toml:1: tie[0].to is missing; wanted an array"));
+  CHECK(refusal(tie).starts_with("test.toml:1: tie[0].area is missing; wanted a number (m2, > 0)"));
+  CHECK(refusal(tie + "area = 0") == "test.toml:5: tie[0].area = 0 m2: must be > 0");
+  CHECK(refusal(section + "young = 0") == "test.toml:6: tie[0].young = 0 Pa: must be > 0");
+  CHECK(refusal(section + "yield = -1") == "test.toml:6: tie[0].yield = -1 Pa: must be > 0");
+  CHECK(refusal(section + "hardening = -1") == "test.toml:6: tie[0].hardening = -1 Pa: must be >= 0");
+  CHECK(refusal(section + "hardening = 1e9") == "test.toml:6: tie[0].hardening = 1e+09 Pa needs yield");
+  CHECK(refusal(section + "yield = 3e8\nhardening = 3e11") == "test.toml:7: tie[0].hardening = 3e+11 Pa: must be below tie.young");
+  CHECK(refusal(section + "elongation = 0") == "test.toml:6: tie[0].elongation = 0: must be > 0");
+  CHECK(refusal(section + "pretension = -5") == "test.toml:6: tie[0].pretension = -5 N: must be >= 0");
+  CHECK(refusal(section + "yield = 1e8\npretension = 10001") ==
+        "test.toml:7: tie[0].pretension = 10001 N is over the force at which the tie yields (yield x area)");
+  CHECK(refusal(section + "elongation = 1e-3\nyoung = 1e11\npretension = 10001") ==
+        "test.toml:8: tie[0].pretension = 10001 N is over the force at which the tie breaks (elongation x young x area)");
+  CHECK(refusal(section + "compression = 1").find("wanted true or false") != std::string::npos);
+  CHECK(refusal(section + "plate = [0.1, 0]") == "test.toml:6: tie[0].plate[1] = 0 m: must be > 0");
+  CHECK(refusal(section + "lenght = 1").find("unknown key") != std::string::npos);
+}
+
 TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal("[motion]\nrecord = \"r\"\nx = \"f\"").starts_with("test.toml:3: motion.x = \"f\" does not go with motion.record"));
   CHECK(refusal("[motion]\nrecord = \"r\"\nT = \"f\"").starts_with("test.toml:3: motion.T = \"f\" does not go with motion.record"));
@@ -208,6 +238,16 @@ TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal(history + "\"a/b\"").find("cannot name") != std::string::npos);
   CHECK(refusal(history + "\"a\"\n" + history + "\"a\"") ==
         "test.toml:6: output.history[1].name = \"a\" is the name of another history, too");
+}
+
+TEST_CASE("faults of cuts: names, planes without a direction, boxes without room") {
+  const std::string cut = "[[output.cut]]\npoint = [0,0,1]\nname = ";
+  CHECK(refusal("[[output.cut]]\nname = \"a\"").find("output.cut[0].point") != std::string::npos);
+  CHECK(refusal(cut + "\"a/b\"").starts_with("test.toml:3: output.cut[0].name = \"a/b\" cannot name a group"));
+  CHECK(refusal(cut + "\"a\"\nnormal = [0,0,0]").find("output.cut[0].normal") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0], [1,0,1]]").find("has no room in it") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\nbox = [[0,0,0]]").find("output.cut[0].box") != std::string::npos);
+  CHECK(refusal(cut + "\"a\"\n" + cut + "\"a\"") == "test.toml:6: output.cut[1].name = \"a\" is the name of another cut, too");
 }
 
 TEST_CASE("faults: the first in the file is reported, then those of overrides") {

@@ -130,6 +130,7 @@ TEST_CASE("case file: every key of a house is read") {
   CHECK(house->wood.material == "old wood");
   CHECK(house->wood.within_member == "solid");
   CHECK(house->wood.between_members == "nailed");
+  CHECK(house->wood.timber_on_timber == "solid");
   CHECK(house->origin == std::array{1.5, -2.5});
   CHECK(house->turn == 270.0);
   CHECK(house->copies == std::array{4, 2});
@@ -158,6 +159,7 @@ TEST_CASE("case file: every key of a house is read") {
   REQUIRE(house->reinforcement);
   CHECK(house->reinforcement->column == std::array{0.12, 0.14});
   CHECK(house->reinforcement->ring_beam == std::array{0.16, 0.18});
+  CHECK(house->reinforcement->ring_beam_place == cases::RingPlace::middle);
   CHECK(house->reinforcement->bearing == std::vector{0.25, 0.95});
   CHECK(house->reinforcement->nonbearing == std::vector{1.2});
 }

@@ -67,6 +67,27 @@ TEST_CASE("a case lies over what it includes, key by key; arrays are replaced") 
   CHECK(c.folder == folder.path());
 }
 
+TEST_CASE("an empty array takes away what was included: tables, arrays of tables, single values") {
+  const TempFolder folder;
+  const auto read = [&](const std::string& text) {
+    return io::load_case(folder.write("mine.toml", "include = \"flat20r\"\n" + text)).value;
+  };
+  const cases::Case as_it_is = read("");
+  REQUIRE(as_it_is.house->reinforcement);
+  REQUIRE(as_it_is.house->openings.size() == 2);
+  const cases::Case c = read(
+      "gravity = []\n[damping]\nratio = []\nfrequency = []\n[output]\nhistory = []\n[house]\nopening = []\nreinforcement = []\nheight = "
+      "[]\n");
+  CHECK_FALSE(c.house->reinforcement);
+  CHECK(c.house->openings.empty());
+  CHECK(c.output.history.empty());
+  CHECK(c.damping.ratio == 0.0);
+  CHECK_FALSE(c.damping.frequency);
+  CHECK(c.house->height == cases::House{}.height);
+  CHECK(refusal(folder.write("no.toml", "include = \"flat20r\"\n[materials.adobe]\nyoung = []\n")).find("materials.adobe.young") !=
+        std::string::npos);
+}
+
 TEST_CASE("files that an included case names lie beside it") {
   const TempFolder folder;
   folder.write("parts/house.toml",

@@ -10,7 +10,7 @@
 namespace {
 
 std::string offered(const std::string& words) {
-  const std::string script = "source " + shell::source("scripts/completion.bash") +
+  const std::string script = "source <(" + shell::kProgram + " completion bash)" +
                              R"(; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _voussoir; echo -n "${COMPREPLY[@]}")";
   const shell::Outcome o = shell::run("bash -c " + shell::quoted(script) + " bash " + shell::kProgram + " " + words);
   CHECK(o.code == 0);
@@ -24,7 +24,9 @@ TEST_CASE("completion: commands, options and cases, as the program itself says t
   CHECK(offered("''").starts_with("run resume "));
   CHECK(offered("run --check") == "--checkpoint-every --checkpoint-simulated");
   CHECK(offered("check hut.toml --dr") == "--draw");
+  CHECK(offered("run flat20n --kernels r") == "reference");
   CHECK(offered("modes flat40") == "flat40n");
+  CHECK(offered("limit flat40") == "flat40n");
   CHECK(offered("motion flat40").empty());  // takes files
   CHECK(offered("report res").empty());
 }

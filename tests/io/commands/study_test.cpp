@@ -94,6 +94,8 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
       {"seeds = [1]\n", "scatter.variation"},
       {"set = [\"house.brik=1\"]\n", "house.brik"},
       {"records = [\"${NO_SUCH_NAME}/rinaldi\"]\n", "NO_SUCH_NAME is not set"},
+      {"records = [{ name = \"r\", L = 3 }]\n", "records[0] = {\"name\": \"r\", \"L\": 3}; allowed: \"bam-like\""},
+      {"records = [{ name = \"r\", L = \"none.AT2\", T = \"none.AT2\" }]\n", "none.AT2: no such file"},
       {"[options]\na = \"b=1\"\n", "options.a = \"b=1\""},
   };
   for (const auto& fault : faults) {

@@ -17,10 +17,13 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-void touch(const std::string& path) {
+void touch(const std::string& path, const std::string& text = "x") {
   fs::create_directories(fs::path(path).parent_path());
-  std::ofstream(path) << "x";
+  std::ofstream(path) << text;
 }
+
+/// A file as a run leaves it.
+void leave(const std::string& path) { touch(path, path.ends_with("case.toml") ? std::string(kResolvedHead) + "\n" : "x"); }
 
 std::string text_of(const std::string& path) {
   std::ostringstream text;
@@ -59,10 +62,11 @@ TEST_CASE("a new folder is made with those above it, and holds the case") {
 }
 
 TEST_CASE("results of another run are refused, or on request removed and nothing else") {
-  for (const char* own : {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5"}) {
+  for (const char* own :
+       {"run.h5", "parts/0003.h5", "checkpoint-12.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5"}) {
     CAPTURE(own);
     const TempFolder dir;
-    touch(dir.file(own));
+    leave(dir.file(own));
     CHECK_THROWS_WITH_AS(RunFolder::create(dir.path(), false), doctest::Contains("--overwrite"), FileError);
     CHECK(fs::exists(dir.file(own)));
   }
@@ -70,14 +74,36 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
   const std::set<std::string> foreign{"notes.txt",        "parts/plan.h5", "run.h5.bak",      "house.toml",
                                       "checkpoint-x.txt", "log",           "stills/plan.png", "stills/front-s.png"};
   for (const std::string& name : foreign) touch(dir.file(name));
-  { CHECK_NOTHROW(RunFolder::create(dir.path(), false)); }
   for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml",
                           "stills/front-2.5s.png", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
-    touch(dir.file(own));
+    leave(dir.file(own));
   const RunFolder folder = RunFolder::create(dir.path(), true);
   std::set<std::string> left = foreign;
   left.insert(".lock");
   CHECK(files_in(dir.path()) == left);
+}
+
+TEST_CASE("results do not mix with files of something else unless told to, and never replace a case of the user's") {
+  const TempFolder dir;
+  for (const char* hidden : {".gitignore", ".lock"}) touch(dir.file(hidden));
+  fs::create_directory(dir.file("parts"));  // as a run that has merged its parts may leave it
+  CHECK_NOTHROW(RunFolder::create(dir.path(), false));
+  for (const char* foreign : {"notes.txt", "photos/wall.jpg", "parts/plan.h5", "stills/plan.png"}) {
+    CAPTURE(foreign);
+    const TempFolder other;
+    touch(other.file(foreign));
+    CHECK_THROWS_WITH_AS(RunFolder::create(other.path(), false), doctest::Contains("holds what is of no run"), FileError);
+    CHECK(files_in(other.path()) == std::set<std::string>{foreign});  // nor a lock
+    CHECK_NOTHROW(RunFolder::create(other.path(), true));
+    CHECK(fs::exists(other.file(foreign)));
+  }
+  touch(dir.file("a"));
+  touch(dir.file("b"));
+  CHECK_THROWS_WITH_AS(RunFolder::create(dir.path(), false), doctest::Contains("(a and 1 more)"), FileError);
+  touch(dir.file("case.toml"), "title = \"mine\"\n");
+  for (const bool overwrite : {false, true})
+    CHECK_THROWS_WITH_AS(RunFolder::create(dir.path(), overwrite), doctest::Contains("no case that a run wrote"), FileError);
+  CHECK(text_of(dir.file("case.toml")) == "title = \"mine\"\n");
 }
 
 TEST_CASE("two processes cannot have one folder") {

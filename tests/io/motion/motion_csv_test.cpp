@@ -71,7 +71,7 @@ TEST_CASE("CSV: the step must be the same to a millionth") {
 TEST_CASE("CSV: faults, with their line") {
   check_fault("", ": holds 0 rows of numbers; allowed: 2 or more");
   check_fault("t, a\n0,1\n", ": holds 1 rows of numbers; allowed: 2 or more");
-  check_fault("1\n2\n3\n", ":1: one column; wanted two columns");
+  check_fault("1\n2\n3\n", ":1: one column, and its step is not stated; wanted two columns");
   check_fault("0,1,2\n", ":1: more than two columns; wanted two columns");
   check_fault("t, a\n0,1\n0.1,x\n", ":3: acceleration 'x' is no finite number");
   check_fault("t, a\n0,1\n0.1,\n", ":3: acceleration '' is no finite number");

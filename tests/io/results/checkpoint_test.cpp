@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "io/commands/compare_command.h"
-#include "io/commands/session.h"
+#include "io/session/session.h"
 #include "io/results/checkpoints.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/row_hash.h"

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/run/run.h"
+#include "solver/state/saved_state.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 
@@ -83,4 +84,46 @@ TEST_CASE("how often energies are written does not decide when the shaking begin
   CHECK(settled(4.0, false) == steps);
   CHECK(settled(0.003, false) == steps);
   CHECK(settled(0.01, true) == 40);
+}
+
+TEST_CASE("what a structure's own weight breaks is counted apart from what the shaking breaks, also by a run that is gone on with") {
+  cases::Case c = small_wall(1, 1, 1e-3);
+  c.gravity.settle = true;
+  c.gravity.ramp = 0.05;
+  c.gravity.settle_limit = 0.1;
+  c.blocks.push_back(brick(1, 0, 0.11, 0.31));  // its centroid is beyond the edge of the one below
+  c.blocks.push_back(brick(0, 9, 0.6, 0.8));    // stands by itself, and is shaken off the base
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion motion = strong_shaking();
+  solver::Simulation sim(c, m, motion, {});
+  solver::RunState plan;
+  RowHash out;
+  solver::Summary while_settling;
+  bool shaking = false;
+  const auto watch = [&](const solver::RunStatus& s) {
+    if (s.settling) while_settling = solver::summarise(sim, plan);
+    shaking = shaking || !s.settling;
+    return s.settling || s.time < 0.1;
+  };
+  const solver::RunResult r = solver::run(sim, plan, c, 0.3, out, watch);
+  REQUIRE(r.stopped);
+  REQUIRE(shaking);
+  const solver::SettlingDamage& own = r.summary.settling;
+  CHECK(own.opened() > 0);
+  CHECK(own.first_crack_time < 0.0);
+  CHECK(own.first_crack_time == plan.settling_crack);
+  CHECK(while_settling.settling.opened() > 0);
+  CHECK(while_settling.settling.opened() <= own.opened());
+  CHECK(r.summary.tension + r.summary.shear + r.summary.compression > own.opened());
+  CHECK(r.summary.first_crack_time >= 0.0);
+
+  const solver::SavedState state = solver::save(sim, plan);
+  solver::Simulation again(c, m, motion, {});
+  solver::RunState back;
+  solver::restore(again, back, state);
+  const solver::SettlingDamage& restored = solver::summarise(again, back).settling;
+  CHECK(restored.tension == own.tension);
+  CHECK(restored.shear == own.shear);
+  CHECK(restored.slipped == own.slipped);
+  CHECK(restored.first_crack_time == own.first_crack_time);
 }

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/measures/building.h"
+#include "io/replay/frame_reader.h"
+#include "io/replay/placed_elements.h"
+
+/// Widths of cracks at one moment, joint by joint, by wall and by corner of an opening (io/MEASURES.md).
+namespace voussoir::io {
+
+/// Of a joint that is open.
+struct JointWidth {
+  std::size_t joint = 0;               // row of /model/joint
+  double opening = 0, sliding = 0;     // m: along the joint's normal as it has turned (below 0: closed in), and along the joint
+  double width = 0;                    // m, both together
+  double area = 0;                     // m2
+  Vec3 centre;                         // m, in the reference configuration
+  std::array<std::int32_t, 2> wall{};  // of its two elements; −1: none, or the same as the first
+};
+
+/// \param time  of the poses [s]: joints that had come open by then \throw FileError
+std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& building, const std::vector<Pose>& start, double time,
+                                     const std::vector<Pose>& poses);
+
+/// A point of a wall's elevation with masonry in three of the four quadrants about it: where cracks begin.
+struct OpeningCorner {
+  std::int32_t wall = 0;
+  std::string name;         // "opening 1, upper left", as seen from outside; openings are counted from the left
+  double along = 0, z = 0;  // m; along the wall's axis
+};
+
+/// Corners of the openings of a wall, by the boxes of its elements in the reference configuration.
+std::vector<OpeningCorner> opening_corners(const Building& building, std::int32_t wall);
+
+/// Cracks of one wall or near one corner. Joints narrower than a hair crack do not count.
+struct CrackFigures {
+  static constexpr double kHair = 0.1e-3;  // m
+  static constexpr double kNear = 0.5;     // m from a corner
+
+  std::size_t joints = 0;
+  double largest = 0, mean = 0;                     // m, of the width; the mean by the joints' areas
+  double largest_opening = 0, largest_sliding = 0;  // m
+
+  void add(const JointWidth& j);
+  /// To be called once, after the last joint.
+  void finish();
+
+ private:
+  double area_ = 0, sum_ = 0;  // m2, m3
+};
+
+CrackFigures wall_figures(const std::vector<JointWidth>& joints, std::int32_t wall);
+CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Building& building, const OpeningCorner& corner);
+
+}  // namespace voussoir::io

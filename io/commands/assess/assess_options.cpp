@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/assess/assess_options.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace voussoir::io {
+
+namespace {
+
+void add_format(CLI::App& command, bool& json) {
+  command
+      .add_option_function<std::string>(
+          "--format", [&json](const std::string& word) { json = word == "json"; }, "text, or json: one object")
+      ->check(CLI::IsMember({"text", "json"}));
+}
+
+}  // namespace
+
+void add_assess_options(CLI::App& command, AssessOptions& o) {
+  command.add_option("DIR", o.folder, "folder of the run, finished or not")->required();
+  command.add_option("--time", o.time, "s, of cracks: the frame nearest to it (default: the last)");
+  command.add_option("--levels", o.levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
+      ->delimiter(',');
+  command.add_option("--maps", o.maps, "write a crack map of every wall into this folder, as SVG");
+  command.add_option("--spectra", o.spectra, "write response spectra of the followed points and of the base to this CSV file");
+  command.add_option("--damping", o.damping, "damping ratios of the spectra (default 0.05)")->delimiter(',')->check(CLI::Range(0.0, 0.99));
+  add_format(command, o.json);
+  command.add_flag("--overwrite", o.overwrite, "replace existing files");
+  command.footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");
+}
+
+void add_limit_options(CLI::App& command, LimitCommandOptions& o) {
+  command.add_option("--direction", o.direction,
+                     "of the live force, which is the multiplier times the weight: x (default), -x, y, -y, or degrees");
+  command.add_option("--facets", o.facets, "of the friction cone (default 8; plane models need none)")->check(CLI::Range(4, 64));
+  command
+      .add_option_function<std::string>(
+          "--cone", [&o](const std::string& word) { o.outer = word == "outer"; },
+          "facets in the cone, which err to the safe side (default), or round it")
+      ->check(CLI::IsMember({"inner", "outer"}));
+  command.add_option("--mechanism", o.mechanism, "write the velocities of all elements to this CSV file");
+  add_format(command, o.json);
+  command.add_flag("--overwrite", o.overwrite, "replace an existing file of the mechanism");
+  command.add_flag("--quiet", o.quiet, "no progress");
+  command.footer("example: voussoir limit arch --direction y");
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/commands/assess/limit_command.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+
+#include "io/assess/limit_words.h"
+#include "io/files/errors.h"
+#include "io/files/text_file.h"
+#include "io/session/exit_code.h"
+#include "io/session/progress.h"
+#include "solver/analysis/linear_programme.h"
+
+namespace voussoir::io {
+namespace {
+
+Vec3 live_direction(const std::string& words) {
+  if (words == "x") return {1, 0, 0};
+  if (words == "-x") return {-1, 0, 0};
+  if (words == "y") return {0, 1, 0};
+  if (words == "-y") return {0, -1, 0};
+  double degrees = 0.0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), degrees);
+  if (error != std::errc() || end != words.data() + words.size() || !(std::abs(degrees) <= 360.0)) {
+    throw cases::InputError("--direction", "\"" + words + "\" is none; allowed: x, -x, y, -y, or degrees from x towards y, -360 to 360");
+  }
+  const double angle = degrees * std::numbers::pi / 180.0;
+  return {std::cos(angle), std::sin(angle), 0.0};
+}
+
+}  // namespace
+
+int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
+  if (!solver::has_linear_programmes()) {
+    std::fprintf(
+        stderr,
+        "voussoir: limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: -DVOUSSOIR_CLP=ON)\n");
+    return kInputFault;
+  }
+  std::error_code none;
+  if (!o.mechanism.empty() && !o.overwrite && std::filesystem::exists(o.mechanism, none))
+    throw FileError(o.mechanism, "exists; --overwrite replaces it");
+  LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer, {}}};
+  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
+  if (on_terminal) {
+    asked.options.tick = [](int programmes, double multiplier) {
+      std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, solver::LimitResult::kLeastProgrammes,
+                   solver::LimitResult::kMostProgrammes, multiplier);
+    };
+  }
+  const cases::Model model = cases::build_model(c.value);
+  const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
+  if (on_terminal) std::fputc('\n', stderr);
+  std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);
+  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(model, found), o.overwrite);
+  return found.coulomb_converged() ? kDone : kNumericalFailure;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "solver/run/run.h"
+
+namespace voussoir::io {
+
+/// What people should know when bonds broke under the building's own weight: how many of how many, in which mode, since when, and in which
+/// parts of the building, those with the most first; empty if none broke.
+/// \param world  at the beginning of the shaking \param state  whose `settling` is known
+std::string settling_warning(const solver::World& world, const solver::RunState& state);
+
+}  // namespace voussoir::io

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "cases/motion/treatment.h"
+#include "io/motion/motion_files.h"
+
+namespace voussoir::io {
+
+std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::Accelerogram& a = applied.axis[i];
+    if (a.acceleration.empty()) continue;
+    const cases::MotionFigures f = cases::figures(a);
+    char line[120];
+    std::snprintf(line, sizeof line, "motion along %c           %.3f s, peaks %.4g m/s2, %.3g m/s, %.3g m; ", "xyz"[i], f.duration,
+                  f.peak_acceleration, f.peak_velocity, f.peak_displacement);
+    text += line + a.name + "\n";
+  }
+  const std::string done = cases::described(motion.treatment);
+  if (!done.empty()) text += "done to the record       " + done + "\n";
+  return text;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/model.h"
+#include "io/case_file/case_file.h"
+
+/// Between the case as it was read and what a command does with it: what cannot be told before the model is built.
+namespace voussoir::io {
+
+/// The model of a case, with the motions of its supports. Refuses followed points outside of it.
+/// \throw cases::InputError, FileError
+cases::Model prepared_model(const cases::Case& c);
+
+/// Puts a number in place of damping.frequency = "auto": the frequency of the mode with the largest mass in y, to four digits, so that the
+/// case as used says it. Tells which mode on standard error. \throw cases::InputError if no mode moves the building along y
+void fill_own_frequency(cases::Case& c);
+
+/// What in a case is likely a slip, told on standard error: rules of joints.between that never apply; a damping.frequency that is neither
+/// within 20 % of the model's main frequency along y nor of that along x. Modes are computed for that (a house: 2 s), unless the model has
+/// more than 10,000 elements.
+void warn_of_slips(const cases::Case& c, const cases::Model& model);
+
+}  // namespace voussoir::io

@@ -1,0 +1,17 @@
+# What the program says of its own command line, into a folder: cmake -DPROGRAM=voussoir -DFOLDER=dir -DCHANGES=CHANGELOG.md -P make_manual.cmake
+# man1/*.1.gz, voussoir.bash, _voussoir (zsh), voussoir.fish, stamp; and what has changed, as Debian wants it: changelog.gz.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "failed with ${code}: ${ARGN}")
+  endif()
+endfunction()
+file(REMOVE_RECURSE ${FOLDER}/man1)
+run(${PROGRAM} man ${FOLDER}/man1)
+file(GLOB pages ${FOLDER}/man1/*.1)
+run(gzip -9 -n -f ${pages})
+run(${PROGRAM} completion bash OUTPUT_FILE ${FOLDER}/voussoir.bash)
+run(${PROGRAM} completion zsh OUTPUT_FILE ${FOLDER}/_voussoir)
+run(${PROGRAM} completion fish OUTPUT_FILE ${FOLDER}/voussoir.fish)
+run(gzip -9 -n -c ${CHANGES} OUTPUT_FILE ${FOLDER}/changelog.gz)
+file(TOUCH ${FOLDER}/stamp)

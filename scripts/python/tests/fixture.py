@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests share: a small model, and a folder of their own. All of them start the real program."""
+
+import pathlib
+import tempfile
+import unittest
+
+import voussoir
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+
+
+def blocks(duration=0.1):
+    """Two bonded blocks on the base, shaken."""
+    model = voussoir.Model("Two bonded blocks")
+    model["gravity.settle"] = False
+    model["time.duration"] = duration
+    model.material("stone", density=2000.0, young=1e8, poisson=0.2)
+    model.joint_law("mortar", tension=1e5, cohesion=1e5, friction=30.0, compression=1e6)
+    model["joints.default"] = "mortar"
+    model["base.z"] = 0.0
+    model.box("lower", [0, 0, 0], [0.2, 0.2, 0.2], material="stone")
+    model.box("upper", [0, 0, 0.2], [0.2, 0.2, 0.4], material="stone")
+    model.follow("upper", [0.1, 0.1, 0.3])
+    model.motion("bam-like")
+    return model
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Models, and what is wrong with them."""
+
+import os
+import tomllib
+import unittest
+
+import voussoir
+from fixture import ROOT, InAFolder, blocks
+
+
+class Errors(InAFolder):
+    def test_the_message_is_the_programs(self):
+        model = blocks()
+        model["materials.stone.density"] = -3.0
+        with self.assertRaisesRegex(voussoir.InputError, r"two-bonded-blocks\.toml:\d+: materials\.stone\.density.*-3.*> 0") as caught:
+            model.check()
+        self.assertEqual(caught.exception.code, 2)
+
+    def test_keys_that_it_does_not_know(self):
+        model = voussoir.Model(include="flat20n")
+        model.house(colour="red")
+        with self.assertRaisesRegex(voussoir.InputError, "colour"):
+            model.check()
+
+    def test_a_folder_without_results(self):
+        with self.assertRaisesRegex(voussoir.FileError, "no such file"):
+            voussoir.Run(self.folder).summary
+        with self.assertRaises(voussoir.FileError):
+            voussoir.Run(self.folder).resume(progress=False)
+
+    def test_results_that_are_there_are_not_replaced(self):
+        blocks().run(self.folder / "run", progress=False)
+        with self.assertRaisesRegex(voussoir.FileError, "overwrite"):
+            blocks().run(self.folder / "run", progress=False)
+        blocks().run(self.folder / "run", progress=False, overwrite=True)
+
+    def test_a_program_that_is_not_there(self):
+        before = os.environ.get("VOUSSOIR")
+        os.environ["VOUSSOIR"] = str(self.folder / "voussoir")
+        try:
+            with self.assertRaisesRegex(voussoir.ProgramNotFound, "No such file.*VOUSSOIR="):
+                voussoir.version()
+        finally:
+            os.environ.pop("VOUSSOIR") if before is None else os.environ.update(VOUSSOIR=before)
+
+
+class Models(InAFolder):
+    def test_a_house_from_keyword_arguments_is_the_tutorials(self):
+        model = voussoir.Model("A hut of large mud blocks", include="flat20w")
+        model.house(inner_size=[2.8, 2.0], height=2.0, brick=[0.4, 0.2, 0.2],
+                    openings=[voussoir.opening("front", start=1.0, width=0.8, height=1.6, lintel={"length": 1.2, "height": 0.2})])
+        model["damping.frequency"] = 8.0
+        model.motion("bam-like", direction="TLV")
+        model["time.duration"] = 6.0
+        for name, point in {"left": [0.1, 1.2, 1.7], "front": [2.4, 0.1, 1.7], "rear": [1.6, 2.3, 1.7]}.items():
+            model.follow(name, point)
+        theirs = voussoir.Model(include=ROOT / "cases/tutorial/hut.toml")
+
+        def counts(text):  # without the lines that name the file, and the one of how long a run takes on this machine
+            return [line for line in text.splitlines()[1:] if not line.startswith("estimate")]
+        self.assertEqual(counts(model.check()), counts(theirs.check()))
+
+    def test_frequencies(self):
+        found = blocks().modes(2)
+        self.assertEqual(len(found), 2)
+        self.assertTrue(0.0 < found[0] <= found[1])
+
+    def test_keys_by_their_path(self):
+        model = voussoir.Model()
+        model["time.duration"] = 3.0
+        self.assertEqual(model["time.duration"], 3.0)
+        model["time.duration"] = None
+        with self.assertRaises(KeyError):
+            model["time.duration"]
+
+    def test_files_are_named_from_anywhere(self):
+        (self.folder / "x.csv").write_text("t [s],a [m/s2]\n0,0\n0.05,1\n0.1,0\n")
+        here = os.getcwd()
+        os.chdir(self.folder)
+        try:
+            model = blocks()
+            model.motion(x="x.csv")
+            path = model.write("case.toml")
+            self.assertTrue(os.path.isabs(tomllib.loads(path.read_text())["motion"]["x"]))
+            with self.assertRaisesRegex(voussoir.FileError, "exists"):
+                model.write("case.toml")
+        finally:
+            os.chdir(here)
+
+
+class Program(unittest.TestCase):
+    def test_what_the_command_line_has(self):
+        self.assertTrue(voussoir.version().startswith("voussoir "))
+        self.assertIn("flat20n", voussoir.ready_cases())
+        self.assertIn("L", voussoir.motion("bam-like"))
+        self.assertIn("materials", voussoir.call("keys"))

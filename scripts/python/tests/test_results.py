@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Results as arrays."""
+
+import tempfile
+
+import numpy as np
+
+import voussoir
+from fixture import InAFolder, blocks
+
+
+class Results(InAFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.seen = []
+        cls.run_ = blocks().run(f"{cls.scratch.name}/pair", until=0.06, threads=1, progress=cls.seen.append)
+
+    def test_histories_have_units_and_names(self):
+        history = self.run_.history("upper")
+        u = history.displacement
+        self.assertEqual((u.unit, u.name, u.shape), ("m", "displacement", (len(history.time), 3)))
+        self.assertEqual(u[:, 0].unit, "m")
+        self.assertEqual(history.unit("rotation"), "rad")
+        self.assertGreater(abs(history["velocity"]).max(), 0.0)
+        self.assertNotIsInstance(u * u, voussoir.Array)
+        self.assertEqual(list(history), ["time", "displacement", "rotation", "velocity"])
+        with self.assertRaisesRegex(voussoir.VoussoirError, "no history 'lower'; there are: upper"):
+            self.run_.history("lower")
+        with self.assertRaisesRegex(AttributeError, "there are: .*kinetic"):
+            self.run_.energy.heat
+
+    def test_tables_agree_with_the_file(self):
+        self.assertTrue(np.array_equal(self.run_.energy.kinetic, self.run_.file["energy/kinetic"][:]))
+        self.assertEqual(self.run_.energy.kinetic.unit, "J")
+        self.assertEqual(list(self.run_.elements.tag), ["lower", "upper"])
+        self.assertAlmostEqual(float(self.run_.elements.mass.sum()), 32.0)
+        self.assertEqual(self.run_.summary["state_hash"], self.run_.file["summary"].attrs["state_hash"])
+        self.assertAlmostEqual(self.run_.summary["end_time"], 0.06, places=3)  # and a step
+        self.assertTrue(self.run_.finished)
+        self.assertEqual(self.run_.case["title"], "Two bonded blocks")
+        self.assertTrue(self.run_.provenance["version"].startswith("0."))
+
+    def test_frames_place_the_vertices(self):
+        frames = self.run_.frames
+        self.assertEqual(len(frames), len(frames.time))
+        self.assertEqual(frames.at(0.04).time, frames[-2].time)
+        placed, first = frames[-1].vertices(), self.run_.file["model/vertex"][:]
+        self.assertEqual(placed.shape, first.shape)
+        self.assertLess(abs(placed - first).max(), 0.01)
+        self.assertGreater(abs(placed - first).max(), 0.0)
+        with self.assertRaises(IndexError):
+            frames[len(frames)]
+
+    def test_rotations(self):
+        axis, angle = np.array([2.0, -3.0, 6.0]) / 7.0, 0.7
+        turn = voussoir.results.rotation_matrices(np.array([[np.cos(angle / 2), *(np.sin(angle / 2) * axis)]]))[0]
+        for v in np.eye(3):  # Rodrigues
+            turned = v * np.cos(angle) + np.cross(axis, v) * np.sin(angle) + axis * (axis @ v) * (1.0 - np.cos(angle))
+            self.assertTrue(np.allclose(turn @ v, turned, atol=1e-14))
+
+    def test_the_same_twice_and_from_the_command_line(self):
+        again = blocks().run(self.folder / "again", until=0.06, threads=2, progress=False)
+        self.assertTrue(again.same_as(self.run_))
+        other = blocks().run(self.folder / "other", until=0.05, progress=False)
+        self.assertFalse(other.same_as(self.run_))
+        other.resume(until=0.06, progress=False)
+        self.assertEqual(other.summary["state_hash"], self.run_.summary["state_hash"])
+
+    def test_page_and_words(self):
+        page = self.run_.report(output=self.folder / "page.html")
+        self.assertIn("</html>", page.read_text())
+        self.assertIn("grade", self.run_.describe())
+
+    def test_plots(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("no matplotlib")
+        matplotlib.use("Agg")
+        from voussoir import plots
+        for figure in (self.run_.plot_histories(), self.run_.plot_energy(), self.run_.plot_damage(first=True),
+                       plots.histories([self.run_, self.run_], ["upper:z"], quantity="velocity")):
+            plots.save(figure, self.folder / "figure.svg")
+            self.assertIn("time, s", (self.folder / "figure.svg").read_text())
+        with self.assertRaisesRegex(voussoir.VoussoirError, "no history 'lower'"):
+            self.run_.plot_histories(show=["lower:x"])

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs that are stopped and go on; studies."""
+
+import csv
+import signal
+import subprocess
+import sys
+import textwrap
+
+import voussoir
+from fixture import HERE, InAFolder, blocks
+from voussoir import commands
+
+LONG = 300.0  # s of two blocks: some seconds of computing, so that a run is still going on when it has told its first progress
+
+
+class Running(InAFolder):
+    def test_lines_of_progress(self):
+        seen = commands.parse_progress("3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  residual 1.2e-06")
+        self.assertEqual((seen.time, seen.end, seen.settling, seen.steps_per_second, seen.left, seen.broken, seen.residual),
+                         (3.214, 10.0, False, 12345.0, "2 min 10 s left", 1234, 1.2e-06))
+        self.assertEqual(commands.parse_progress("settling, -0.500 s  12 steps/s  time left unknown  0 broken  residual 0.0e+00").time, -0.5)
+        self.assertIsNone(commands.parse_progress("voussoir: warning: something else"))
+
+    def test_warnings_of_the_program_are_warnings_of_python(self):
+        model = blocks(0.01)
+        model["damping.ratio"], model["damping.frequency"] = 0.05, 300.0
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "damping.frequency"):
+            model.check()
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "damping.frequency"):
+            model.run(self.folder / "run", threads=1, progress=False)
+
+    def test_ctrl_c_stops_cleanly_and_the_run_goes_on(self):
+        script = textwrap.dedent(f"""
+            import sys
+            sys.path[:0] = [{str(HERE)!r}, {str(HERE.parent)!r}]
+            import voussoir, fixture
+            try:
+                fixture.blocks().run({str(self.folder / "run")!r}, until={LONG}, threads=1, progress=lambda p: print(p.time, flush=True))
+            except voussoir.Stopped as error:
+                print("stopped:", error)
+        """)
+        straight = blocks().run(self.folder / "straight", until=LONG, threads=1, progress=False)
+        # A shell starts what runs in its background with SIGINT ignored, and that is inherited; a user's Python is not started so.
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True,
+                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        first = child.stdout.readline()
+        child.send_signal(signal.SIGINT)
+        rest = child.stdout.read()
+        child.stdout.close()
+        self.assertEqual(child.wait(), 0)
+        self.assertIn("stopped: the run was stopped", rest)
+        run = voussoir.Run(self.folder / "run")
+        self.assertFalse(run.finished)
+        self.assertLess(float(first), LONG)
+        run.resume(progress=False)
+        self.assertTrue(run.finished)
+        self.assertTrue(run.same_as(straight))
+
+    def test_a_fault_in_the_callers_progress_stops_the_run(self):
+        def bad(_):
+            raise RuntimeError("of the caller")
+        with self.assertRaisesRegex(RuntimeError, "of the caller"):
+            blocks().run(self.folder / "run", until=LONG, threads=1, progress=bad)
+        self.assertFalse(voussoir.Run(self.folder / "run").finished)
+
+
+class Studies(InAFolder):
+    @staticmethod
+    def build(young, scale):
+        model = blocks(0.02)
+        model["materials.stone.young"] = young
+        model["motion.scale"] = scale
+        return model
+
+    def test_a_run_for_each_combination_and_no_run_twice(self):
+        def study():
+            return voussoir.Study(self.folder / "study", self.build, young=[1e8, 2e8], scale=[0.5, 1.0])
+        study().run(workers=2, quiet=True)
+        before = (self.folder / "study/young=1e+08,scale=0.5/run.h5").stat().st_mtime_ns
+        done = study().run(quiet=True)
+        self.assertEqual((self.folder / "study/young=1e+08,scale=0.5/run.h5").stat().st_mtime_ns, before)
+        self.assertEqual(len(list(done)), 4)
+        self.assertEqual([point["scale"] for point, _ in done], [0.5, 1.0, 0.5, 1.0])
+        with open(done.write(self.folder / "table.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["status"] for row in rows], ["done"] * 4)
+        self.assertGreater(float(rows[1]["peak_speed"]), float(rows[0]["peak_speed"]))
+
+    def test_another_model_is_refused(self):
+        voussoir.Study(self.folder, self.build, young=[1e8], scale=[1.0]).run(quiet=True)
+        with self.assertRaisesRegex(voussoir.InputError, "another model"):
+            voussoir.Study(self.folder, self.build, young=[1e8], scale=[1.0]).run(until=0.03, quiet=True)
+
+    def test_faults_come_before_runs(self):
+        with self.assertRaises(voussoir.InputError):
+            voussoir.Study(self.folder, self.build, young=[1e8, -1.0], scale=[1.0]).run(quiet=True)
+        self.assertFalse((self.folder / "young=1e+08,scale=1").exists())

@@ -1,0 +1,195 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""A case, put together in Python. Its keys are those of cases/KEYS.md; the program alone says what they allow."""
+
+import os
+import pathlib
+import re
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import commands, toml
+from .commands import Progress, absolute_if_file
+from .errors import FileError
+from .run import Run
+from .shapes import shape_of
+
+Path = str | os.PathLike[str]
+T = TypeVar("T")
+
+
+class Model:
+    """A case file in the making.
+
+    model = Model("A wall", include="parts/adobe-house")     # a ready case, a .toml file, several of them, or nothing
+    model.house(inner_size=[2.8, 2.0], height=2.0, brick=[0.4, 0.2, 0.2])
+    model["damping.frequency"] = 8.0                         # any key, by its path
+    run = model.run("results/wall", until=6.0)
+    """
+
+    def __init__(self, title: str = "", *, include: Path | Sequence[Path] = ()) -> None:
+        """include: cases over which this one lies, key by key: names of ready ones, or paths."""
+        names = [include] if isinstance(include, (str, os.PathLike)) else list(include)
+        self.case: dict[str, Any] = {"title": title} if title else {}
+        if names:
+            self.case["include"] = [absolute_if_file(name) for name in names]
+
+    # Any key
+
+    def __setitem__(self, path: str, value: Any) -> None:
+        """model["time.duration"] = 5.0; None takes a key of this model away (not one that an included case has)."""
+        *tables, key = path.split(".")
+        table = self.case
+        for name in tables:
+            table = table.setdefault(name, {})
+            if not isinstance(table, dict):
+                raise KeyError(f"{path}: {name} is no table")
+        if value is None:
+            table.pop(key, None)
+        else:
+            table[key] = value
+
+    def __getitem__(self, path: str) -> Any:
+        """What this model itself says of a key; KeyError if it says nothing."""
+        found: Any = self.case
+        for name in path.split("."):
+            if not isinstance(found, Mapping) or name not in found:
+                raise KeyError(f"{path}: this model does not say it; `Run.case` has all keys")
+            found = found[name]
+        return found
+
+    # Materials and laws
+
+    def material(self, name: str, *, density: float, young: float, poisson: float) -> None:
+        """density: kg/m3; young: Pa."""
+        self.case.setdefault("materials", {})[name] = {"density": density, "young": young, "poisson": poisson}
+
+    def joint_law(self, name: str, *, tension: float, cohesion: float, friction: float, compression: float, **more: float) -> None:
+        """Strengths in Pa, friction in degrees. more: cap; of the mortar thickness (m), young (Pa), poisson."""
+        self.case.setdefault("joint_laws", {})[name] = {"tension": tension, "cohesion": cohesion, "friction": friction,
+                                                        "compression": compression, **more}
+
+    def joint(self, first: str, second: str, law: str) -> None:
+        """The law between two materials; "base" counts as one. Of several that fit, the first said holds."""
+        self.case.setdefault("joints", {}).setdefault("between", []).append({"materials": [first, second], "law": law})
+
+    def friction(self, first: str, second: str, degrees: float) -> None:
+        """Of contacts of two materials."""
+        self.case.setdefault("contact", {}).setdefault("between", []).append({"materials": [first, second], "friction": degrees})
+
+    # What is built
+
+    def house(self, *, openings: Sequence[Mapping[str, Any]] | None = None, **keys: Any) -> None:
+        """Keys of [house]; roof, wood and reinforcement are dicts. openings: of [[house.opening]], in place of those that are included.
+
+        model.house(height=2.4, roof={"kind": "flat"}, openings=[opening("front", start=1.0, width=0.8, height=1.6, lintel=1.2)])
+        """
+        house = self.case.setdefault("house", {})
+        house.update(keys)
+        if openings is not None:
+            house["opening"] = [dict(o) for o in openings]
+
+    def block(self, name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | None = None, *, material: str, **keys: Any) -> None:
+        """A convex block from a mesh: n x 3 vertices in m and the corners of each face; without faces, the 8 of a hexahedron in VTK's order.
+
+        What is neither a hexahedron nor a prism along x is an InputError. keys: fixed, free, velocity, angular_velocity, rotate, motion.
+        """
+        self._add_block(name, material, shape_of(name, vertices, faces), keys)
+
+    def box(self, name: str, low: ArrayLike, high: ArrayLike, *, material: str, **keys: Any) -> None:
+        """A block between two opposite corners, m. keys: as for `block`."""
+        self._add_block(name, material, {"box": [_row(low), _row(high)]}, keys)
+
+    def prism(self, name: str, polygon: ArrayLike, extrude: tuple[float, float], *, material: str, **keys: Any) -> None:
+        """A block along x: its section in y and z, and from where to where in x, m. keys: as for `block`."""
+        self._add_block(name, material, {"polygon": np.asarray(polygon, dtype=float).tolist(), "extrude": _row(extrude)}, keys)
+
+    def _add_block(self, name: str, material: str, shape: Mapping[str, Any], keys: Mapping[str, Any]) -> None:
+        block = {"name": name, "material": material, **shape, **keys}
+        motion = block.get("motion")
+        if isinstance(motion, Mapping) and "file" in motion:
+            block["motion"] = {**motion, "file": absolute_if_file(motion["file"])}
+        self.case.setdefault("block", []).append(block)
+
+    def load(self, block: str, *, force: ArrayLike = (0.0, 0.0, 0.0), moment: ArrayLike = (0.0, 0.0, 0.0), **keys: Any) -> None:
+        """On a block: force in N, moment in N m. keys: at (m), ramp (s, s)."""
+        self.case.setdefault("load", []).append({"block": block, "force": _row(force), "moment": _row(moment), **keys})
+
+    # What happens to it, what is followed
+
+    def motion(self, record: Path | None = None, **keys: Any) -> None:
+        """Ground motion, in place of an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, unit."""
+        files = {key: absolute_if_file(keys[key]) for key in ("x", "y", "z", "L", "T", "V") if key in keys}
+        self.case["motion"] = {**({"record": absolute_if_file(record)} if record is not None else {}), **keys, **files}
+
+    def follow(self, name: str, point: ArrayLike) -> None:
+        """The element nearest to a point, m, gets a history. The first call takes the place of what an included case follows."""
+        self.case.setdefault("output", {}).setdefault("history", []).append({"name": name, "point": _row(point)})
+
+    # What the program does with it
+
+    def text(self) -> str:
+        """The case file."""
+        return toml.document(self.case)
+
+    def write(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
+        """Raises FileError if the file is there and may not be replaced. Files that it names are named by absolute paths."""
+        path = pathlib.Path(path)
+        try:
+            with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
+                file.write(self.text())
+        except OSError as error:
+            raise FileError(f"{path}: {error.strerror}") from error
+        return path
+
+    def check(self, *, draw: Path | None = None, overwrite: bool = False) -> str:
+        """Builds it and runs nothing: counts, masses, step, faults, as `voussoir check` prints them. draw: an .svg of plans and elevations."""
+        more: list[Any] = [*(["--draw", pathlib.Path(draw).resolve()] if draw else []), *(["--overwrite"] if overwrite else [])]
+        return self._with_file(lambda path: commands.call("check", path, *more))
+
+    def modes(self, count: int = 6, *, shapes: Path | None = None, overwrite: bool = False) -> list[float]:
+        """Its first natural frequencies, Hz. shapes: also a .vtu file of the mode shapes."""
+        more: list[Any] = [*(["--shapes", pathlib.Path(shapes).resolve()] if shapes else []), *(["--overwrite"] if overwrite else [])]
+        text = self._with_file(lambda path: commands.call("modes", path, "--count", count, "--no-impulse", "--quiet", *more))
+        return [float(found) for found in re.findall(r"^ *\d+ +([0-9.eE+-]+)", text, re.MULTILINE)]
+
+    def verify(self, *, threads: int | None = None) -> bool:
+        """Whether threads and stops change no bit of its first second (about a minute)."""
+        more: list[Any] = ["-j", threads] if threads else []
+        return self._with_file(lambda path: commands.holds("run", path, "--verify", *more))
+
+    def run(self, folder: Path | None = None, *, until: float | None = None, threads: int | None = None, overwrite: bool = False,
+            progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> Run:
+        """Settles it under gravity, shakes it, writes results. Ctrl-C saves and stops: Stopped; `Run(folder).resume()` goes on.
+
+        folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: more of `voussoir run --help`.
+        """
+        folder = pathlib.Path(folder or pathlib.Path("results") / self._file_name())
+        words: list[Any] = ["-o", folder, *(["--duration", until] if until is not None else []), *(["-j", threads] if threads else []),
+                            *(["--overwrite"] if overwrite else []), *options]
+        self._with_file(lambda path: commands.watch("run", path, *words, progress=progress))
+        return Run(folder)
+
+    def _file_name(self) -> str:
+        return re.sub(r"[^A-Za-z0-9]+", "-", self.case.get("title", "")).strip("-").lower() or "model"
+
+    def _with_file(self, use: Callable[[pathlib.Path], T]) -> T:
+        with tempfile.TemporaryDirectory(prefix="voussoir-") as scratch:
+            return use(self.write(pathlib.Path(scratch) / f"{self._file_name()}.toml"))
+
+
+def opening(wall: str, *, start: float, width: float, height: float, sill: float = 0.0,
+            lintel: float | Mapping[str, float] | None = None) -> dict[str, Any]:
+    """A door or a window for Model.house, m. start: along the wall, from the outer corner of the house. lintel: its length, or its keys."""
+    keys: dict[str, Any] = {"wall": wall, "from": start, "width": width, "sill": sill, "height": height}
+    if lintel is not None:
+        keys["lintel"] = dict(lintel) if isinstance(lintel, Mapping) else {"length": lintel}
+    return keys
+
+
+def _row(values: ArrayLike) -> list[float]:
+    return [float(v) for v in np.asarray(values, dtype=float)]

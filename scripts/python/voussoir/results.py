@@ -1,0 +1,309 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Results of a run as NumPy arrays, read when they are asked for, also while the run goes on.
+
+Names, shapes and meanings are those of io/RESULTS.md.
+"""
+
+import os
+import pathlib
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import FileError, VoussoirError
+
+
+class Array(np.ndarray[Any, Any]):
+    """A NumPy array that knows its `unit`, `name` and `description`. What is computed from it is a plain array: its unit may be another."""
+
+    unit: str
+    name: str
+    description: str
+
+    def __new__(cls, values: Any, unit: str = "", name: str = "", description: str = "") -> "Array":
+        array = np.asarray(values).view(cls)
+        array.unit, array.name, array.description = unit, name, description
+        return array
+
+    def __array_finalize__(self, source: Any) -> None:
+        for attribute in ("unit", "name", "description"):
+            setattr(self, attribute, getattr(source, attribute, ""))
+
+    def __array_wrap__(self, array: NDArray[Any], context: Any = None, return_scalar: bool = False) -> Any:
+        plain = np.asarray(array)
+        return plain[()] if plain.ndim == 0 else plain
+
+
+def open_results(path: str | os.PathLike[str]) -> h5py.File:
+    """The run.h5 of a run, named by its folder or by itself. Raises FileError."""
+    path = pathlib.Path(path)
+    path = path / "run.h5" if path.is_dir() else path
+    if not path.is_file():
+        raise FileError(f"{path}: no such file; wanted the folder of a run, or its run.h5")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise FileError(f"{path}: {error}") from error
+    if file.attrs.get("format") != "voussoir results":
+        file.close()
+        raise FileError(f"{path}: holds no results of Voussoir")
+    return file
+
+
+def array_of(dataset: h5py.Dataset, rows: Any = ()) -> Array:
+    """A dataset, or some of its rows. Texts become str."""
+    values = dataset[rows]
+    if h5py.check_string_dtype(dataset.dtype):
+        values = np.array([v.decode() if isinstance(v, bytes) else v for v in np.atleast_1d(values)], dtype=object)
+    attributes = dataset.attrs
+    return Array(values, str(attributes.get("unit", "")), dataset.name.rsplit("/", 1)[-1], str(attributes.get("description", "")))
+
+
+class Table(Mapping[str, Array]):
+    """A group of run.h5: `table["kinetic"]` or `table.kinetic` reads a column, `list(table)` names them, `table.unit("kinetic")` reads nothing."""
+
+    def __init__(self, group: h5py.Group) -> None:
+        self._group = group
+
+    def _dataset(self, name: str) -> h5py.Dataset:
+        found = self._group.get(name)
+        if not isinstance(found, h5py.Dataset):
+            raise KeyError(f"{self._group.name} has no '{name}'; there are: {', '.join(self) or 'none'}")
+        return found
+
+    def __getitem__(self, name: str) -> Array:
+        return array_of(self._dataset(name))
+
+    def __getattr__(self, name: str) -> Array:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name, data in self._group.items() if isinstance(data, h5py.Dataset))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self]
+
+    def unit(self, name: str) -> str:
+        return str(self._dataset(name).attrs.get("unit", ""))
+
+    def description(self, name: str) -> str:
+        return str(self._dataset(name).attrs.get("description", ""))
+
+    def __repr__(self) -> str:
+        columns = (f"{name} {self._dataset(name).shape} {self.unit(name)}" for name in self)
+        return f"<{self._group.name}: {', '.join(columns)}>"
+
+
+class History(Table):
+    """A followed element: time (rows), displacement, velocity, rotation (rows x 3), from time zero, relative to the base."""
+
+    def __init__(self, group: h5py.Group, time: h5py.Dataset) -> None:
+        super().__init__(group)
+        self._time = time
+
+    def _dataset(self, name: str) -> h5py.Dataset:
+        return self._time if name == "time" else super()._dataset(name)
+
+    def __iter__(self) -> Iterator[str]:
+        yield "time"
+        yield from super().__iter__()
+
+
+class Frame:
+    """All elements at one moment. `position` n x 3 m, `quaternion` n x 4 (w, x, y, z), `broken` n: share of bonds, 0 to 1."""
+
+    def __init__(self, results: "Results", row: int) -> None:
+        self._results, self._group, self.row = results, results.file["frames"], row
+
+    @property
+    def time(self) -> float:
+        return float(self._group["time"][self.row])
+
+    @property
+    def position(self) -> Array:
+        return array_of(self._group["position"], self.row)
+
+    @property
+    def quaternion(self) -> Array:
+        return array_of(self._group["quaternion"], self.row)
+
+    @property
+    def broken(self) -> Array:
+        return array_of(self._group["broken"], self.row)
+
+    def vertices(self) -> NDArray[Any]:
+        """Of all elements, where they are now: v x 3, m, in the rows of /model/vertex."""
+        model = self._results.file["model"]
+        first = model["element/first_vertex"][:]
+        corners = model["vertex"][:]
+        owner = np.searchsorted(first, np.arange(len(corners)), side="right") - 1
+        position, rotation = np.asarray(self.position, float), rotation_matrices(self.quaternion)
+        arms = corners - model["element/position0"][:][owner]
+        placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], arms)
+        return placed
+
+
+def rotation_matrices(quaternions: NDArray[Any]) -> NDArray[Any]:
+    """n x 3 x 3 from n x 4 (w, x, y, z)."""
+    w, x, y, z = np.asarray(quaternions, dtype=float).T
+    rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+class Frames:
+    """`frames[i]`, `frames[-1]`, `frames.at(2.5)`, `len(frames)`; a frame is read when something of it is asked for."""
+
+    def __init__(self, results: "Results") -> None:
+        self._results = results
+
+    @property
+    def time(self) -> Array:
+        return array_of(self._results.file["frames/time"])
+
+    def __len__(self) -> int:
+        return int(self._results.file["frames/time"].shape[0])
+
+    def __getitem__(self, row: int) -> Frame:
+        count = len(self)
+        if not -count <= row < count:
+            raise IndexError(f"frame {row} of {count}")
+        return Frame(self._results, row % count)
+
+    def __iter__(self) -> Iterator[Frame]:
+        return (self[row] for row in range(len(self)))
+
+    def at(self, time: float) -> Frame:
+        """The frame nearest to a time, s."""
+        if not len(self):
+            raise VoussoirError(f"{self._results.folder}: has no frames yet")
+        return self[int(np.argmin(abs(self.time - time)))]
+
+
+class Results:
+    """What stands in run.h5. Nothing is read before it is asked for."""
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        """folder: of a run, or its run.h5."""
+        path = pathlib.Path(folder)
+        self.folder = path.parent if path.name == "run.h5" else path
+        self._path, self._file = path, None
+
+    @property
+    def file(self) -> h5py.File:
+        """The file itself, for what has no name here."""
+        if self._file is None:
+            self._file = open_results(self._path)
+        return self._file
+
+    def refresh(self) -> None:
+        """Of a run that goes on: see the rows that it has written since."""
+        self.close()
+
+    def close(self) -> None:
+        if self._file is not None:
+            self._file.close()
+        self._file = None
+
+    def _table(self, name: str) -> Table:
+        return Table(self.file[name])
+
+    @property
+    def histories(self) -> list[str]:
+        """Names of the followed elements."""
+        return [name for name in self.file["history"] if name != "time"]
+
+    def history(self, name: str) -> History:
+        """Motion of a followed element, by its name in [[output.history]]."""
+        if name not in self.histories:
+            raise VoussoirError(f"{self.folder}: no history '{name}'; there are: {', '.join(self.histories) or 'none'}")
+        return History(self.file["history"][name], self.file["history/time"])
+
+    @property
+    def energy(self) -> Table:
+        """The ledger of energy, J, while settling too: time, kinetic, strain, contact, gravity, input, four losses, residual."""
+        return self._table("energy")
+
+    @property
+    def forces(self) -> Table:
+        """Of the base on the structure: time, base_shear (N), base_moment (N m)."""
+        return self._table("forces")
+
+    @property
+    def damage(self) -> Table:
+        """Counts of segment sides over time."""
+        return self._table("damage")
+
+    @property
+    def cracks(self) -> Table:
+        """A row for each spring that broke, in the order of time."""
+        return self._table("cracks")
+
+    @property
+    def measures(self) -> Table:
+        """Measures of the collapse, a row a frame."""
+        return self._table("measures")
+
+    @property
+    def elements(self) -> Table:
+        """What stands still: material, tag, mass, position0, ... of each element."""
+        return self._table("model/element")
+
+    @property
+    def joints(self) -> Table:
+        return self._table("model/joint")
+
+    @property
+    def frames(self) -> Frames:
+        return Frames(self)
+
+    @property
+    def case(self) -> dict[str, Any]:
+        """The resolved case: all keys with their values."""
+        return tomllib.loads(self.file["case"].attrs["toml"])
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """By name, as in io/RESULTS.md: collapsed, first_crack_time, peak_base_shear, damage_grade, ..."""
+        return _plain(self.file["summary"].attrs)
+
+    @property
+    def walls(self) -> dict[str, dict[str, float]]:
+        """Of each wall: fallen_mass_fraction, peak_drift, ..."""
+        group = self.file["summary"].get("wall")
+        if group is None:
+            return {}
+        table = Table(group)
+        columns = {name: table[name] for name in table}
+        names = columns.pop("name")
+        return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        return _plain(self.file["provenance"].attrs)
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run came to its end."""
+        return bool(self.summary["finished"])
+
+
+def _plain(attributes: Any) -> dict[str, Any]:
+    """Attributes as Python's own types, without the text that says their units."""
+    def value(v: Any) -> Any:
+        return v.decode() if isinstance(v, bytes) else v.item() if isinstance(v, np.generic) else v
+    return {name: value(v) for name, v in attributes.items() if name != "units"}

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""A run: its results, and what the program can still do with it."""
+
+import os
+import pathlib
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from . import commands
+from .commands import Progress
+from .results import Results
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+
+class Run(Results):
+    """Results of a run, and the commands that take one: `Run("results/hut").history("front").displacement`."""
+
+    def resume(self, *, until: float | None = None, threads: int | None = None, progress: bool | Callable[[Progress], None] = True) -> "Run":
+        """Goes on from the newest good checkpoint: after Ctrl-C, a kill, or, with a later end in s, after the end. To the same bits."""
+        self.close()
+        words: list[Any] = ["resume", self.folder]
+        words += ["--until", until] if until is not None else []
+        words += ["-j", threads] if threads else []
+        commands.watch(*words, progress=progress)
+        return self
+
+    def report(self, *, other: "Run | None" = None, output: str | os.PathLike[str] | None = None, overwrite: bool = False) -> pathlib.Path:
+        """One HTML page that shows the run, or this one and another side by side. Its path."""
+        words: list[Any] = ["report", self.folder, *([other.folder] if other else []), *(["-o", output] if output else [])]
+        commands.call(*words, *(["--overwrite"] if overwrite else []))
+        return pathlib.Path(output) if output else self.folder / ("comparison.html" if other else "report.html")
+
+    def stills(self, times: Sequence[float], *, views: Sequence[str] = ("corner",), overwrite: bool = False) -> pathlib.Path:
+        """Pictures at these times, s (needs Chromium). The folder that holds them."""
+        words: list[Any] = ["report", self.folder, "--stills", ",".join(f"{t:g}" for t in times), "--view", ",".join(views)]
+        commands.call(*words, *(["--overwrite"] if overwrite else []))
+        return self.folder / "stills"
+
+    def film(self, file: str | os.PathLike[str], *, view: str = "corner", speed: float = 1.0, overwrite: bool = False) -> pathlib.Path:
+        """A film: .mp4, .webm or .gif (needs Chromium and ffmpeg)."""
+        commands.call("report", self.folder, "--film", file, "--view", view, "--speed", speed, *(["--overwrite"] if overwrite else []))
+        return pathlib.Path(file)
+
+    def same_as(self, other: "Run") -> bool:
+        """Whether the results of two runs are the same, bit for bit (provenance apart)."""
+        self.close()
+        other.close()
+        return commands.holds("compare", self.folder, other.folder)
+
+    def describe(self) -> str:
+        """What came out of it, as `voussoir summary` prints it."""
+        return commands.call("summary", self.folder)
+
+    def plot_histories(self, **options: Any) -> "matplotlib.figure.Figure":
+        """Displacements of the followed elements. options: those of plots.histories."""
+        from . import plots  # here, so that matplotlib is needed by those alone who plot
+        return plots.histories([self], **options)
+
+    def plot_energy(self, **options: Any) -> "matplotlib.figure.Figure":
+        """Where the energy came from and went."""
+        from . import plots
+        return plots.energy(self, **options)
+
+    def plot_damage(self, **options: Any) -> "matplotlib.figure.Figure":
+        """Open segments over time, by what opened them."""
+        from . import plots
+        return plots.damage([self], **options)
+
+    def __repr__(self) -> str:
+        return f"Run({str(self.folder)!r})"

@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Many runs over parameters, from Python. For studies on a cluster, from a file: scripts/study."""
+
+import concurrent.futures
+import csv
+import itertools
+import os
+import pathlib
+import re
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from .errors import FileError, InputError, NumericalFailure, Stopped
+from .model import Model
+from .results import Results
+from .run import Run
+
+
+class Study:
+    """One run for each combination of parameters.
+
+    def wall(height, mortar):
+        model = voussoir.Model(include=["parts/adobe-house", f"parts/{mortar}-mortar"])
+        ...
+        return model
+
+    study = voussoir.Study("results/heights", wall, height=[2.0, 2.4], mortar=["weak", "strong"])
+    study.run(until=6.0, workers=2)      # again after Ctrl-C or a kill: the same call goes on
+    study.write("heights.csv")
+    """
+
+    def __init__(self, folder: str | os.PathLike[str], build: Callable[..., Model], **parameters: Sequence[Any]) -> None:
+        """build: makes the model of one combination; its arguments are the names of `parameters`, each with its values."""
+        self.folder = pathlib.Path(folder)
+        self._build = build
+        self.runs: dict[str, dict[str, Any]] = {}  # by name of the folder: its parameters
+        for values in itertools.product(*parameters.values()):
+            point = dict(zip(parameters, values))
+            name = ",".join(f"{key}={_short(value)}" for key, value in point.items()) or "run"
+            if name in self.runs:
+                raise InputError(f"study {self.folder}: two runs have the name {name}; give values that differ in letters, digits, '.', '+' or '-'")
+            self.runs[name] = point
+
+    def run(self, *, until: float | None = None, threads: int = 1, workers: int = 1, quiet: bool = False) -> "Study":
+        """Runs what has not ended yet, `workers` at a time with `threads` each; what was stopped or killed goes on from its checkpoint.
+
+        All models are built and checked before anything runs. A numerical failure is a result. Raises InputError where the model of a run that is
+        there has changed since, with the name of its folder; Stopped after Ctrl-C, when all runs at work have saved.
+        """
+        models = {name: self._build(**point) for name, point in self.runs.items()}
+        for name, model in models.items():
+            if until is not None:
+                model["time.duration"] = until
+            self._refuse_other(name, model.text())
+            if not (self.folder / name / "run.h5").exists():
+                model.check()
+        self.folder.mkdir(parents=True, exist_ok=True)
+        pool = concurrent.futures.ThreadPoolExecutor(workers)
+        stop: list[bool] = []
+
+        def work(name: str) -> None:
+            if stop or self.status(name) in ("done", "numerical failure"):
+                return
+            if not quiet:
+                print(f"{self.folder / name}", file=sys.stderr)
+            self._one(name, models[name], threads, lambda _: _raise_if(stop))
+
+        jobs = [pool.submit(work, name) for name in models]
+        try:
+            for job in concurrent.futures.as_completed(jobs):
+                job.result()
+        except BaseException as error:
+            stop.append(True)  # each run at work sees it with its next line of progress, saves and stops
+            pool.shutdown(wait=True, cancel_futures=True)
+            if isinstance(error, KeyboardInterrupt) and not isinstance(error, Stopped):
+                raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from error
+            raise
+        pool.shutdown()
+        return self
+
+    def _one(self, name: str, model: Model, threads: int, look: Callable[[Any], None]) -> None:
+        folder = self.folder / name
+        try:
+            if any(folder.glob("checkpoint-*.h5")):
+                Run(folder).resume(threads=threads, progress=look)
+                return
+            _write(self.folder / f"{name}.toml", model.text())
+            model.run(folder, threads=threads, overwrite=True, progress=look)
+        except NumericalFailure as error:
+            _write(folder / "failure.txt", f"{error}\n")
+
+    def _refuse_other(self, name: str, text: str) -> None:
+        before = self.folder / f"{name}.toml"
+        if (self.folder / name / "run.h5").exists() and before.exists() and before.read_text(encoding="utf-8") != text:
+            raise InputError(f"{self.folder / name}: was run with another model ({before}); remove the folder, or give the study another one")
+
+    def status(self, name: str) -> str:
+        """done, numerical failure, stopped (a resume goes on), to be done."""
+        folder = self.folder / name
+        if (folder / "failure.txt").exists():
+            return "numerical failure"
+        if not (folder / "run.h5").exists():
+            return "to be done"
+        results = Results(folder)
+        try:
+            return "done" if results.finished else "stopped"
+        finally:
+            results.close()
+
+    def __iter__(self) -> Iterator[tuple[dict[str, Any], Run]]:
+        """Parameters and run of those that are done."""
+        return ((point, Run(self.folder / name)) for name, point in self.runs.items() if self.status(name) == "done")
+
+    def table(self) -> list[dict[str, Any]]:
+        """A row a run: parameters, status, and of those that are done all of `Run.summary`."""
+        rows = []
+        for name, point in self.runs.items():
+            row = {"run": name, **point, "status": self.status(name)}
+            if row["status"] == "done":
+                results = Results(self.folder / name)
+                row |= results.summary
+                results.close()
+            rows.append(row)
+        return rows
+
+    def write(self, path: str | os.PathLike[str]) -> pathlib.Path:
+        """The table as CSV, replaced if it is there."""
+        rows = self.table()
+        names = list(dict.fromkeys(key for row in rows for key in row))
+        try:
+            with open(path, "w", newline="", encoding="utf-8") as file:
+                writer = csv.DictWriter(file, names, lineterminator="\n")
+                writer.writeheader()
+                writer.writerows(rows)
+        except OSError as error:
+            raise FileError(f"{path}: {error.strerror}") from error
+        return pathlib.Path(path)
+
+
+def _short(value: Any) -> str:
+    """A value in the name of a folder."""
+    text = f"{value:g}" if isinstance(value, float) else str(value)
+    return re.sub(r"[^A-Za-z0-9.+-]+", "_", text).strip("_") or "_"
+
+
+def _raise_if(stop: list[bool]) -> None:
+    if stop:
+        raise Stopped("the study was stopped; the same call goes on")
+
+
+def _write(path: pathlib.Path, text: str) -> None:
+    """Whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(path.name + ".tmp")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, path)

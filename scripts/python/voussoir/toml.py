@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Writes TOML. Python's own tomllib only reads it. Numbers keep all their digits."""
+
+import json
+import math
+import pathlib
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def key_text(key: str) -> str:
+    """A key as it stands in a file: bare if it may be, else in quotes."""
+    return key if _BARE.fullmatch(key) else _string(key)
+
+
+def value_text(value: Any) -> str:
+    """A value as it stands behind "=" and behind `--set KEY=`: numbers, texts, lists, tables in a line, and NumPy's of these.
+
+    Raises TypeError for other types, ValueError for numbers that are not finite.
+    """
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (int, np.integer)):
+        return str(int(value))
+    if isinstance(value, (float, np.floating)):
+        if not math.isfinite(value):
+            raise ValueError(f"{value} is not a finite number")
+        return repr(float(value))
+    if isinstance(value, (str, pathlib.PurePath)):
+        return _string(str(value))
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(map(value_text, value)) + "]"
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{key_text(key)} = {value_text(inner)}" for key, inner in value.items()) + " }"
+    raise TypeError(f"a case cannot hold {value!r}")
+
+
+def document(table: Mapping[str, Any]) -> str:
+    """A whole file: tables as [sections], lists of tables as [[sections]]."""
+    return "\n".join(_lines(table, "")).lstrip("\n") + "\n"
+
+
+def _string(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _is_tables(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(v, Mapping) for v in value)
+
+
+def _lines(table: Mapping[str, Any], path: str) -> list[str]:
+    lines, later = [], []
+    for key, value in table.items():
+        name = path + key_text(key)
+        if isinstance(value, Mapping):
+            later += ["", f"[{name}]", *_lines(value, name + ".")]
+        elif _is_tables(value):
+            for inner in value:
+                later += ["", f"[[{name}]]", *_lines(inner, name + ".")]
+        elif value is not None:
+            lines.append(f"{key_text(key)} = {value_text(value)}")
+    return lines + later

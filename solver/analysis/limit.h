@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/model.h"
+#include "kernels/rows.h"
+#include "solver/analysis/limit_contacts.h"
+
+/// Limit analysis of dry assemblies of rigid blocks (Livesley 1978; Ferris and Tin-Loi 2001), by linear programmes: no tension, friction at
+/// contact points, no crushing; bonds are taken as broken. Nothing moves before it collapses, so no dynamics and no stiffness are in it.
+namespace voussoir::solver {
+
+struct LimitOptions {
+  Vec3 live{1.0, 0.0, 0.0};  // horizontal unit vector: the live force on a body is multiplier × its weight along it
+  int facets = 8;            // of the friction cone, >= 4; in a plane there are two, which are exact
+  bool outer = false;        // facets round the cone instead of in it
+  std::function<void(int programmes, double multiplier)> tick;  // after every programme; may be empty
+};
+
+/// What one rule of flow gives.
+struct LimitState {
+  double multiplier = 0.0;
+  /// Of each body in the mechanism, about its centre of mass; the fastest contact point or centre has the speed 1.
+  std::vector<kernels::Twist> motion;
+  int programmes = 0;
+  double last_change = 0.0;    // of the multiplier in the last iteration, a ratio; 0: there is one programme
+  double off_balance = 0.0;    // largest force or moment over a mean length left on a body, over the mean weight
+  double over_friction = 0.0;  // largest shear above the limit at a point, over the mean weight
+};
+
+struct LimitResult {
+  LimitContacts contacts;
+  double weight = 0.0;      // N, of all bodies
+  double cone_error = 0.0;  // by how much, at most, the facets take friction too low (outer: too high): a ratio
+  bool has_loads = false;   // [[load]] of the case act as dead loads, at their full size
+  bool is_tilt = false;     // no loads, on a level base: a multiplier is the tangent of the base's tilt at collapse
+  /// Slip opens joints by tan φ of its amount. By the static theorem the largest multiplier under which forces keep every body in balance.
+  /// Where slip does not open joints, as in Coulomb's law, no collapse multiplier is higher (Drucker 1954, Radenkovic 1961).
+  LimitState associated;
+  /// Slip opens nothing: a collapse multiplier by the iterations of Gilbert, Casapulla and Ahmed (2006), in which
+  /// each point's yield line T = c + m N is rotated about the compression last found, until its slope m is almost 0. There may be other
+  /// collapse multipliers: forces before collapse are not unique.
+  LimitState coulomb;
+  [[nodiscard]] bool coulomb_converged() const noexcept { return coulomb.last_change <= kConverged; }
+
+  static constexpr double kConverged = 1e-3;
+  static constexpr int kLeastProgrammes = 21, kMostProgrammes = 41;  // of both rules together
+};
+
+/// \throw cases::InputError if there is no gravity, nothing can move, the blocks do not stand under dead loads alone, or the
+/// multiplier is unbounded \throw std::logic_error without linear programmes (has_linear_programmes)
+LimitResult limit_analysis(const cases::Case& c, const cases::Model& model, const LimitOptions& options);
+
+}  // namespace voussoir::solver

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/analysis/limit.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "solver/analysis/limit_mechanism.h"
+#include "solver/analysis/linear_programme.h"
+
+// Limit analysis against closed forms: blocks on a plane, stacks, loads, a tilted base.
+namespace voussoir::testing {
+namespace {
+
+constexpr double kWidth = 0.4, kDepth = 0.3, kHeight = 1.0;  // m
+constexpr double kDensity = 2000.0;                          // kg/m3
+constexpr double kWeight = kDensity * 9.8 * kWidth * kDepth * kHeight;
+
+double tangent(double degrees) { return std::tan(degrees * 3.14159265358979323846 / 180.0); }
+
+cases::BlockSpec box(const std::string& name, Vec3 low, Vec3 high) {
+  cases::BlockSpec b;
+  b.name = name, b.material = "stone", b.box = {{low, high}};
+  return b;
+}
+
+/// Contact points up to the rim, so that levers are those of the block itself.
+cases::Case one_block(double friction) {
+  cases::Case c;
+  c.materials["stone"] = {kDensity, 1e9, 0.2};
+  c.base = cases::Base{};
+  c.contact.friction = friction;
+  c.segment_rule = geometry::SegmentRule::rim;
+  c.blocks.push_back(box("block", {0, 0, 0}, {kWidth, kDepth, kHeight}));
+  return c;
+}
+
+solver::LimitResult analysed(const cases::Case& c, solver::LimitOptions o = {}) {
+  return solver::limit_analysis(c, cases::build_model(c), o);
+}
+
+solver::LimitOptions towards(double degrees, int facets = 8, bool outer = false) {
+  const double angle = degrees * 3.14159265358979323846 / 180.0;
+  solver::LimitOptions o;
+  o.live = {std::cos(angle), std::sin(angle), 0.0}, o.facets = facets, o.outer = outer;
+  return o;
+}
+
+std::string refusal(const cases::Case& c, const solver::LimitOptions& o = {}) {
+  try {
+    analysed(c, o);
+    return "none";
+  } catch (const cases::InputError& e) {
+    return e.what();
+  }
+}
+
+bool near(Vec3 a, Vec3 b) { return norm(a - b) < 1e-6; }
+
+}  // namespace
+
+TEST_SUITE_BEGIN("limit analysis" * doctest::skip(!solver::has_linear_programmes()));
+
+TEST_CASE("limit: a block rocks about its edge") {
+  const solver::LimitResult r = analysed(one_block(60.0));
+  CHECK(r.contacts.plane.has_value());
+  CHECK(r.weight == doctest::Approx(kWeight));
+  CHECK(r.associated.multiplier == doctest::Approx(kWidth / kHeight).epsilon(1e-9));
+  CHECK(r.coulomb.multiplier == doctest::Approx(kWidth / kHeight).epsilon(1e-6));
+  CHECK(r.coulomb_converged());
+  CHECK(r.associated.off_balance < 1e-9);
+  CHECK(r.associated.over_friction < 1e-9);
+  const solver::Mechanism m = solver::mechanism_of(r.contacts, r.associated);
+  REQUIRE(m.parts.size() == 1);
+  const kernels::Twist t = m.parts[0].motion;
+  CHECK(near(t.w / norm(t.w), {0, 1, 0}));
+  CHECK(near(t.v + cross(t.w, Vec3{kWidth, 0.5 * kDepth, 0} - m.parts[0].centre), {}));  // the edge rests
+  REQUIRE(m.seams.size() == 1);
+  CHECK(m.seams[0].hinge);
+  CHECK(m.standing == 0.0);
+}
+
+TEST_CASE("limit: a block slides; Coulomb's slip does not lift it") {
+  const solver::LimitResult r = analysed(one_block(15.0));
+  CHECK(r.associated.multiplier == doctest::Approx(tangent(15.0)).epsilon(1e-9));
+  CHECK(r.coulomb.multiplier == doctest::Approx(tangent(15.0)).epsilon(1e-6));
+  const Vec3 up = r.associated.motion[0].v, level = r.coulomb.motion[0].v;
+  CHECK(up.z / up.x == doctest::Approx(tangent(15.0)).epsilon(1e-6));
+  CHECK(level.z / level.x == doctest::Approx(0.01 * tangent(15.0)).epsilon(1e-3));  // what the iterations leave of it
+}
+
+TEST_CASE("limit: facets in the friction cone and round it bracket the cone") {
+  // A dead force across the live one of a tenth of the weight turns the shear away from the corner of a facet.
+  const double exact = std::sqrt(tangent(15.0) * tangent(15.0) - 0.01);
+  const auto pushed = [](double degrees) {
+    cases::Case c = one_block(15.0);
+    cases::Load load;
+    const double angle = degrees * 3.14159265358979323846 / 180.0;
+    load.block = "block", load.force = 0.1 * kWeight * Vec3{-std::sin(angle), std::cos(angle), 0.0};
+    c.loads.push_back(load);
+    return c;
+  };
+  for (const double degrees : {0.0, 10.0, 22.5, 77.0}) {
+    const solver::LimitResult in = analysed(pushed(degrees), towards(degrees)), out = analysed(pushed(degrees), towards(degrees, 8, true));
+    INFO(degrees);
+    const auto shear = [](const solver::LimitResult& r) { return std::hypot(r.associated.multiplier, 0.1) / tangent(15.0); };
+    CHECK(in.associated.multiplier < exact);
+    CHECK(shear(in) >= 1.0 - in.cone_error - 1e-9);
+    CHECK(out.associated.multiplier > exact);
+    CHECK(shear(out) <= 1.0 + out.cone_error + 1e-9);
+  }
+  CHECK(analysed(one_block(15.0), towards(33.0)).cone_error == doctest::Approx(1.0 - std::cos(3.14159265358979323846 / 8.0)));
+  CHECK(analysed(pushed(33.0), towards(33.0, 64)).associated.multiplier == doctest::Approx(exact).epsilon(1.3e-3));
+}
+
+TEST_CASE("limit: askew, a block tips over its corner's edges: the lesser of two") {
+  // About the edge at x = width: live × cos × h/2 = width/2; about that at y = depth: live × sin × h/2 = depth/2.
+  const double degrees = 20.0, c = std::cos(degrees * 3.14159265358979323846 / 180.0),
+               s = std::sin(degrees * 3.14159265358979323846 / 180.0);
+  CHECK(analysed(one_block(70.0), towards(degrees)).associated.multiplier ==
+        doctest::Approx(std::min(kWidth / (kHeight * c), kDepth / (kHeight * s))).epsilon(1e-6));
+}
+
+TEST_CASE("limit: points at the centres of segments shorten the lever") {
+  cases::Case c = one_block(60.0);
+  c.segment_rule = geometry::SegmentRule::centres, c.segment_size = 0.1;
+  CHECK(analysed(c).associated.multiplier == doctest::Approx(kWidth * (1.0 - 1.0 / 4.0) / kHeight).epsilon(1e-9));
+}
+
+TEST_CASE("limit: dead loads do not grow, and count where they act") {
+  cases::Case c = one_block(70.0);
+  cases::Load load;
+  load.block = "block", load.force = {0.0, 0.0, -2.0 * kWeight}, load.at = Vec3{0.25 * kWidth, 0.5 * kDepth, kHeight};
+  c.loads.push_back(load);
+  // About the edge: live × h/2 = width/2 + 2 × 3/4 width.
+  CHECK(analysed(c).associated.multiplier == doctest::Approx(4.0 * kWidth / kHeight).epsilon(1e-6));
+  CHECK(analysed(c).has_loads);
+  CHECK_FALSE(analysed(c).is_tilt);
+  CHECK(analysed(one_block(70.0)).is_tilt);
+}
+
+TEST_CASE("limit: a tilted base has taken its share") {
+  cases::Case c = one_block(60.0);
+  c.base->tilt = {0.0, 5.0};
+  CHECK_FALSE(analysed(c).is_tilt);  // what it adds to a tilt is no tangent
+  const double angle = 5.0 * 3.14159265358979323846 / 180.0, slope = kWidth / kHeight;
+  const double one = analysed(c, towards(0.0)).associated.multiplier, other = analysed(c, towards(180.0)).associated.multiplier;
+  CHECK(std::min(one, other) == doctest::Approx(slope * std::cos(angle) - std::sin(angle)).epsilon(1e-6));
+  CHECK(std::max(one, other) == doctest::Approx(slope * std::cos(angle) + std::sin(angle)).epsilon(1e-6));
+}
+
+TEST_CASE("limit: a stack parts at its weakest bed; no associated factor is below Coulomb's") {
+  cases::Case c = one_block(60.0);
+  c.blocks.push_back(box("top", {0.1, 0, kHeight}, {0.3, kDepth, kHeight + 1.0}));
+  const solver::LimitResult r = analysed(c);
+  CHECK(r.associated.multiplier == doctest::Approx(0.2).epsilon(1e-9));  // the upper block on its own
+  const solver::Mechanism m = solver::mechanism_of(r.contacts, r.associated);
+  REQUIRE(m.parts.size() == 1);
+  CHECK(m.standing == doctest::Approx(kDensity * kWidth * kDepth * kHeight));
+  CHECK(r.coulomb.multiplier <= r.associated.multiplier * (1.0 + 1e-9));
+}
+
+TEST_CASE("limit: what cannot be answered is refused in words") {
+  cases::Case weightless = one_block(30.0);
+  weightless.gravity.acceleration = {};
+  CHECK(refusal(weightless).starts_with("gravity.acceleration: is zero"));
+  cases::Case leaning = one_block(30.0);
+  leaning.base->tilt = {0.0, 31.0};
+  CHECK(refusal(leaning).starts_with("does not stand under its dead loads alone"));
+  cases::Case fixed = one_block(30.0);
+  fixed.blocks[0].fixed = true;
+  CHECK(refusal(fixed).starts_with("has no block that could move"));
+  cases::Case boxed = one_block(30.0);  // between two fixed blocks as high as itself
+  for (const double x : {-0.2, kWidth}) {
+    boxed.blocks.push_back(box("stop" + std::to_string(boxed.blocks.size()), {x, 0, 0}, {x + 0.2, kDepth, kHeight}));
+    boxed.blocks.back().fixed = true;
+  }
+  CHECK(refusal(boxed).starts_with("has no collapse multiplier in this direction"));
+}
+
+TEST_SUITE_END();
+
+}  // namespace voussoir::testing
