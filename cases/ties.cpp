@@ -262,4 +262,8 @@ void place_ties(const Case& c, Model& model) {
   check_names(c, model);
 }
 
+std::size_t own_ties(const Model& model) noexcept {
+  return static_cast<std::size_t>(std::ranges::count_if(model.ties, [](const TieBar& t) { return t.mesh < 0; }));
+}
+
 }  // namespace voussoir::cases

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "cases/model.h"
 
 /// Where ties hold: from the points and plates of the case file to elements.
@@ -18,5 +20,8 @@ namespace voussoir::cases {
 ///
 /// \pre the model is assembled \throw InputError with the key at fault
 void place_ties(const Case& c, Model& model);
+
+/// Number of ties by themselves: the first of model.ties; those behind them belong to meshes.
+std::size_t own_ties(const Model& model) noexcept;
 
 }  // namespace voussoir::cases

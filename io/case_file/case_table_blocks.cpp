@@ -177,33 +177,6 @@ Table<Load> load_table() {
           }};
 }
 
-Table<Tie> tie_table() {
-  using S = Tie;
-  return {
-      "a rod, cable, strap or bar between two points of the model",
-      {required(value<S>("name", &S::name, "", filled(), "a name of its own, for results and messages")),
-       required(value<S>("from", &S::from, "m", any(), "a point in or on an element, or on the base; with a plate, on an outer face")),
-       required(value<S>("to", &S::to, "m", any(), "its other end, likewise")),
-       required(value<S>("area", &S::area, "m2", above(0.0), "of its section")),
-       value<S>("young", &S::young, "Pa", above(0.0), "modulus; the default is that of steel"),
-       value<S>("yield", &S::yield, "Pa", above(0.0), "stress at which it yields; none: elastic"),
-       value<S>("hardening", &S::hardening, "Pa", at_least(0.0), "slope of stress over strain beyond yield"),
-       value<S>("elongation", &S::elongation, "", above(0.0), "strain at which it breaks; none: never"),
-       value<S>("pretension", &S::pretension, "N", at_least(0.0),
-                "force that it would have if its ends did not move; put on with gravity, or at once without settling"),
-       value<S>("compression", &S::compression, "", any(), "bears compression, too, without buckling; else it goes slack"),
-       value<S>("plate", &S::plate, "m", above(0.0),
-                "width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one element")},
-      [](const S& s, const RuleCheck& check) {
-        if (s.hardening >= s.young) check.fault("hardening", "must be below tie.young");
-        if (s.hardening > 0.0 && !s.yield) check.fault("hardening", "needs yield");
-        if (s.yield && s.pretension > *s.yield * s.area)
-          check.fault("pretension", "is over the force at which the tie yields (yield x area)");
-        if (s.elongation && s.pretension >= *s.elongation * s.young * s.area)
-          check.fault("pretension", "is over the force at which the tie breaks (elongation x young x area)");
-      }};
-}
-
 Table<Motion> motion_table() {
   using S = Motion;
   const std::vector<std::pair<std::string, std::string>> directions{{"LTV", "LTV"}, {"LVT", "LVT"}, {"TLV", "TLV"},

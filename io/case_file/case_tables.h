@@ -15,5 +15,7 @@ Table<cases::Output> output_table();
 Table<cases::BlockSpec> block_table();
 Table<cases::Load> load_table();
 Table<cases::Tie> tie_table();
+Table<cases::HouseTie> house_tie_table();
+Table<cases::HouseMesh> house_mesh_table();
 
 }  // namespace voussoir::io

@@ -155,6 +155,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);
   print_bill(n, model);
+  print_tie_bill(model);
   print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/ties.h"
 #include "io/results/results.h"
 
 #include <algorithm>
@@ -82,8 +83,8 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       case_toml_(std::move(case_toml)),
       elements_(model.blocks.size()),
       histories_(history_names.size()),
-      ties_(model.ties.size()),
-      schema_(row_schema(history_names, model.blocks.size(), options.cuts, model.ties.size())),
+      ties_(cases::own_ties(model)),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size())),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {

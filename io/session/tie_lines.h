@@ -11,6 +11,9 @@ namespace voussoir::io {
 /// A line a tie: length, stiffness, yield force, how many elements each end holds.
 void print_ties(const cases::Model& model);
 
+/// What [[tie]], [[house.tie]] and [[house.mesh]] take: m of rod, m2 of mesh, anchors.
+void print_tie_bill(const cases::Model& model);
+
 /// A warning for each tie whose stiffness the step bounds (THEORY.md (32)).
 void print_bounded_ties(const solver::Ties& ties, const cases::Model& model);
 

@@ -103,7 +103,7 @@ class Recorder {
   virtual ~Recorder() = default;
   /// One sample per Output::history entry, in order.
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
-  /// Before history() of the same time: one sample a tie, in order; not called where there are none.
+  /// Before history() of the same time: one sample a tie that is in no mesh, in order; not called where there are none.
   virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <span>
 
+#include "cases/ties.h"
 #include "solver/run/collapse.h"
 #include "solver/world/errors.h"
 
@@ -69,9 +71,11 @@ class Reporter {
 
  private:
   void ties(double time) {
-    if (sim_.world().ties.state.empty()) return;
+    const std::size_t own = cases::own_ties(sim_.world().model);
+    if (own == 0) return;
     ties_.clear();
-    for (const kernels::TieState& s : sim_.world().ties.state) ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
+    for (const kernels::TieState& s : std::span(sim_.world().ties.state).first(own))
+      ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
     out_.ties(time, ties_);
   }
 

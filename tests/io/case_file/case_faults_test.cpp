@@ -200,31 +200,6 @@ TEST_CASE("faults: rules of blocks and loads") {
   CHECK(refusal("[[load]]\nblock = \"a\"\nramp = [1, 0]").starts_with("test.toml:3: load[0].ramp = [1, 0] s: must be"));
 }
 
-TEST_CASE("faults: ties") {
-  const std::string tie = "[[tie]]\nname = \"t\"\nfrom = [0,0,0]\nto = [1,0,0]\n", section = tie + "area = 1e-4\n";
-  CHECK(refusal(section) == "accepted");
-  CHECK(refusal("[[tie]]\nfrom = [0,0,0]\nto = [1,0,0]\narea = 1e-4") ==
-        "test.toml:1: tie[0].name is missing; wanted a string in quotes, must not be empty: a name of its own, for results and messages");
-  CHECK(refusal("[[tie]]\nname = \"t\"\nto = [1,0,0]\narea = 1e-4").starts_with("test.toml:1: tie[0].from is missing; wanted an array"));
-  CHECK(refusal("[[tie]]\nname = \"t\"\nfrom = [1,0,0]\narea = 1e-4").starts_with("test.toml:1: tie[0].to is missing; wanted an array"));
-  CHECK(refusal(tie).starts_with("test.toml:1: tie[0].area is missing; wanted a number (m2, > 0)"));
-  CHECK(refusal(tie + "area = 0") == "test.toml:5: tie[0].area = 0 m2: must be > 0");
-  CHECK(refusal(section + "young = 0") == "test.toml:6: tie[0].young = 0 Pa: must be > 0");
-  CHECK(refusal(section + "yield = -1") == "test.toml:6: tie[0].yield = -1 Pa: must be > 0");
-  CHECK(refusal(section + "hardening = -1") == "test.toml:6: tie[0].hardening = -1 Pa: must be >= 0");
-  CHECK(refusal(section + "hardening = 1e9") == "test.toml:6: tie[0].hardening = 1e+09 Pa needs yield");
-  CHECK(refusal(section + "yield = 3e8\nhardening = 3e11") == "test.toml:7: tie[0].hardening = 3e+11 Pa: must be below tie.young");
-  CHECK(refusal(section + "elongation = 0") == "test.toml:6: tie[0].elongation = 0: must be > 0");
-  CHECK(refusal(section + "pretension = -5") == "test.toml:6: tie[0].pretension = -5 N: must be >= 0");
-  CHECK(refusal(section + "yield = 1e8\npretension = 10001") ==
-        "test.toml:7: tie[0].pretension = 10001 N is over the force at which the tie yields (yield x area)");
-  CHECK(refusal(section + "elongation = 1e-3\nyoung = 1e11\npretension = 10001") ==
-        "test.toml:8: tie[0].pretension = 10001 N is over the force at which the tie breaks (elongation x young x area)");
-  CHECK(refusal(section + "compression = 1").find("wanted true or false") != std::string::npos);
-  CHECK(refusal(section + "plate = [0.1, 0]") == "test.toml:6: tie[0].plate[1] = 0 m: must be > 0");
-  CHECK(refusal(section + "lenght = 1").find("unknown key") != std::string::npos);
-}
-
 TEST_CASE("faults: rules of motion and histories") {
   CHECK(refusal("[motion]\nrecord = \"r\"\nx = \"f\"").starts_with("test.toml:3: motion.x = \"f\" does not go with motion.record"));
   CHECK(refusal("[motion]\nrecord = \"r\"\nT = \"f\"").starts_with("test.toml:3: motion.T = \"f\" does not go with motion.record"));
