@@ -207,6 +207,51 @@ struct Roof {
   int voussoirs = 25;                                // of a ring (vault, gables)
   double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
 };
+/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
+struct Tie {
+  std::string name;
+  Vec3 from, to;                               // m
+  double area = 0.0;                           // m2, of the section
+  double young = 2.1e11;                       // Pa
+  std::optional<double> yield;                 // Pa; none: elastic
+  double hardening = 0.0;                      // Pa, slope of stress over strain beyond yield
+  std::optional<double> elongation;            // strain at which it breaks; none: never
+  double pretension = 0.0;                     // N, if its ends did not move
+  bool compression = false;                    // true: a bar; false: goes slack
+  std::optional<std::array<double, 2>> plate;  // m, width and height of the anchor plates; none: each end holds one element
+};
+/// Rods of a house, by wall and height (cases/house/house_ties.h).
+enum class HouseTieKind { along, across, corner };
+struct HouseTie {
+  HouseTieKind kind = HouseTieKind::along;
+  std::vector<std::string> walls;  // empty: all that are built
+  std::vector<double> heights;     // m, above the foot of the walls
+  std::vector<double> at;          // m, across: along the wall from the outer corner
+  std::optional<double> depth;     // m, along: from the outer face of the wall; none: in its middle
+  double reach = 0.0;              // m, corner: along both walls, from the outer corner to the rod's ends
+  Tie bar;                         // without ends
+};
+/// Bars through the wall from node to node of a mesh.
+struct MeshConnectors {
+  int every = 2;                             // nodes, along and up
+  double area = 0.0, young = 2.1e11;         // m2, Pa
+  std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
+};
+/// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
+enum class MeshFaces { both, outside, inside };
+struct HouseMesh {
+  std::string name;
+  std::vector<std::string> walls;              // empty: all that are built
+  double from = 0.0;                           // m, above the foot of the walls
+  std::optional<double> to;                    // m; none: the top of the walls
+  std::array<double, 2> spacing{0.2, 0.2};     // m, of the nodes along and up
+  MeshFaces faces = MeshFaces::both;
+  double stiffness = 0.0;                      // N per m of width, force over strain
+  std::optional<double> strength;              // N per m of width, at which it yields; none: elastic
+  std::optional<double> elongation;            // strain at which it breaks; none: never
+  std::optional<MeshConnectors> connectors;
+};
+
 /// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
 enum class RingPlace { inside, middle };
 struct Reinforcement {
@@ -232,6 +277,8 @@ struct House {
   Roof roof;
   std::vector<Opening> openings;  // key: opening
   std::optional<Reinforcement> reinforcement;
+  std::vector<HouseTie> ties;     // key: tie
+  std::vector<HouseMesh> meshes;  // key: mesh
 };
 
 /// The whole case file.
@@ -254,6 +301,7 @@ struct Case {
   std::optional<House> house;
   std::vector<BlockSpec> blocks;  // key: block
   std::vector<Load> loads;        // key: load
+  std::vector<Tie> ties;          // key: tie
   std::optional<Base> base;
   std::string folder;  // of the case file; relative paths in the case start here (not a key)
 

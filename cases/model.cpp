@@ -12,6 +12,7 @@
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"
+#include "cases/ties.h"
 
 namespace voussoir::cases {
 namespace {
@@ -162,6 +163,7 @@ Model build_model(const Case& c) {
   assemble(c, model);
   pick_laws(rules, model);
   model.joint_strength = strength_factors(c.scatter, model);
+  place_ties(c, model);
   return model;
 }
 

@@ -57,6 +57,35 @@ struct NamedLaw {
   JointLaw value;
 };
 
+/// A share of the force of a tie's end: it acts on this element (geometry::kBase: the base) at a point that moves with it.
+struct TieHold {
+  std::int32_t element = 0;
+  double share = 1.0;
+  Vec3 point;  // m, at the start
+};
+
+/// A tie with its ends found; lengths and forces of the whole bar.
+struct TieBar {
+  std::string name;
+  std::array<std::vector<TieHold>, 2> ends;  // the shares of an end sum to 1
+  double length = 0.0;                       // m, between the ends as they stand
+  double stiffness = 0.0;                    // N/m, E A / length
+  double yield = 0.0;                        // N; infinite: elastic
+  double hardening = 0.0;                    // N/m, of the yield force over the plastic elongation
+  double breaking = 0.0;                     // m, elongation; infinite: never
+  double pretension = 0.0;                   // N
+  bool compression = false;
+  std::int32_t mesh = -1;  // of House::meshes; −1: a tie by itself
+};
+
+/// What strengthening takes of material: all of a [[tie]], a [[house.tie]] or a [[house.mesh]].
+struct TieBill {
+  std::string name;
+  std::int64_t ties = 0, anchors = 0;  // anchors: plates, and ends of connectors
+  double length = 0.0;                 // m of rod
+  double area = 0.0;                   // m2 of mesh
+};
+
 struct Model {
   std::vector<Block> blocks;
   std::vector<NamedMaterial> materials;
@@ -66,6 +95,8 @@ struct Model {
   geometry::Assembly assembly;                  // of the blocks, in order
   std::vector<std::int32_t> joint_law;          // by assembly joint, into laws
   std::vector<double> contact_friction;         // degrees, see cases/contact_rules.h
+  std::vector<TieBar> ties;                     // those by themselves before those of meshes
+  std::vector<TieBill> tie_bill;
   std::vector<double> joint_strength;           // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 

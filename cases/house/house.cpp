@@ -13,7 +13,7 @@ namespace voussoir::cases {
 namespace {
 
 /// Exact: coordinates are swapped and negated, never multiplied by a rounded cosine.
-Vec3 turned(Vec3 v, int quarter_turns) {
+Vec3 turned(Vec3 v, int quarter_turns) noexcept {
   for (int i = 0; i < quarter_turns; ++i) v = {-v.y, v.x, v.z};
   return v;
 }
@@ -23,11 +23,10 @@ std::vector<Block> placed_copies(const House& house, const HousePlan& plan, cons
   all.reserve(parts.blocks.size() * static_cast<std::size_t>(house.copies[0]) * static_cast<std::size_t>(house.copies[1]));
   for (int j = 0; j < house.copies[1]; ++j) {
     for (int i = 0; i < house.copies[0]; ++i) {
-      const Vec3 by{house.origin[0] + i * house.spacing[0], house.origin[1] + j * house.spacing[1], 0.0};
       for (const Block& block : parts.blocks) {
         all.push_back(block);
         all.back().house = i + j * house.copies[0];
-        for (Vec3& v : all.back().shape.vertices) v = turned(v, plan.quarter_turns) + by;
+        for (Vec3& v : all.back().shape.vertices) v = in_case(house, plan, i, j, v);
       }
     }
   }
@@ -62,6 +61,10 @@ std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const
   NamedMaterial loaded{surcharged_name(house), materials[static_cast<std::size_t>(bare)].value, bare};
   loaded.value.density += surcharge_density(house);
   return loaded;
+}
+
+Vec3 in_case(const House& house, const HousePlan& plan, int i, int j, Vec3 v) noexcept {
+  return turned(v, plan.quarter_turns) + Vec3{house.origin[0] + i * house.spacing[0], house.origin[1] + j * house.spacing[1], 0.0};
 }
 
 HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cases/house/house_plan.h"
@@ -25,6 +26,15 @@ struct HouseBox {
 
 /// The house's axes for a box in a wall's own coordinates.
 HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept;
+
+/// A point on or in a wall [m], axes of the house, from the wall's own coordinates.
+Vec3 on_wall(const HousePlan& plan, Side side, double along, double depth, double height) noexcept;
+
+/// The walls that a list names, or all that are built. \throw InputError at an entry of `key`.walls that names none
+std::vector<Side> chosen_walls(const HousePlan& plan, const std::vector<std::string>& walls, const std::string& key);
+
+/// From the axes of the house to those of the case, for copy (i, j).
+Vec3 in_case(const House& house, const HousePlan& plan, int i, int j, Vec3 v) noexcept;
 
 /// A quarter of the shortest edge of a whole unit, m.
 double segment_size_of(Tick a, Tick b, Tick c) noexcept;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include "io/case_file/catalogue.h"
@@ -128,10 +130,18 @@ class Reader {
     return whole;
   }
 
+  /// "parts/mesh.toml", unless the folder of the including case has a file of that name.
+  static std::optional<CatalogueEntry> ready_part(const CaseText& from, const std::string& name) {
+    std::error_code none;
+    if (!name.starts_with("parts/") || fs::exists(fs::path(from.folder) / name, none)) return std::nullopt;
+    return built_in_part(name.ends_with(".toml") ? name : name + ".toml");
+  }
+
   static CaseText find(const CaseText& from, const std::string& name, const std::string& where) {
     if (from.built_in) {
       if (const auto part = built_in_part(name)) return text_of(*part);
     }
+    if (const auto part = ready_part(from, name)) return text_of(*part);
     if (is_path(name)) {
       try {
         return read_file((fs::path(from.folder) / name).lexically_normal().string());

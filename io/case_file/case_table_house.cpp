@@ -97,7 +97,8 @@ Table<House> house_table() {
        value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "thickness"),
        value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"),
        table<S>("roof", &S::roof, roof_table()), table<S>("opening", &S::openings, opening_table()),
-       table<S>("reinforcement", &S::reinforcement, reinforcement_table())},
+       table<S>("reinforcement", &S::reinforcement, reinforcement_table()), table<S>("tie", &S::ties, house_tie_table()),
+       table<S>("mesh", &S::meshes, house_mesh_table())},
       nullptr};
 }
 

@@ -201,20 +201,29 @@ void check_reserved_names(const Case& c, const RuleCheck& check) {
 
 Table<Case> case_table() {
   using S = Case;
-  return {
-      "the whole case",
-      {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
-       value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
-       table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
-       table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
-       table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
-       table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
-       table<S>("analysis", &S::analysis, analysis_table()), table<S>("motion", &S::motion, motion_table()),
-       table<S>(
-           "segments", [](auto& c) -> auto& { return c; }, segments_table()),
-       table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),
-       table<S>("block", &S::blocks, block_table()), table<S>("load", &S::loads, load_table()), table<S>("base", &S::base, base_table())},
-      [](const Case& c, const RuleCheck& check) { check_reserved_names(c, check), check_analysis(c, check); }};
+  return {"the whole case",
+          {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
+           value<S>("source", &S::source, "", any(), "where the numbers come from"),
+           table<S>("gravity", &S::gravity, gravity_table()),
+           table<S>("time", &S::time, time_table()),
+           table<S>("damping", &S::damping, damping_table()),
+           table<S>("materials", &S::materials, material_table()),
+           table<S>("joint_laws", &S::joint_laws, joint_law_table()),
+           table<S>("scatter", &S::scatter, scatter_table()),
+           table<S>("failure", &S::failure, failure_table()),
+           table<S>("joints", &S::joints, joints_table()),
+           table<S>("contact", &S::contact, contact_table()),
+           table<S>("analysis", &S::analysis, analysis_table()),
+           table<S>("motion", &S::motion, motion_table()),
+           table<S>(
+               "segments", [](auto& c) -> auto& { return c; }, segments_table()),
+           table<S>("output", &S::output, output_table()),
+           table<S>("house", &S::house, house_table()),
+           table<S>("block", &S::blocks, block_table()),
+           table<S>("load", &S::loads, load_table()),
+           table<S>("tie", &S::ties, tie_table()),
+           table<S>("base", &S::base, base_table())},
+          [](const Case& c, const RuleCheck& check) { check_reserved_names(c, check), check_analysis(c, check); }};
 }
 
 }  // namespace voussoir::io

@@ -17,5 +17,8 @@ Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();
 /// What [analysis] asks of the rest of the case.
 void check_analysis(const cases::Case& c, const RuleCheck& check);
+Table<cases::Tie> tie_table();
+Table<cases::HouseTie> house_tie_table();
+Table<cases::HouseMesh> house_mesh_table();
 
 }  // namespace voussoir::io

@@ -18,6 +18,7 @@
 #include "io/report/drawing.h"
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
+#include "io/session/tie_lines.h"
 #include "solver/run/simulation.h"
 #include "solver/world/errors.h"
 
@@ -147,11 +148,14 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_levers(c.value, model);
+  print_ties(model);
+  print_bounded_ties(sim.world().ties, model);
   print_step(n, model, sim.dt());
   print_friction(c.value.contact);
   std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);
   print_bill(n, model);
+  print_tie_bill(model);
   print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);

@@ -12,6 +12,7 @@
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
 #include "solver/analysis/drive.h"
+#include "io/session/tie_lines.h"
 
 namespace voussoir::io {
 
@@ -26,6 +27,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
+  print_bounded_ties(sim.world().ties, model);
   warn_of_slips(c.value, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);

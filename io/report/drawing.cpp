@@ -23,6 +23,7 @@ constexpr double kSheet = 760.0;                                                
 constexpr double kLargestScale = 140.0;                                           // units per metre
 constexpr double kBehind = 0.55;  // m; a wall deeper than this behind the nearest face is drawn darker
 constexpr const char* kNamed = "#d62828";
+constexpr const char* kTie = "#1d4e9e";
 
 /// A direction of view: screen axes right and up, and into the picture.
 struct View {
@@ -177,6 +178,9 @@ class Drawing {
     for (const auto& [element, name] : named_) {  // one inside the wall too
       if (frame.depth(model_.assembly.elements[element].mass.centroid) <= nearest + kBehind) label(svg, frame, element);
     }
+    for (const cases::TieBar& t : model_.ties) {  // straps of the near faces alone, rods wherever they are
+      if (t.mesh < 0 || std::max(frame.depth(end_of(t, 0)), frame.depth(end_of(t, 1))) <= nearest + kBehind) draw_tie(svg, frame, t);
+    }
     const Vec3 size = box_.high - box_.low;
     const double width = scale_ * std::abs(dot(size, view.right));
     svg.line({corner.s - 8.0, corner.t + height}, {corner.s + width + 8.0, corner.t + height}, "#222", 1.5);
@@ -190,8 +194,25 @@ class Drawing {
       const Polygon section = section_at(model_.blocks[e].shape, z, frame);
       if (section.size() > 2) svg.polygon(section, fill(e, 1.0));
     }
+    for (const cases::TieBar& t : model_.ties) {
+      if (t.mesh < 0) draw_tie(svg, frame, t);
+    }
     for (const auto& [element, name] : named_) label(svg, frame, element);
     svg.text({corner.s, corner.t + height + kCaption}, "plan at z = " + metres_text(z) + " m; front below", 13.0);
+  }
+
+  static Vec3 end_of(const cases::TieBar& t, std::size_t end) {
+    Vec3 at;
+    for (const cases::TieHold& h : t.ends[end]) at += h.share * h.point;
+    return at;
+  }
+
+  /// A rod with a dot at either end, also where it is seen end on; a strap as a thin line.
+  static void draw_tie(Svg& svg, const Frame& frame, const cases::TieBar& t) {
+    const std::array<Point2, 2> ends{frame.at(end_of(t, 0)), frame.at(end_of(t, 1))};
+    svg.line(ends[0], ends[1], kTie, t.mesh < 0 ? 2.0 : 0.6);
+    if (t.mesh >= 0) return;
+    for (const Point2 at : ends) svg.circle(at, 3.0, kTie);
   }
 
   /// The convex polygon in which a plane of constant z cuts a block.
@@ -232,6 +253,9 @@ class Drawing {
       svg.text({left + 22.0, top + 11.0}, words, 12.0);
       left += 46.0 + 7.0 * static_cast<double>(words.size());
     }
+    if (model_.ties.empty()) return;
+    svg.line({left, top + 6.0}, {left + 16.0, top + 6.0}, kTie, 2.0);
+    svg.text({left + 22.0, top + 11.0}, "tie: " + std::to_string(model_.ties.size()), 12.0);
   }
 
   static std::string metres_text(double value) {

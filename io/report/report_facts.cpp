@@ -26,6 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMostTies = 6;        // curves in one diagram
 constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of a hundred seconds; the page shows their peaks
 
 /// Every so many rows are shown of `rows`.
@@ -91,6 +92,24 @@ void add_base_shear(const Hdf5File& file, Json& plots) {
   plots.push_back(plot("Base shear", "kN", thinned(time), std::move(curves)));
 }
 
+/// Of ties, those that bear most.
+void add_ties(const Hdf5File& file, Json& plots) {
+  if (!file.exists("/ties/force")) return;
+  const std::vector<std::string> names = file.read_strings("/model/tie");
+  const std::vector<double> time = file.read<double>("/history/time"), force = file.read<double>("/ties/force");
+  if (time.empty() || force.size() != names.size() * time.size()) return;
+  std::vector<double> most(names.size(), 0.0);
+  for (std::size_t i = 0; i < force.size(); ++i) most[i % names.size()] = std::max(most[i % names.size()], std::abs(force[i]));
+  std::vector<std::size_t> order(names.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return most[a] > most[b]; });
+  order.resize(std::min(order.size(), kMostTies));
+  std::ranges::sort(order);
+  Json curves = Json::array();
+  for (const std::size_t k : order) curves.push_back(curve(names[k], thinned(force, k, names.size(), 1e-3)));
+  plots.push_back(plot(order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)));
+}
+
 /// \param prefix  of the datasets' names in /damage
 void add_sides(const Hdf5File& file, const char* title, const std::string& prefix, std::initializer_list<const char*> names, Json& plots) {
   Json sides = Json::array();
@@ -110,7 +129,7 @@ void add_tables(const Hdf5File& file, Json& plots) {
   if (given.size() != time.size() || gravity.size() != time.size()) throw FileError(file.path(), "/energy does not fit together");
   for (std::size_t i = 0; i < given.size(); ++i) given[i] -= gravity[i];
   const std::vector<std::pair<const char*, const char*>> kinds{
-      {"kinetic", "kinetic"},   {"strain", "strain of joints"}, {"contact", "strain of contacts"}, {"dashpot", "lost in impact"},
+      {"kinetic", "kinetic"},   {"strain", file.exists("/ties/force") ? "strain of joints and ties" : "strain of joints"}, {"contact", "strain of contacts"}, {"dashpot", "lost in impact"},
       {"friction", "friction"}, {"fracture", "fracture"},       {"damping", "mass damping"}};
   for (const auto& [column, name] : kinds)
     energy.push_back(curve(name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)));
@@ -257,6 +276,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   add_capacity(file, facts);
   add_histories(file, facts["plots"]);
   add_base_shear(file, facts["plots"]);
+  add_ties(file, facts["plots"]);
   add_tables(file, facts["plots"]);
   add_building(file, facts);
   facts["summary"] =

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/ties.h"
 #include "io/results/results.h"
 
 #include <algorithm>
@@ -103,7 +104,8 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       case_toml_(std::move(case_toml)),
       elements_(model.blocks.size()),
       histories_(history_names.size()),
-      schema_(row_schema(history_names, model.blocks.size(), options.cuts)),
+      ties_(cases::own_ties(model)),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size())),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
@@ -147,7 +149,21 @@ void ResultsWriter::history(double time, std::span<const solver::HistorySample> 
     to.put(column++, s.velocity);
     to.put(column++, s.rotation);
   }
+  if (!ties_.empty()) put_ties(to, column);
   write_if_due();
+}
+
+void ResultsWriter::ties(double, std::span<const solver::TieSample> samples) {
+  if (samples.size() != ties_.size()) throw std::logic_error("a row of ties has another number of samples than the model");
+  std::ranges::copy(samples, ties_.begin());
+}
+
+void ResultsWriter::put_ties(RowBuffer& to, std::size_t column) {
+  for (const auto value : {&solver::TieSample::force, &solver::TieSample::elongation, &solver::TieSample::plastic}) {
+    for (const solver::TieSample& s : ties_) to.put(column, s.*value);
+    ++column;
+  }
+  for (const solver::TieSample& s : ties_) to.put(column, static_cast<std::uint8_t>(s.broken));
 }
 
 void ResultsWriter::energy(const solver::EnergyRow& row) {

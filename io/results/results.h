@@ -55,6 +55,7 @@ class ResultsWriter final : public solver::Recorder {
   /// \throw FileError if the part or run.h5 cannot be written; parts on disk stay as they are and the rows stay buffered
   /// \throw std::logic_error if time runs backwards, or a sample or frame has another size than the model
   void history(double time, std::span<const solver::HistorySample> samples) override;
+  void ties(double time, std::span<const solver::TieSample> samples) override;
   void energy(const solver::EnergyRow& row) override;
   void forces(const solver::ForcesRow& row) override;
   void cuts(double time, std::span<const solver::CutSample> samples) override;
@@ -94,6 +95,7 @@ class ResultsWriter final : public solver::Recorder {
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return buffers_[static_cast<std::size_t>(t)]; }
+  void put_ties(RowBuffer& to, std::size_t column);
   [[nodiscard]] double wall_clock() const;
   void continue_earlier();
   void write_if_due();
@@ -103,6 +105,7 @@ class ResultsWriter final : public solver::Recorder {
 
   std::string folder_, case_toml_;
   std::size_t elements_, histories_;
+  std::vector<solver::TieSample> ties_;  // of the row to come
   RowSchema schema_;
   std::vector<StaticDataset> model_;
   Provenance provenance_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/results/results_model.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -171,6 +172,27 @@ void add_materials(const cases::Model& model, Datasets& out) {
   law("/model/law/poisson", &cases::JointLaw::poisson, "1", "Poisson's ratio of the mortar");
 }
 
+/// Of those by themselves, not of meshes; none of a model without.
+void add_ties(const cases::Model& m, Datasets& out) {
+  std::vector<std::string> names;
+  std::vector<double> ends;
+  std::vector<std::int32_t> elements;
+  for (const cases::TieBar& bar : m.ties) {
+    if (bar.mesh >= 0) break;
+    names.push_back(bar.name);
+    for (const auto& end : bar.ends) {
+      Vec3 at;
+      for (const cases::TieHold& h : end) at += h.share * h.point;
+      append(ends, at);
+      elements.push_back(std::ranges::max_element(end, {}, &cases::TieHold::share)->element);
+    }
+  }
+  if (names.empty()) return;
+  out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
+  out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
+  out.push_back(dataset("/model/tie_element", elements, 2, "1", "what holds most of each end: an element, or -1, the base"));
+}
+
 }  // namespace
 
 std::vector<StaticDataset> model_datasets(const cases::Model& model) {
@@ -182,6 +204,7 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
   add_faces(model, out);
   add_joints(model, out);
   add_materials(model, out);
+  add_ties(model, out);
   return out;
 }
 

@@ -31,7 +31,14 @@ void check_names(const std::string& what, std::span<const std::string> names) {
   }
 }
 
-TableSpec history_columns(std::span<const std::string> names) {
+void add_tie_columns(TableSpec& t, std::uint64_t n) {
+  t.push_back({"/ties/force", f64, {n}, {"N", "of each tie, in the order of /model/tie, at /history/time; tension is positive"}, {}});
+  t.push_back({"/ties/elongation", f64, {n}, {"m", "of each tie, with that of its pretension"}, {}});
+  t.push_back({"/ties/plastic", f64, {n}, {"m", "of it, what stays when the force is gone"}, {}});
+  t.push_back({"/ties/broken", u8, {n}, {"1", "1: the tie has broken"}, {}});
+}
+
+TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties) {
   TableSpec t{scalar("/history/time", "s", "time of the rows of all histories; zero is the start of shaking, settling is before")};
   for (const std::string& name : names) {
     const std::string group = "/history/" + name + "/";
@@ -39,19 +46,20 @@ TableSpec history_columns(std::span<const std::string> names) {
     t.push_back(vector(group + "velocity", "m/s", "of the element's centroid relative to the base; global axes"));
     t.push_back(vector(group + "rotation", "rad", "rotation vector of the element; global axes"));
   }
+  if (ties > 0) add_tie_columns(t, ties);
   return t;
 }
 
 TableSpec energy_columns() {
   return {scalar("/energy/time", "s", "time of the rows; zero is the start of shaking"),
           scalar("/energy/kinetic", "J", "stored: kinetic energy relative to the base"),
-          scalar("/energy/strain", "J", "stored: elastic energy of bonds"),
+          scalar("/energy/strain", "J", "stored: elastic energy of bonds and ties"),
           scalar("/energy/contact", "J", "stored: elastic energy of contacts"),
           scalar("/energy/gravity", "J", "stored: potential energy of gravity"),
           scalar("/energy/input", "J", "work put in by ground, loads and supports, with the initial energy"),
           scalar("/energy/dashpot", "J", "lost in the dashpots of contacts"),
-          scalar("/energy/friction", "J", "lost by sliding, and where bonds that hold slip or are crushed"),
-          scalar("/energy/fracture", "J", "lost where bonds break"),
+          scalar("/energy/friction", "J", "lost by sliding, where bonds that hold slip or are crushed, and where ties yield"),
+          scalar("/energy/fracture", "J", "lost where bonds and ties break"),
           scalar("/energy/damping", "J", "lost by mass damping"),
           scalar("/energy/residual", "1", "what the balance leaves over, as a ratio")};
 }
@@ -136,10 +144,11 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
   return bytes;
 }
 
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names) {
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names,
+                     std::uint64_t ties) {
   check_names("history", history_names);
   check_names("cut", cut_names);
-  return {history_columns(history_names), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
+  return {history_columns(history_names, ties), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
           frames_columns(elements),       cuts_columns(cut_names), assessment_columns()};
 }
 

@@ -45,8 +45,10 @@ using RowSchema = std::array<TableSpec, kRowTables>;
 
 /// \param history_names  of the followed elements, in the order of Recorder::history
 /// \param cut_names  in the order of Recorder::cuts
+/// \param ties  of the model: their rows stand in /ties and belong to the table of histories
 /// \throw std::invalid_argument if a name is empty, "time", given twice, or holds '/' or a control character, or is "." or ".."
-RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names = {});
+RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names = {},
+                     std::uint64_t ties = 0);
 
 /// Rows of one table that are not yet on disk.
 class RowBuffer {

@@ -12,6 +12,7 @@
 #include "io/measures/settling_warning.h"
 #include "io/session/exit_code.h"
 #include "io/session/progress.h"
+#include "io/session/tie_lines.h"
 #include "io/session/views.h"
 #include "solver/world/errors.h"
 
@@ -208,6 +209,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
+    print_tie_outcome(sim.world().ties, sim.world().model);
     print_stages(sim.stage_times());
     watch.print_checkpoints();
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;

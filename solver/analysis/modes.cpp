@@ -12,7 +12,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
+#include "solver/setup/side_stiffness.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {
@@ -20,38 +22,10 @@ namespace voussoir::solver {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-using Motion = Eigen::Matrix<double, 6, 1>;         // of one element: displacement, rotation
-using Relative = Eigen::Matrix<double, 3, 12>;      // relative displacement from the motions of master and slave
-using Stiffness12 = Eigen::Matrix<double, 12, 12>;  // of a side
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+using Motion = Eigen::Matrix<double, 6, 1>;  // of one element: displacement, rotation
 
-Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
-  Eigen::Matrix3d m;
-  m << 0.0, -r(2), r(1), r(2), 0.0, -r(0), -r(1), r(0), 0.0;
-  return m;
-}
-
-/// u = x_slave − x_master at a point with the arms a and b.
-Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  Relative u;
-  u << -Eigen::Matrix3d::Identity(), cross_matrix(a), Eigen::Matrix3d::Identity(), -cross_matrix(b);
-  return u;
-}
-
-/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
-Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {
-  const Eigen::Vector3d es = vector(side.es), et = vector(side.et), n = es.cross(et);
-  const Eigen::Matrix3d d = side.k.ks * Eigen::Matrix3d::Identity() + (side.k.kn - side.k.ks) * n * n.transpose();
-  Stiffness12 k = Stiffness12::Zero();
-  for (int i = 0; i < points.n; ++i) {
-    const Eigen::Vector3d at = points.s[i] * es + points.t[i] * et;
-    const Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
-    k.noalias() += side.factor * points.area[i] * b.transpose() * d * b;
-  }
-  return k;
-}
 
 /// The structure in coordinates q with x = S q and Sᵀ M S = I, S = M^(−1/2) by element: a standard symmetric problem.
 class Structure {
@@ -73,7 +47,13 @@ class Structure {
       const auto i = static_cast<std::size_t>(id);
       if (world_.sides.joint[i] < 0 || (world_.sides.held[i] == 0 && dry_ == DryJoints::open)) continue;
       const kernels::Side side = world_.sides.side(id);
-      add(side_stiffness(side, world_.points.view(world_.sides.set[i])), {side.master, side.slave}, entries);
+      const Stiffness12 of_side = side_stiffness(side, world_.points.view(world_.sides.set[i]));
+      add(Eigen::Map<const Matrix12>(of_side.data()), {side.master, side.slave}, entries);
+    }
+    for (std::size_t i = 0; i < world_.ties.tie.size(); ++i) {
+      const Ties::Tie& t = world_.ties.tie[i];
+      const bool bears = t.law.compression || t.pretension > 0.0 || world_.ties.state[i].force > 0.0;
+      if (bears && world_.ties.state[i].broken == 0) add(t, entries);
     }
     Sparse k(size(), size());
     k.setFromTriplets(entries.begin(), entries.end());
@@ -114,7 +94,7 @@ class Structure {
     return scale;
   }
 
-  void add(const Stiffness12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
+  void add(const Matrix12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
         const std::int32_t row = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])];
@@ -125,6 +105,28 @@ class Structure {
         for (int i = 0; i < 6; ++i) {
           for (int j = 0; j < 6; ++j) {
             if (row + i >= column + j) entries.emplace_back(row + i, column + j, part(i, j));
+          }
+        }
+      }
+    }
+  }
+
+  /// A tie as it was at the start, along its axis.
+  void add(const Ties::Tie& t, std::vector<Eigen::Triplet<double>>& entries) const {
+    std::vector<std::pair<std::int32_t, Motion>> holds;  // row, and elongation by a unit of each motion
+    for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
+      const Ties::Hold& h = world_.ties.hold[static_cast<std::size_t>(k)];
+      const std::int32_t row = row_[static_cast<std::size_t>(h.element)];
+      if (row < 0) continue;
+      const Vec3 turning = cross(h.arm, t.axis);
+      const Motion motion = h.share * Motion{t.axis.x, t.axis.y, t.axis.z, turning.x, turning.y, turning.z};
+      holds.emplace_back(row, scale_[static_cast<std::size_t>(row / 6)].transpose() * motion);
+    }
+    for (const auto& [row, a] : holds) {
+      for (const auto& [column, b] : holds) {
+        for (int i = 0; i < 6; ++i) {
+          for (int j = 0; j < 6; ++j) {
+            if (row + i >= column + j) entries.emplace_back(row + i, column + j, t.law.stiffness * a(i) * b(j));
           }
         }
       }

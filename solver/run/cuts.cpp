@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/cuts.h"
 
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "cases/names.h"
+#include "solver/ties/tie_forces.h"
 
 namespace voussoir::solver {
 namespace {
@@ -47,11 +50,28 @@ int Cuts::crosses(const World& w, const cases::Cut& cut, std::int32_t a, std::in
   return b_before ? 1 : -1;
 }
 
+void Cuts::find_ties(const World& w, Plane& plane) {
+  const cases::Cut& cut = plane.cut;
+  for (const Ties::Tie& t : w.ties.tie) {
+    std::vector<std::int32_t> behind;
+    Vec3 middle;
+    for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
+      const Ties::Hold& h = w.ties.hold[static_cast<std::size_t>(k)];
+      const Vec3 centroid = w.elements.body[static_cast<std::size_t>(h.element)].ref, point = centroid + h.arm;
+      middle += 0.5 * std::abs(h.share) * point;
+      if (dot(cut.normal, (h.element == w.elements.base ? point : centroid) - cut.point) <= 0.0) behind.push_back(k);
+    }
+    if (std::ssize(behind) == t.last_hold - t.first_hold || (cut.box && !inside(*cut.box, middle))) continue;
+    plane.tie_holds.insert(plane.tie_holds.end(), behind.begin(), behind.end());
+  }
+}
+
 Cuts::Cuts(const World& w, std::span<const cases::Cut> cuts) {
   const Sides& s = w.sides;
   for (const cases::Cut& cut : cuts) {
     Plane& plane = cuts_.emplace_back();
     plane.cut = cut;
+    find_ties(w, plane);
     for (std::int64_t id = 0; id < s.count(); ++id) {
       if (s.joint[static_cast<std::size_t>(id)] < 0) continue;
       const kernels::SideBlock& block = s.blocks[static_cast<std::size_t>(id / kernels::kLanes)];
@@ -96,6 +116,11 @@ void Cuts::measure(const World& w, std::vector<CutSample>& out) const {
       }
     }
     for (std::size_t i = 0; i < w.overlaps.wrench.size(); ++i) pair(w.overlaps.springs[i].a, w.overlaps.springs[i].b, w.overlaps.wrench[i]);
+    for (const std::int32_t h : cuts_[k].tie_holds) {
+      const HeldForce held = force_of_hold(w, w.ties.hold[static_cast<std::size_t>(h)]);
+      out[k].force += held.force;
+      out[k].moment += cross(held.point - cut.point, held.force);
+    }
   }
 }
 

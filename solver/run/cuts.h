@@ -16,7 +16,8 @@ namespace voussoir::solver {
 /// An element lies before a plane (where the normal points) or behind it by its centroid in the reference configuration; the base lies
 /// below an element, on its vertical line. A cut's force is the sum over all pairs of elements, one on either side, that push or pull each
 /// other, whether by a joint, by contact or by overlap, with their dashpots. With a box those pairs count whose middle (of the two
-/// centroids; of an element and the base that of the centroid and its foot) lies in it.
+/// centroids; of an element and the base that of the centroid and its foot) lies in it. Ties count with what they do to what they hold
+/// behind the plane, if they also hold something before it (the base by the hold's own point) and, with a box, if their middle lies in it.
 class Cuts {
  public:
   Cuts() = default;
@@ -34,8 +35,10 @@ class Cuts {
   };
   struct Plane {
     cases::Cut cut;
-    std::vector<Crossing> crossings;  // ascending
+    std::vector<Crossing> crossings;      // ascending
+    std::vector<std::int32_t> tie_holds;  // behind, of ties that cross; ascending, into Ties::hold
   };
+  static void find_ties(const World& w, Plane& plane);
   [[nodiscard]] static int crosses(const World& w, const cases::Cut& cut, std::int32_t a, std::int32_t b);
 
   std::vector<Plane> cuts_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/ties/tie_forces.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -23,6 +25,12 @@ double total(const Range& values) {
 double total(const Patches& patches, double FreePatch::*value) {
   double sum = 0.0;
   for (const FreePatch& p : patches.patch) sum += p.*value;
+  return sum;
+}
+
+double total(const Ties& ties, double kernels::TieState::*value) {
+  double sum = 0.0;
+  for (const kernels::TieState& s : ties.state) sum += s.*value;
   return sum;
 }
 
@@ -45,6 +53,7 @@ void Ledger::restart(World& w) {
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
   w.overlaps.friction = w.overlaps.impact = 0.0;
+  for (kernels::TieState& s : w.ties.state) s.lost = s.released = 0.0;
   *this = Ledger(w);
 }
 
@@ -72,6 +81,7 @@ void Ledger::before_kick(World& w) {
     std::copy_n(e.dashpot.data() + i * kernels::kDashpotStride, 6, dash_.data() + 6 * i);
   }
   stored_ = joint_energy(w);
+  stored_.bonds += stored_energy(w.ties);
   patches_ = total(w.patches, &FreePatch::stored) + stored_energy(w.overlaps);
 }
 
@@ -99,8 +109,9 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
   row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
   row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
                 w.overlaps.impact;
-  row.friction = total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction;
-  row.fracture = total(w.sides.fracture);
+  row.friction =
+      total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
+  row.fracture = total(w.sides.fracture) + total(w.ties, &kernels::TieState::released);
 }
 
 EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) {

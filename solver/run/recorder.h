@@ -19,7 +19,14 @@ struct HistorySample {
   Vec3 displacement, velocity, rotation;
 };
 
-/// The energy ledger [J]: stores, work put in, losses since time zero (or since the start while settling), residual as a ratio.
+/// A tie: its force [N, tension positive], elongation and plastic elongation [m], and whether it has broken.
+struct TieSample {
+  double force = 0.0, elongation = 0.0, plastic = 0.0;
+  bool broken = false;
+};
+
+/// The energy ledger [J]: stores (strain: of bonds and ties), work put in, losses since time zero (or since the start while settling),
+/// residual as a ratio.
 struct EnergyRow {
   double time = 0;                                           // s
   double kinetic = 0, strain = 0, contact = 0, gravity = 0;  // stores
@@ -122,6 +129,8 @@ class Recorder {
   virtual ~Recorder() = default;
   /// One sample per Output::history entry, in order.
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
+  /// Before history() of the same time: one sample a tie that is in no mesh, in order; not called where there are none.
+  virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
   /// One sample per Output::cuts entry, in order; not called where there are none.

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <span>
 
+#include "cases/ties.h"
 #include "solver/run/collapse.h"
 #include "solver/world/errors.h"
 
@@ -43,6 +45,7 @@ class Reporter {
   }
 
   void samples(double time) {
+    ties(time);
     out_.history(time, sim_.history());
     const ForcesRow& f = sim_.forces();
     state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
@@ -67,9 +70,19 @@ class Reporter {
   }
 
  private:
+  void ties(double time) {
+    const std::size_t own = cases::own_ties(sim_.world().model);
+    if (own == 0) return;
+    ties_.clear();
+    for (const kernels::TieState& s : std::span(sim_.world().ties.state).first(own))
+      ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
+    out_.ties(time, ties_);
+  }
+
   Simulation& sim_;
   RunState& state_;
   Recorder& out_;
+  std::vector<TieSample> ties_;
   std::vector<float> position_, quaternion_, broken_;
 };
 

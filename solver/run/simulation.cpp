@@ -18,6 +18,7 @@
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/loads.h"
 #include "solver/setup/setup.h"
+#include "solver/ties/tie_forces.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {
@@ -100,10 +101,11 @@ double Simulation::time_of(std::int64_t step) const {
   return phase_ == Phase::settling ? t - (ramp_ + case_.gravity.settle_limit) : t;
 }
 
-Vec3 Simulation::gravity_at(double t) const {
-  if (phase_ == Phase::shaking || t >= ramp_) return full_gravity_;
-  return (0.5 - 0.5 * std::cos(std::numbers::pi * t / ramp_)) * full_gravity_;
+double Simulation::gravity_share(double t) const {
+  return phase_ == Phase::shaking || t >= ramp_ ? 1.0 : 0.5 - 0.5 * std::cos(std::numbers::pi * t / ramp_);
 }
+
+Vec3 Simulation::gravity_at(double t) const { return gravity_share(t) * full_gravity_; }
 
 Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
 
@@ -282,6 +284,7 @@ void Simulation::step(Due due) {
     if (cuts_due && !w.options.gather) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
     w.keep_pairs = cuts_due;
     solver::forces(w, t, step_, forces_stage_);
+    ledger_.add_load_work(apply_ties(w, gravity_share(static_cast<double>(step_) * w.dt)));
     if (cuts_due) cuts_.measure(w, cut_samples_);
   }
   {

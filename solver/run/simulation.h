@@ -95,6 +95,7 @@ class Simulation {
   void kick_and_drift(const kernels::BodyForces& f);
   void guard();
   [[nodiscard]] kernels::BodyForces body_forces() const;
+  [[nodiscard]] double gravity_share(double t) const;  // of gravity, and of what tightens ties
   [[nodiscard]] Vec3 gravity_at(double t) const;
   [[nodiscard]] Vec3 ground_at(double t) const;
   void set_damping(double alpha);

@@ -28,6 +28,8 @@ void set_up_overlaps(World& w);
 void set_up_side_views(World& w);
 /// The buffer for pairs, for --scatter gather and for cuts, and the lists of the former.
 void set_up_side_gather(World& w, const cases::Case& c);
+/// Ties, their stiffness no more than the step allows. \pre sides have their views
+void set_up_ties(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
 /// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand

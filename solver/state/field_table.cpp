@@ -131,6 +131,15 @@ void add_overlaps(Table& t, World& w) {
   t.insert(t.end(), {value("overlap_friction", "J", o.friction), value("overlap_impact", "J", o.impact)});
 }
 
+void add_ties(Table& t, Ties& ties) {
+  if (ties.state.empty()) return;
+  kernels::TieState& first = ties.state.front();
+  constexpr std::size_t kValues = offsetof(kernels::TieState, broken) / sizeof(double);
+  t.push_back(member("tie_state", "m, N, J", "tie", ties.state, &first.elongation, kValues));
+  t.push_back(member("tie_broken", "-", "tie", ties.state, &first.broken, 0, 1));
+  t.push_back(field("tie_jack", "m", "tie", ties.jack));
+}
+
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
 void add_search(Table& t, World& w) {
   Contacts& c = w.contacts;
@@ -223,6 +232,7 @@ std::vector<Field> fields(World& w) {
   add_sides(table, w.sides);
   add_patches(table, w);
   add_overlaps(table, w);
+  add_ties(table, w.ties);
   add_search(table, w);
   return table;
 }

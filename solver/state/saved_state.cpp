@@ -184,6 +184,15 @@ std::uint64_t model_hash(const World& w) {
   for (const kernels::Face& f : w.faces) {
     for (const double v : {f.normal.x, f.normal.y, f.normal.z, f.distance, f.compliance_n, f.compliance_s, f.mass}) hash.add(&v, sizeof v);
   }
+  for (const Ties::Tie& t : w.ties.tie) {
+    for (const double v :
+         {t.law.stiffness, t.law.yield, t.law.hardening, t.law.breaking, t.law.compression ? 1.0 : 0.0, t.length, t.pretension})
+      hash.add(&v, sizeof v);
+  }
+  for (const Ties::Hold& h : w.ties.hold) {
+    hash.add(&h.element, sizeof h.element);
+    for (const double v : {h.share, h.arm.x, h.arm.y, h.arm.z}) hash.add(&v, sizeof v);
+  }
   hash.add(&w.dt, sizeof w.dt);
   return hash.value();
 }

@@ -13,6 +13,7 @@
 #include "kernels/law.h"
 #include "kernels/overlap.h"
 #include "kernels/side.h"
+#include "kernels/tie_law.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 #include "solver/world/travel.h"
@@ -184,6 +185,34 @@ struct Overlaps {
   double friction = 0.0, impact = 0.0;      // J, lost so far
 };
 
+/// Bars between points of elements (cases/ties.h).
+struct Ties {
+  struct Hold {
+    std::int32_t tie = 0, element = 0;
+    double share = 0.0;  // of the tie's force; negative at its first end
+    Vec3 arm;            // m, from the centroid (of the base: from its reference point), body axes
+  };
+  struct Tie {
+    kernels::TieLaw law;
+    Vec3 axis;                                   // unit, from the first end to the second at the start
+    double length = 0.0;                         // m, at the start
+    double pretension = 0.0;                     // N
+    double wanted = 0.0;                         // N/m, E A / length; law.stiffness is less where the step allows no more
+    std::int32_t first_hold = 0, last_hold = 0;  // into `hold`
+  };
+  // Constants.
+  std::vector<Tie> tie;
+  std::vector<Hold> hold;                                       // by tie, the first end before the second
+  std::vector<std::int32_t> element;                            // that are held and move or are fixed blocks, ascending
+  std::vector<std::int32_t> first_of_element, hold_of_element;  // by entry of `element`; ascending, into `hold`
+  // State.
+  std::vector<kernels::TieState> state;
+  std::vector<double> jack;  // m, elongation of the pretension so far
+  // Of the last step.
+  std::vector<double> jack_work;  // J
+  std::vector<Vec3> pull;         // N, along the tie, on its first end
+};
+
 /// Loads and supports that act on single elements.
 struct PointLoad {
   std::int32_t element = 0;
@@ -221,6 +250,7 @@ struct World {
   Travel travel;
   Contacts contacts;
   Overlaps overlaps;
+  Ties ties;
   [[nodiscard]] kernels::Bodies bodies() const noexcept;
   [[nodiscard]] kernels::Rows rows() noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;

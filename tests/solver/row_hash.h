@@ -17,6 +17,10 @@ class RowHash final : public solver::Recorder {
     add(0, samples.data(), samples.size_bytes());
     ++rows[0];
   }
+  void ties(double, std::span<const solver::TieSample> samples) override {
+    for (const solver::TieSample& s : samples)
+      for (const double v : {s.force, s.elongation, s.plastic, s.broken ? 1.0 : 0.0}) add(0, &v, sizeof v);
+  }
   void energy(const solver::EnergyRow& row) override { add(1, &row, sizeof row), ++rows[1]; }
   void forces(const solver::ForcesRow& row) override { add(2, &row, sizeof row), ++rows[2]; }
   void damage(const solver::DamageRow& row) override { add(3, &row, sizeof row), ++rows[3]; }

@@ -53,6 +53,8 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
     };
   }
   const cases::Model model = cases::build_model(c.value);
+  if (!model.ties.empty())
+    std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
   if (on_terminal) std::fputc('\n', stderr);
   std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);

@@ -51,6 +51,24 @@ TEST_CASE("axial modes of a column are those of the chain of springs") {
   CHECK(found >= n - 1);
 }
 
+TEST_CASE("ties count in modes if they bear compression or are under pretension") {
+  cases::Case c = column(1);
+  const double joint = 9.8e7 / (1.0 - 0.25 * 0.25) * kSide * kSide / (0.5 * kHeight), mass = 1800.0 * kSide * kSide * kHeight;
+  const auto vertical = [&] {
+    double frequency = 0.0;
+    for (const solver::Mode& m : modes_of(c, 5))
+      if (m.mass_share.z > 0.5) frequency = m.frequency;
+    return frequency;
+  };
+  const auto expected = [&](double stiffness) { return doctest::Approx(std::sqrt(stiffness / mass) / (2.0 * std::numbers::pi)).epsilon(1e-9); };
+  c.ties.push_back({.name = "strap", .from = {0.1, 0.1, 0.0}, .to = {0.1, 0.1, 0.2}, .area = 1e-4, .young = 1e10});
+  CHECK(vertical() == expected(joint));
+  c.ties[0].compression = true;
+  CHECK(vertical() == expected(joint + 1e10 * 1e-4 / 0.2));
+  c.ties[0].compression = false, c.ties[0].pretension = 1.0;
+  CHECK(vertical() == expected(joint + 1e10 * 1e-4 / 0.2));
+}
+
 TEST_CASE("effective masses of all modes are the mass, and shapes are scaled to one metre") {
   const std::vector<solver::Mode> modes = modes_of(column(10), 60);
   REQUIRE(modes.size() == 59);  // all but the highest, which has less than 1 % of the mass

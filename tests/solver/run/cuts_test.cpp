@@ -28,6 +28,12 @@ cases::Case cut_wall() {
   cuts[left].box = {{Vec3{-1.0, -1.0, -1.0}, Vec3{0.33, 1.0, 2.0}}};
   cuts[right].box = {{Vec3{0.33, -1.0, -1.0}, Vec3{2.0, 1.0, 2.0}}};
   cuts[bed_from_below].normal = {0.0, 0.0, -3.0};
+  // Across the bed within either box, from the base across both, and above both.
+  const auto strap = [&](Vec3 from, Vec3 to) {
+    c.ties.push_back({.name = std::to_string(c.ties.size()), .from = from, .to = to, .area = 1e-6, .young = 5e9, .pretension = 100.0});
+  };
+  strap({0.05, 0.05, 0.15}, {0.25, 0.05, 0.35}), strap({0.75, 0.05, 0.35}, {0.5, 0.05, 0.15});
+  strap({0.1, 0.05, 0.0}, {0.15, 0.05, 0.55}), strap({0.1, 0.05, 0.45}, {0.6, 0.05, 0.55});
   return c;
 }
 

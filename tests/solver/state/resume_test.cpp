@@ -42,6 +42,16 @@ cases::Case everything() {
   cases::Load load;
   load.block = "c7_1", load.force = {0.0, 30.0, 0.0}, load.moment = {1.0, 0.0, 0.5}, load.ramp = {0.0, 0.3};
   c.loads.push_back(load);
+  // One that yields, one under pretension that breaks, one that goes slack.
+  c.ties.push_back({.name = "rod", .from = {0.1, 0.05, 0.05}, .to = {0.5, 0.05, 0.75}, .area = 1e-6, .young = 2e9, .yield = 2e5});
+  c.ties.push_back({.name = "wire",
+                    .from = {0.7, 0.05, 0.05},
+                    .to = {0.3, 0.05, 0.75},
+                    .area = 1e-6,
+                    .young = 2e9,
+                    .elongation = 0.02,
+                    .pretension = 5.0});
+  c.ties.push_back({.name = "cable", .from = {0.1, 0.05, 0.0}, .to = {0.1, 0.05, 0.65}, .area = 1e-7, .young = 2e9});
   return c;
 }
 
@@ -53,6 +63,7 @@ struct Outcome {
   solver::SavedState state;
   solver::Summary summary;
   std::int64_t retired = 0, searches = 0, touching = 0;
+  std::vector<kernels::TieState> ties;
 };
 
 /// Lanes that no side has count as retired from the start.
@@ -89,7 +100,8 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
             r.summary,
             retired_of(w.sides),
             w.contacts.searches,
-            std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; })};
+            std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; }),
+            w.ties.state};
   }
 }
 
@@ -123,6 +135,8 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
   CHECK(straight.searches > 20);
   CHECK(straight.summary.first_crack_time >= 0.0);
   CHECK(straight.summary.fallen_mass_fraction > 0.1);
+  CHECK(straight.ties[0].plastic > 0.0);
+  CHECK(straight.ties[1].broken == 1);
   const std::int64_t all = 500 + std::int64_t(kEnd / 2e-4) + 1;  // 0.1 s of settling at most
   SUBCASE("at the very beginning") { check_same(straight, run_with_stops(c, {0}, {1})); }
   SUBCASE("while it settles") { check_same(straight, run_with_stops(c, {20, 300, 480}, {1, 2})); }

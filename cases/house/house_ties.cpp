@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_ties.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/house/house_parts.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+constexpr std::array kSides{Side::front, Side::right, Side::rear, Side::left};
+
+Side opposite(Side side) { return kSides[(static_cast<std::size_t>(side) + 2) % 4]; }
+
+/// Ends of a rod in the axes of the house.
+struct Rod {
+  Vec3 from, to;
+};
+
+/// Walls and rods of one [[house.tie]].
+class Rods {
+ public:
+  Rods(const HousePlan& plan, const HouseTie& tie, std::string key)
+      : plan_(plan), tie_(tie), key_(std::move(key)), walls_(chosen_walls(plan, tie.walls, key_)) {}
+
+  std::vector<Rod> all() {
+    for (const double height : tie_.heights) {
+      if (tie_.kind == HouseTieKind::along) along(height);
+      if (tie_.kind == HouseTieKind::across) across(height);
+      if (tie_.kind == HouseTieKind::corner) corners(height);
+    }
+    if (rods_.empty()) throw InputError(key_, "makes no tie: no two of its walls meet in a corner");
+    return rods_;
+  }
+
+ private:
+  [[nodiscard]] Vec3 point(Side side, double along, double depth, double height) const {
+    return on_wall(plan_, side, along, depth, height);
+  }
+  [[nodiscard]] double length(Side side) const { return metres(plan_.wall(side).length); }
+  void along(double height) {
+    for (const Side side : walls_) {
+      const double depth = tie_.depth.value_or(0.5 * metres(plan_.wall(side).thickness));
+      rods_.push_back({point(side, 0.0, depth, height), point(side, length(side), depth, height)});
+    }
+  }
+  void across(double height) {
+    for (const Side side : walls_) {
+      const Side other = opposite(side);
+      const auto first = std::ranges::find(walls_, side), second = std::ranges::find(walls_, other);
+      if (second < first) continue;  // from there it has its rods already
+      if (!plan_.wall(other).built)
+        throw InputError(key_, "runs across from the " + std::string(name(side)) + " wall, but the " + name(other) + " wall is not built");
+      for (std::size_t i = 0; i < tie_.at.size(); ++i) {
+        if (tie_.at[i] > length(side))
+          throw InputError(key_ + ".at[" + std::to_string(i) + "]", text(tie_.at[i]) + " m is beyond the end of the " + name(side) +
+                                                                        " wall (" + text(length(side)) + " m)");
+        rods_.push_back({point(side, tie_.at[i], 0.0, height), point(other, tie_.at[i], 0.0, height)});
+      }
+    }
+  }
+  void corners(double height) {
+    const auto has = [&](Side side) { return std::ranges::find(walls_, side) != walls_.end(); };
+    for (const Side a : {Side::front, Side::rear}) {
+      for (const Side b : {Side::left, Side::right}) {
+        if (!has(a) || !has(b)) continue;
+        for (const Side side : {a, b}) {
+          if (tie_.reach > length(side))
+            throw InputError(key_ + ".reach", text(tie_.reach) + " m is beyond the end of the " + name(side) + " wall (" +
+                                                  text(length(side)) + " m)");
+        }
+        const double on_a = b == Side::left ? tie_.reach : length(a) - tie_.reach, on_b = a == Side::front ? tie_.reach : length(b) - tie_.reach;
+        rods_.push_back({point(a, on_a, 0.0, height), point(b, on_b, 0.0, height)});
+      }
+    }
+  }
+
+  const HousePlan& plan_;
+  const HouseTie& tie_;
+  std::string key_;
+  std::vector<Side> walls_;
+  std::vector<Rod> rods_;
+};
+
+}  // namespace
+
+std::vector<Side> chosen_walls(const HousePlan& plan, const std::vector<std::string>& walls, const std::string& key) {
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto side = std::ranges::find_if(kSides, [&](Side s) { return walls[i] == name(s); });
+    const std::string at = key + ".walls[" + std::to_string(i) + "]";
+    if (side == kSides.end()) throw InputError(at, quoted(walls[i]) + " is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
+    if (!plan.wall(*side).built) throw InputError(at, quoted(walls[i]) + " is not built (house.walls)");
+  }
+  std::vector<Side> chosen;
+  for (const Side side : kSides) {
+    const bool named = walls.empty() || std::ranges::find(walls, name(side)) != walls.end();
+    if (named && plan.wall(side).built) chosen.push_back(side);
+  }
+  return chosen;
+}
+
+Vec3 on_wall(const HousePlan& plan, Side side, double along, double depth, double height) noexcept {
+  const auto at = [](double v) { return Interval{ticks(v), ticks(v)}; };
+  const HouseBox box = in_house(plan, plan.wall(side), at(along), at(depth), at(height));
+  return {metres(box.x.low), metres(box.y.low), metres(box.z.low)};
+}
+
+std::vector<PlannedTie> house_ties(const House& house, double foot) {
+  std::vector<PlannedTie> all;
+  if (house.ties.empty()) return all;
+  const HousePlan plan = plan_house(house);
+  for (std::size_t k = 0; k < house.ties.size(); ++k) {
+    const HouseTie& tie = house.ties[k];
+    const std::string key = indexed_key("house.tie", k, "");
+    const std::vector<Rod> rods = Rods(plan, tie, key).all();
+    const std::size_t first = all.size();
+    for (int j = 0; j < house.copies[1]; ++j) {
+      for (int i = 0; i < house.copies[0]; ++i) {
+        for (const Rod& rod : rods) {
+          Tie placed = tie.bar;
+          placed.from = in_case(house, plan, i, j, rod.from) + Vec3{0, 0, foot};
+          placed.to = in_case(house, plan, i, j, rod.to) + Vec3{0, 0, foot};
+          all.push_back({placed, k});
+        }
+      }
+    }
+    if (all.size() - first == 1) continue;
+    for (std::size_t n = first; n < all.size(); ++n) all[n].tie.name += " " + std::to_string(n - first + 1);
+  }
+  return all;
+}
+
+}  // namespace voussoir::cases

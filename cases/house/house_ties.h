@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cases/case.h"
+
+/// Rods and meshes of a house as points in the axes of the case: where they run, not yet what they hold.
+namespace voussoir::cases {
+
+/// A tie with its ends, and which of House::ties asks for it.
+struct PlannedTie {
+  Tie tie;
+  std::size_t index = 0;
+};
+
+/// The rods of `house.ties` in all copies of the house.
+///
+/// along: through a wall from end to end, so that its plates press on the outer faces of the walls that it meets; across: from the outer
+/// face of a wall to that of the wall opposite; corner: from the outer face of a wall to that of the next, across the corner between them.
+/// \param foot  m, height of the walls' foot \throw InputError with the key at fault
+std::vector<PlannedTie> house_ties(const House& house, double foot);
+
+/// A mesh before it is known which elements its nodes hold.
+struct PlannedMesh {
+  struct Strap {
+    std::array<std::int32_t, 2> nodes{};
+    double width = 0.0;  // m of mesh that it stands for
+  };
+  std::vector<Vec3> nodes;
+  std::vector<Strap> straps;
+  std::vector<std::array<std::int32_t, 2>> connectors;  // nodes on the outer and the inner face
+  double cell = 0.0;                                    // m2 of mesh that a node stands for
+};
+
+/// The mesh `house.meshes[index]` on all copies of the house. Nodes stand on the faces of the walls in rows and columns, symmetric in the
+/// wall; rows of neighbouring walls are joined round their outer corner. \throw InputError with the key at fault
+PlannedMesh house_mesh(const House& house, std::size_t index, double foot);
+
+}  // namespace voussoir::cases

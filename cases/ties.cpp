@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/ties.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "cases/house/house_ties.h"
+#include "cases/names.h"
+#include "geometry/polygon.h"
+
+namespace voussoir::cases {
+namespace {
+
+constexpr double kNear = 1e-3;      // m, from a point to the element that it belongs to, and from a face to its plate
+constexpr double kShortest = 1e-2;  // m, tie
+constexpr double kCovered = 0.5;    // least share of a plate that lies on faces
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::string point_text(Vec3 p) { return "[" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + "]"; }
+
+/// One end of a tie, as the case file has it.
+struct End {
+  std::string key;  // "tie[0].from"
+  Vec3 point;
+  Vec3 inwards;  // unit, to the other end
+};
+
+/// m, from the point to the element: of the face that it is farthest outside of, below 0 inside.
+double distance_outside(const geometry::Assembly& a, std::size_t element, Vec3 point) {
+  double most = -kNever;
+  const geometry::Element& e = a.elements[element];
+  for (std::int32_t f = 0; f < e.face_count; ++f) {
+    const geometry::Face& face = a.faces[static_cast<std::size_t>(e.first_face + f)];
+    most = std::max(most, dot(face.normal, point) - face.offset);
+  }
+  return most;
+}
+
+[[noreturn]] void refuse_point(const Case& c, const Model& model, const End& end) {
+  double least = kNever;
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const double d = distance_outside(model.assembly, i, end.point);
+    if (d < least) least = d, nearest = i;
+  }
+  const std::string base = c.base ? ", nor on the base (z = " + text(c.base->z) + " m)" : "";
+  throw InputError(end.key, point_text(end.point) + " m lies in no element" + base + "; the nearest, " +
+                                describe(model.blocks[nearest], nearest) + ", is " + text(std::round(least * 1e3) / 1e3) + " m away");
+}
+
+bool on_base(const Case& c, Vec3 point) { return c.base && std::abs(point.z - c.base->z) <= kNear; }
+
+/// The element that has the point in it or on it; −1: none.
+std::int32_t element_at(const Model& model, Vec3 point) {
+  double least = kNear;
+  std::int32_t found = -1;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const double d = distance_outside(model.assembly, i, point);
+    if (d < least - 1e-9) least = d, found = static_cast<std::int32_t>(i);
+  }
+  return found;
+}
+
+std::vector<TieHold> hold_at_point(const Case& c, const Model& model, const End& end) {
+  const std::int32_t found = element_at(model, end.point);
+  if (found >= 0) return {{found, 1.0, end.point}};
+  if (on_base(c, end.point)) return {{geometry::kBase, 1.0, end.point}};
+  refuse_point(c, model, end);
+}
+
+/// What a plate covers of the faces that lie in one plane, their outward normal `n`.
+std::vector<TieHold> covered(const Model& model, const End& end, const std::array<double, 2>& plate, Vec3 n) {
+  const Vec3 across = std::abs(n.z) > 0.99 ? Vec3{1, 0, 0} : normalised(cross(Vec3{0, 0, 1}, n)), up = cross(n, across);
+  const auto in_plane = [&](Vec3 x) { return geometry::Point2{dot(x - end.point, across), dot(x - end.point, up)}; };
+  const geometry::Polygon shape = geometry::to_polygon({{-0.5 * plate[0], -0.5 * plate[1]}, {0.5 * plate[0], 0.5 * plate[1]}});
+  const geometry::Assembly& a = model.assembly;
+  std::vector<TieHold> holds;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
+    for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
+      const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
+      if (dot(face.normal, n) < 1.0 - 1e-6 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      geometry::Polygon corners;
+      for (const std::int32_t v : model.blocks[i].shape.faces[static_cast<std::size_t>(f)])
+        corners.push_back(in_plane(model.blocks[i].shape.vertices[static_cast<std::size_t>(v)]));
+      const geometry::Region region = geometry::region(geometry::intersection(shape, corners));
+      if (region.area < 1e-6 * plate[0] * plate[1]) continue;
+      holds.push_back({static_cast<std::int32_t>(i), region.area, end.point + region.centroid.s * across + region.centroid.t * up});
+    }
+  }
+  return holds;
+}
+
+/// Of the planes through the point in which a plate covers faces, that which looks away from the other end most.
+std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std::array<double, 2>& plate) {
+  const geometry::Assembly& a = model.assembly;
+  double most = 0.5;  // within 60 degrees
+  std::vector<TieHold> holds;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
+    for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
+      const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
+      const double away = -dot(face.normal, end.inwards);
+      if (away < most + 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      std::vector<TieHold> found = covered(model, end, plate, face.normal);
+      if (!found.empty()) most = away, holds = std::move(found);
+    }
+  }
+  if (holds.empty())
+    throw InputError(end.key,
+                     point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
+  double area = 0.0;
+  for (const TieHold& h : holds) area += h.share;
+  for (TieHold& h : holds) h.share /= area;
+  if (area < kCovered * plate[0] * plate[1])
+    throw InputError(end.key, "only " + text(std::round(100.0 * area / (plate[0] * plate[1]))) + " % of the plate at " +
+                                  point_text(end.point) + " m lies on faces of the model; wanted " + text(100.0 * kCovered) + " % or more");
+  return holds;
+}
+
+Vec3 middle(const std::vector<TieHold>& holds) {
+  Vec3 at;
+  for (const TieHold& h : holds) at += h.share * h.point;
+  return at;
+}
+
+/// An end on the base whose tie comes from above needs no plate.
+bool anchored_in_base(const Case& c, const End& end) { return on_base(c, end.point) && end.inwards.z > 0.5; }
+
+bool is_one_element(const TieBar& bar) {
+  std::set<std::int32_t> elements;
+  for (const auto& end : bar.ends)
+    for (const TieHold& h : end) elements.insert(h.element);
+  return elements.size() == 1;
+}
+
+TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array<std::string, 2>& keys, const std::string& key) {
+  const double apart = norm(tie.to - tie.from);
+  if (apart < kShortest)
+    throw InputError(keys[1], "is " + text(apart) + " m from tie.from; a tie has a length of " + text(kShortest) + " m or more");
+  const Vec3 along = normalised(tie.to - tie.from);
+  TieBar bar;
+  bar.name = tie.name;
+  const std::array<End, 2> ends{End{keys[0], tie.from, along}, End{keys[1], tie.to, -along}};
+  for (std::size_t k = 0; k < 2; ++k)
+    bar.ends[k] = tie.plate && !anchored_in_base(c, ends[k]) ? hold_by_plate(model, ends[k], *tie.plate) : hold_at_point(c, model, ends[k]);
+  if (is_one_element(bar)) throw InputError(key, "holds one element alone: both ends are on it");
+  bar.length = norm(middle(bar.ends[1]) - middle(bar.ends[0]));
+  bar.stiffness = tie.young * tie.area / bar.length;
+  bar.yield = tie.yield ? *tie.yield * tie.area : kNever;
+  // Stress over strain has the slope E_t beyond yield, so stress over plastic strain has E E_t / (E − E_t).
+  bar.hardening = tie.young * tie.hardening / (tie.young - tie.hardening) * tie.area / bar.length;
+  bar.breaking = tie.elongation ? *tie.elongation * bar.length : kNever;
+  bar.pretension = tie.pretension;
+  bar.compression = tie.compression;
+  return bar;
+}
+
+std::int64_t anchors(const TieBar& bar) {
+  return std::ranges::count_if(bar.ends, [](const auto& end) { return end.front().element != geometry::kBase; });
+}
+
+void add_ties(const Case& c, Model& model) {
+  for (std::size_t i = 0; i < c.ties.size(); ++i) {
+    const Tie& tie = c.ties[i];
+    model.ties.push_back(
+        place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
+    model.tie_bill.push_back({tie.name, 1, anchors(model.ties.back()), norm(tie.to - tie.from), 0.0});
+  }
+}
+
+void add_house_ties(const Case& c, double foot, Model& model) {
+  std::vector<TieBill> bills(c.house->ties.size());
+  for (const PlannedTie& planned : house_ties(*c.house, foot)) {
+    const std::string key = indexed_key("house.tie", planned.index, "");
+    TieBar bar = place(c, model, planned.tie, {key, key}, key);
+    TieBill& bill = bills[planned.index];
+    bill.name = c.house->ties[planned.index].bar.name;
+    ++bill.ties, bill.anchors += anchors(bar), bill.length += norm(planned.tie.to - planned.tie.from);
+    model.ties.push_back(std::move(bar));
+  }
+  model.tie_bill.insert(model.tie_bill.end(), bills.begin(), bills.end());
+}
+
+/// A bar from node to node, if they stand on two elements.
+void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar, Model& model) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto node = static_cast<std::size_t>(nodes[k]);
+    if (element[node] < 0) return;
+    bar.ends[k] = {{element[node], 1.0, mesh.nodes[node]}};
+  }
+  if (bar.ends[0][0].element != bar.ends[1][0].element) model.ties.push_back(std::move(bar));
+}
+
+TieBar strap_of(const HouseMesh& mesh, double width, double length) {
+  TieBar bar;
+  bar.length = length, bar.stiffness = mesh.stiffness * width / length;
+  bar.yield = mesh.strength ? *mesh.strength * width : kNever;
+  bar.breaking = mesh.elongation ? *mesh.elongation * length : kNever;
+  return bar;
+}
+
+TieBar connector_of(const MeshConnectors& connectors, double length) {
+  TieBar bar;
+  bar.length = length, bar.stiffness = connectors.young * connectors.area / length, bar.compression = true;
+  bar.yield = connectors.yield ? *connectors.yield * connectors.area : kNever;
+  bar.breaking = connectors.elongation ? *connectors.elongation * length : kNever;
+  return bar;
+}
+
+void add_mesh(const Case& c, std::size_t index, double foot, Model& model) {
+  const HouseMesh& mesh = c.house->meshes[index];
+  const PlannedMesh planned = house_mesh(*c.house, index, foot);
+  std::vector<std::int32_t> element;
+  for (const Vec3 node : planned.nodes) element.push_back(element_at(model, node));
+  TieBill bill;
+  bill.name = mesh.name;
+  bill.area = planned.cell * static_cast<double>(std::ranges::count_if(element, [](std::int32_t e) { return e >= 0; }));
+  const auto apart = [&](std::array<std::int32_t, 2> nodes) {
+    return norm(planned.nodes[static_cast<std::size_t>(nodes[1])] - planned.nodes[static_cast<std::size_t>(nodes[0])]);
+  };
+  const std::size_t before = model.ties.size();
+  for (const PlannedMesh::Strap& s : planned.straps) add_bar(planned, element, s.nodes, strap_of(mesh, s.width, apart(s.nodes)), model);
+  for (const auto& nodes : planned.connectors) {
+    if (element[static_cast<std::size_t>(nodes[0])] < 0 || element[static_cast<std::size_t>(nodes[1])] < 0) continue;
+    add_bar(planned, element, nodes, connector_of(*mesh.connectors, apart(nodes)), model);
+    bill.length += apart(nodes), bill.anchors += 2;
+  }
+  for (std::size_t i = before; i < model.ties.size(); ++i) {
+    model.ties[i].mesh = static_cast<std::int32_t>(index);
+    model.ties[i].name = mesh.name + " " + std::to_string(i - before + 1);
+  }
+  bill.ties = static_cast<std::int64_t>(model.ties.size() - before);
+  if (bill.ties == 0)
+    throw InputError(indexed_key("house.mesh", index, ""), "holds no two elements: its nodes are too far apart, or stand in openings");
+  model.tie_bill.push_back(bill);
+}
+
+void check_names(const Case& c, const Model& model) {
+  std::set<std::string> names;
+  for (const TieBar& bar : model.ties) {
+    if (names.insert(bar.name).second) continue;
+    const auto own = std::ranges::find_if(c.ties.rbegin(), c.ties.rend(), [&](const Tie& t) { return t.name == bar.name; });
+    const std::string key = own == c.ties.rend() ? "house" : indexed_key("tie", static_cast<std::size_t>(c.ties.rend() - own) - 1, "name");
+    throw InputError(key, quoted(bar.name) + " is the name of another tie, too");
+  }
+}
+
+}  // namespace
+
+void place_ties(const Case& c, Model& model) {
+  add_ties(c, model);
+  if (c.house) {
+    const double foot = c.base ? c.base->z : 0.0;
+    add_house_ties(c, foot, model);
+    for (std::size_t i = 0; i < c.house->meshes.size(); ++i) add_mesh(c, i, foot, model);
+  }
+  check_names(c, model);
+}
+
+std::size_t own_ties(const Model& model) noexcept {
+  return static_cast<std::size_t>(std::ranges::count_if(model.ties, [](const TieBar& t) { return t.mesh < 0; }));
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/case_file/case_tables.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace cases;
+
+/// Appends the keys of a bar's section, which `bar` finds in S.
+template <class S, class Bar>
+void add_bar_keys(std::vector<Key<S>>& keys, Bar bar) {
+  const auto member = [bar](auto Tie::*m) { return [bar, m](auto& s) -> auto& { return bar(s).*m; }; };
+  keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0), "of its section")));
+  keys.push_back(value<S>("young", member(&Tie::young), "Pa", above(0.0), "modulus; the default is that of steel"));
+  keys.push_back(value<S>("yield", member(&Tie::yield), "Pa", above(0.0), "stress at which it yields; none: elastic"));
+  keys.push_back(value<S>("hardening", member(&Tie::hardening), "Pa", at_least(0.0), "slope of stress over strain beyond yield"));
+  keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0), "strain at which it breaks; none: never"));
+  keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0),
+                          "force that it would have if its ends did not move; put on with gravity, or at once without settling"));
+  keys.push_back(value<S>("compression", member(&Tie::compression), "", any(),
+                          "bears compression, too, without buckling; else it goes slack"));
+  keys.push_back(value<S>("plate", member(&Tie::plate), "m", above(0.0),
+                          "width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one "
+                          "element"));
+}
+
+void check_bar(const Tie& s, const RuleCheck& check) {
+  if (s.hardening >= s.young) check.fault("hardening", "must be below young");
+  if (s.hardening > 0.0 && !s.yield) check.fault("hardening", "needs yield");
+  if (s.yield && s.pretension > *s.yield * s.area) check.fault("pretension", "is over the force at which the tie yields (yield x area)");
+  if (s.elongation && s.pretension >= *s.elongation * s.young * s.area)
+    check.fault("pretension", "is over the force at which the tie breaks (elongation x young x area)");
+}
+
+void check_house_tie(const HouseTie& s, const RuleCheck& check) {
+  check_bar(s.bar, check);
+  if (s.heights.empty()) check.fault("heights", "has no height");
+  const auto belongs = [&](const char* key, HouseTieKind kind, const char* word) {
+    if (s.kind != kind && check.given(key)) check.fault(key, std::string("belongs to kind = \"") + word + "\"");
+    if (s.kind == kind && !check.given(key)) check.fault("", std::string("needs ") + key + " (kind = \"" + word + "\")");
+  };
+  belongs("at", HouseTieKind::across, "across");
+  belongs("reach", HouseTieKind::corner, "corner");
+  if (s.kind != HouseTieKind::along && s.depth) check.fault("depth", "belongs to kind = \"along\"");
+  if (s.kind == HouseTieKind::across && check.given("at") && s.at.empty()) check.fault("at", "has no place");
+}
+
+Table<MeshConnectors> connectors_table() {
+  using S = MeshConnectors;
+  return {"bars through the wall that join the two faces of a mesh at its nodes, in tension and compression",
+          {value<S>("every", &S::every, "", within(1.0, 1000.0), "nodes, along and up, from one to the next"),
+           required(value<S>("area", &S::area, "m2", above(0.0), "of the section")),
+           value<S>("young", &S::young, "Pa", above(0.0), "modulus; the default is that of steel"),
+           value<S>("yield", &S::yield, "Pa", above(0.0), "stress at which they yield; none: elastic"),
+           value<S>("elongation", &S::elongation, "", above(0.0), "strain at which they break; none: never")},
+          nullptr};
+}
+
+const char* const kWalls = "walls by name: front, right, rear, left; none: all that are built";
+
+}  // namespace
+
+Table<Tie> tie_table() {
+  using S = Tie;
+  Table<S> table{
+      "a rod, cable, strap or bar between two points of the model",
+      {required(value<S>("name", &S::name, "", filled(), "a name of its own, for results and messages")),
+       required(value<S>("from", &S::from, "m", any(), "a point in or on an element, or on the base; with a plate, on an outer face")),
+       required(value<S>("to", &S::to, "m", any(), "its other end, likewise"))},
+      check_bar};
+  add_bar_keys(table.keys, [](auto& s) -> auto& { return s; });
+  return table;
+}
+
+Table<HouseTie> house_tie_table() {
+  using S = HouseTie;
+  const auto name = [](auto& s) -> auto& { return s.bar.name; };
+  Table<S> table{
+      "rods of the house by wall and height: through walls from end to end, across the house, or across its corners",
+      {required(value<S>("name", name, "", filled(), "begins the names of its ties")),
+       required(choice<S, HouseTieKind S::*, HouseTieKind>(
+           "kind", &S::kind, "",
+           {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}, {"corner", HouseTieKind::corner}},
+           "along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the next")),
+       value<S>("walls", &S::walls, "", filled(), kWalls),
+       required(value<S>("heights", &S::heights, "m", at_least(0.0), "above the foot of the walls, a rod at each")),
+       value<S>("at", &S::at, "m", at_least(0.0), "across: where along the wall, x or y from the outer corner of the house, a rod at each"),
+       value<S>("depth", &S::depth, "m", at_least(0.0), "along: from the outer face of the wall; none: half its thickness"),
+       value<S>("reach", &S::reach, "m", above(0.0), "corner: from the outer corner to either end, along the walls")},
+      check_house_tie};
+  add_bar_keys(table.keys, [](auto& s) -> auto& { return s.bar; });
+  return table;
+}
+
+Table<HouseMesh> house_mesh_table() {
+  using S = HouseMesh;
+  return {"a net, mesh or bandage on the faces of walls: straps between nodes, in tension alone",
+          {required(value<S>("name", &S::name, "", filled(), "begins the names of its straps")),
+           value<S>("walls", &S::walls, "", filled(), kWalls),
+           value<S>("from", &S::from, "m", at_least(0.0), "lower edge, above the foot of the walls"),
+           value<S>("to", &S::to, "m", above(0.0), "upper edge; none: the top of the walls"),
+           value<S>("spacing", &S::spacing, "m", above(0.0), "of the nodes, along and up; every brick should have one"),
+           choice<S, MeshFaces S::*, MeshFaces>(
+               "faces", &S::faces, "", {{"both", MeshFaces::both}, {"outside", MeshFaces::outside}, {"inside", MeshFaces::inside}},
+               "of the walls that it covers"),
+           required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide")),
+           value<S>("strength", &S::strength, "N/m", above(0.0), "force at which a strip one metre wide yields; none: elastic"),
+           value<S>("elongation", &S::elongation, "", above(0.0), "strain at which it breaks; none: never"),
+           table<S>("connectors", &S::connectors, connectors_table())},
+          [](const S& s, const RuleCheck& check) {
+            if (s.to && *s.to <= s.from) check.fault("to", "must be above house.mesh.from");
+            if (s.connectors && s.faces != MeshFaces::both) check.fault("connectors", "needs faces = \"both\"");
+          }};
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+/// The law of a tie (THEORY.md (31)): force over elongation of a bar that is elastic, yields, hardens and breaks, and goes slack unless it
+/// bears compression.
+namespace voussoir::kernels {
+
+struct TieLaw {
+  double stiffness = 0.0;  // k, N/m
+  double yield = 0.0;      // N_y, N; infinite: elastic
+  double hardening = 0.0;  // H, N/m, growth of the yield force with the plastic elongation
+  double breaking = 0.0;   // e_u, m, elongation at which it breaks; infinite: never
+  bool compression = false;
+};
+
+/// What a tie remembers.
+struct TieState {
+  double elongation = 0.0;  // e, m, with that of the pretension
+  double plastic = 0.0;     // e_p, m
+  double worked = 0.0;      // q, m, plastic elongation summed up whatever its sign
+  double force = 0.0;       // N, m; tension is positive
+  double lost = 0.0;        // J, by yielding, and when it goes slack or taut within a step
+  double released = 0.0;    // J, when it broke
+  std::int64_t broken = 0;  // 1: it has
+};
+
+/// J
+inline double stored_energy(const TieLaw& law, const TieState& s) noexcept { return 0.5 * s.force * s.force / law.stiffness; }
+
+/// The force at the elongation `e` [m], by the return to the yield force with linear isotropic hardening; what the mean of two forces does
+/// over a step less what is stored then is lost.
+inline TieState advance_tie(const TieLaw& law, const TieState& last, double e) noexcept {
+  TieState s = last;
+  s.elongation = e;
+  if (last.broken != 0) return s;
+  const double trial = law.stiffness * (e - last.plastic), limit = law.yield + law.hardening * last.worked, over = std::abs(trial) - limit;
+  s.force = trial;
+  if (e >= law.breaking) {
+    s.broken = 1, s.force = 0.0;
+  } else if (trial < 0.0 && !law.compression) {
+    s.force = 0.0;
+  } else if (over > 0.0) {
+    const double more = over / (law.stiffness + law.hardening);
+    s.plastic += std::copysign(more, trial);
+    s.worked += more;
+    s.force = std::copysign(limit + law.hardening * more, trial);
+  }
+  const double work = 0.5 * (last.force + s.force) * (e - last.elongation);
+  (s.broken != 0 ? s.released : s.lost) += work - (stored_energy(law, s) - stored_energy(law, last));
+  return s;
+}
+
+}  // namespace voussoir::kernels

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/side_stiffness.h"
+
+#include <Eigen/Dense>
+
+namespace voussoir::solver {
+
+namespace {
+
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+using Relative = Eigen::Matrix<double, 3, 12>;  // relative displacement from the motions of master and slave
+
+Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v(2), v(1), v(2), 0.0, -v(0), -v(1), v(0), 0.0;
+  return m;
+}
+
+/// u = x_slave − x_master at a point with the arms a and b.
+Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Relative u;
+  u << -Eigen::Matrix3d::Identity(), cross_matrix(a), Eigen::Matrix3d::Identity(), -cross_matrix(b);
+  return u;
+}
+
+}  // namespace
+
+Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {
+  const Eigen::Vector3d es = vector(side.es), et = vector(side.et), n = es.cross(et);
+  const Eigen::Matrix3d d = side.k.ks * Eigen::Matrix3d::Identity() + (side.k.kn - side.k.ks) * n * n.transpose();
+  Stiffness12 sum{};
+  Eigen::Map<Matrix12> k(sum.data());
+  for (int i = 0; i < points.n; ++i) {
+    const Eigen::Vector3d at = points.s[i] * es + points.t[i] * et;
+    const Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
+    k.noalias() += side.factor * points.area[i] * b.transpose() * d * b;
+  }
+  return sum;
+}
+
+}  // namespace voussoir::solver

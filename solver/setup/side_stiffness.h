@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "kernels/side.h"
+
+/// Stiffness of a whole side against the motions of its two elements, for what needs the stiffness of the structure.
+namespace voussoir::solver {
+
+/// A symmetric 12 × 12 matrix against displacement and rotation of the master, then of the slave [N/m, N, N m].
+using Stiffness12 = std::array<double, 144>;
+
+/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
+Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points);
+
+}  // namespace voussoir::solver

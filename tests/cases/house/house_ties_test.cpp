@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_ties.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "cases/ties.h"
+#include "tests/cases/paper_house.h"
+
+// Rods and meshes of a house: where they run, what they hold, what they take, and what is refused.
+namespace voussoir {
+namespace {
+
+using namespace cases;
+
+/// Outer size 1.2 x 1.0 m, walls 0.2 m thick and 0.4 m high, a door in front from x = 0.4 to 0.8 up to 0.2 m.
+Case small_house() {
+  Case c = testing::paper_flat20();
+  c.output.history.clear();
+  c.house->inner_size = {0.8, 0.6};
+  c.house->height = 0.4;
+  c.house->openings = {testing::opening("front", 0.4, 0.4, 0.0, 0.2, 0.6)};
+  return c;
+}
+
+HouseTie rods(HouseTieKind kind, double height) {
+  HouseTie t;
+  t.kind = kind, t.heights = {height};
+  t.bar.name = "rods", t.bar.area = 2e-4, t.bar.plate = {{0.1, 0.1}};
+  return t;
+}
+
+HouseMesh mesh() {
+  HouseMesh m;
+  m.name = "net", m.stiffness = 2e5, m.spacing = {0.2, 0.1};
+  return m;
+}
+
+Vec3 end_of(const TieBar& t, std::size_t end) {
+  Vec3 at;
+  for (const TieHold& h : t.ends[end]) at += h.share * h.point;
+  return at;
+}
+
+void check_run(const TieBar& t, const std::string& name, Vec3 from, Vec3 to) {
+  CAPTURE(name);
+  CHECK(t.name == name);
+  CHECK(norm(end_of(t, 0) - from) < 1e-12);
+  CHECK(norm(end_of(t, 1) - to) < 1e-12);
+}
+
+void check_refused(const std::function<void(Case&)>& change, const std::string& key, const std::string& says) {
+  Case c = small_house();
+  change(c);
+  std::string got = "built", problem;
+  try {
+    build_model(c);
+  } catch (const InputError& e) {
+    got = e.key(), problem = e.problem();
+  }
+  CAPTURE(problem);
+  CHECK(got == key);
+  CHECK(problem.find(says) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("house ties: along all walls, in their middle") {
+  Case c = small_house();
+  c.house->ties = {rods(HouseTieKind::along, 0.25)};
+  const Model m = build_model(c);
+  REQUIRE(m.ties.size() == 4);
+  check_run(m.ties[0], "rods 1", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
+  check_run(m.ties[1], "rods 2", {1.1, 0.0, 0.25}, {1.1, 1.0, 0.25});
+  check_run(m.ties[2], "rods 3", {0.0, 0.9, 0.25}, {1.2, 0.9, 0.25});
+  check_run(m.ties[3], "rods 4", {0.1, 0.0, 0.25}, {0.1, 1.0, 0.25});
+  REQUIRE(m.tie_bill.size() == 1);
+  CHECK(m.tie_bill[0].name == "rods");
+  CHECK(m.tie_bill[0].ties == 4);
+  CHECK(m.tie_bill[0].anchors == 8);
+  CHECK(m.tie_bill[0].length == doctest::Approx(4.4).epsilon(1e-12));
+}
+
+TEST_CASE("house ties: inside along one wall, across, and across corners, at several heights") {
+  Case c = small_house();
+  c.base->z = 0.5;
+  c.house->ties = {rods(HouseTieKind::along, 0.35), rods(HouseTieKind::across, 0.25), rods(HouseTieKind::corner, 0.25)};
+  std::vector<HouseTie>& ties = c.house->ties;
+  ties[0].walls = {"rear"}, ties[0].depth = 0.25;
+  ties[1].walls = {"front"}, ties[1].at = {0.3, 0.9}, ties[1].bar.name = "cross";
+  ties[2].reach = 0.4, ties[2].walls = {"front", "left", "rear"}, ties[2].bar.name = "corner", ties[2].heights = {0.25, 0.35};
+  const Model m = build_model(c);
+  REQUIRE(m.ties.size() == 1 + 2 + 2 * 2);
+  check_run(m.ties[0], "rods", {0.0, 0.75, 0.85}, {1.2, 0.75, 0.85});
+  check_run(m.ties[1], "cross 1", {0.3, 0.0, 0.75}, {0.3, 1.0, 0.75});
+  check_run(m.ties[2], "cross 2", {0.9, 0.0, 0.75}, {0.9, 1.0, 0.75});
+  check_run(m.ties[3], "corner 1", {0.4, 0.0, 0.75}, {0.0, 0.4, 0.75});
+  check_run(m.ties[4], "corner 2", {0.4, 1.0, 0.75}, {0.0, 0.6, 0.75});
+  check_run(m.ties[6], "corner 4", {0.4, 1.0, 0.85}, {0.0, 0.6, 0.85});
+}
+
+TEST_CASE("house ties: turned and copied as the house is") {
+  Case c = small_house();
+  c.house->ties = {rods(HouseTieKind::corner, 0.25)};
+  c.house->ties[0].reach = 0.3;
+  c.house->meshes = {mesh()};
+  const Model straight = build_model(c);
+  c.house->turn = 90.0, c.house->copies = {2, 1}, c.house->origin = {3.0, -2.0};
+  const Model turned = build_model(c);
+  REQUIRE(turned.ties.size() == 2 * straight.ties.size());
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Vec3 at = end_of(straight.ties[i], end);
+      CHECK(norm(end_of(turned.ties[i], end) - Vec3{3.0 - at.y, at.x - 2.0, at.z}) < 1e-12);
+      CHECK(norm(end_of(turned.ties[4 + i], end) - Vec3{11.0 - at.y, at.x - 2.0, at.z}) < 1e-12);
+    }
+  }
+  CHECK(turned.tie_bill[1].area == doctest::Approx(2.0 * straight.tie_bill[1].area).epsilon(1e-12));
+}
+
+TEST_CASE("house ties: a mesh holds every brick that a node stands on, from node to node, round the corners and through the wall") {
+  Case c = small_house();
+  HouseMesh net = mesh();
+  net.strength = 3e3, net.elongation = 0.1;
+  net.connectors = MeshConnectors{.every = 1, .area = 2e-5, .young = 2e11, .yield = {}, .elongation = {}};
+  c.house->meshes = {net};
+  const Model m = build_model(c);
+  CHECK(own_ties(m) == 0);
+  std::set<std::int32_t> held;
+  bool round_corner = false, through = false;
+  for (const TieBar& t : m.ties) {
+    CHECK(t.mesh == 0);
+    const Vec3 by = end_of(t, 1) - end_of(t, 0);
+    CHECK(t.length == doctest::Approx(norm(by)).epsilon(1e-12));
+    CHECK(t.ends[0][0].element != t.ends[1][0].element);
+    for (const auto& end : t.ends) held.insert(end[0].element);
+    const Vec3 middle = 0.5 * (end_of(t, 0) + end_of(t, 1));
+    CHECK(!(middle.y < 0.21 && middle.x > 0.41 && middle.x < 0.79 && middle.z < 0.19));  // nothing hangs in the door
+    if (std::abs(by.x) > 1e-9 && std::abs(by.y) > 1e-9) round_corner = true;
+    if (t.compression) {
+      through = true;
+      CHECK(norm(by) == doctest::Approx(0.2).epsilon(1e-12));
+      CHECK(t.stiffness == doctest::Approx(2e11 * 2e-5 / 0.2).epsilon(1e-12));
+    } else if (std::abs(by.z) > 1e-9) {  // upright, 0.1 m, for 0.2 m of mesh
+      CHECK(t.stiffness == doctest::Approx(2e5 * 0.2 / 0.1).epsilon(1e-12));
+      CHECK(t.yield == doctest::Approx(600.0).epsilon(1e-12));
+      CHECK(t.breaking == doctest::Approx(0.01).epsilon(1e-12));
+    }
+  }
+  CHECK(round_corner);
+  CHECK(through);
+  const auto bricks = std::ranges::count_if(m.blocks, [](const Block& b) { return b.kind == PartKind::brick; });
+  CHECK(static_cast<double>(held.size()) > 0.7 * static_cast<double>(bricks));
+  // Outside 2 x (1.2 + 1.0) x 0.4 m less a door of 0.4 x 0.2; inside as far as nodes stand between the corners.
+  REQUIRE(m.tie_bill.size() == 1);
+  const double outside = 4.4 * 0.4 - 0.08, inside = 2.0 * (0.8 + 0.6) * 0.4 - 0.08;
+  CHECK(m.tie_bill[0].area == doctest::Approx(outside + inside).epsilon(0.15));
+  CHECK(m.tie_bill[0].anchors > 40);
+  CHECK(m.tie_bill[0].length == doctest::Approx(0.5 * static_cast<double>(m.tie_bill[0].anchors) * 0.2).epsilon(1e-9));
+}
+
+TEST_CASE("house ties: a bandage, on one face of some walls") {
+  Case c = small_house();
+  HouseMesh band = mesh();
+  band.from = 0.2, band.to = 0.4, band.faces = MeshFaces::outside, band.walls = {"left", "front"};
+  c.house->meshes = {band};
+  const Model m = build_model(c);
+  CHECK(m.tie_bill[0].area == doctest::Approx(2.2 * 0.2).epsilon(1e-12));
+  for (const TieBar& t : m.ties) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      CHECK(end_of(t, end).z > 0.2);
+      CHECK(std::min(end_of(t, end).x, end_of(t, end).y) == 0.0);
+    }
+  }
+}
+
+TEST_CASE("house ties: what is refused") {
+  const auto with = [](HouseTie t, const std::function<void(HouseTie&)>& change) {
+    change(t);
+    return [t](Case& c) { c.house->ties = {t}; };
+  };
+  const HouseTie along = rods(HouseTieKind::along, 0.25), across = rods(HouseTieKind::across, 0.25), corner = rods(HouseTieKind::corner, 0.25);
+  check_refused(with(along, [](HouseTie& t) { t.walls = {"front", "north"}; }), "house.tie[0].walls[1]",
+                "\"north\" is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
+  check_refused(with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0]", "lies on no face that looks away");
+  check_refused(with(across, [](HouseTie& t) { t.at = {0.3, 1.5}, t.walls = {"front"}; }), "house.tie[0].at[1]",
+                "1.5 m is beyond the end of the front wall (1.2 m)");
+  check_refused(with(across, [](HouseTie& t) { t.at = {0.6}, t.heights = {0.1}, t.walls = {"front"}; }), "house.tie[0]",
+                "[0.6, 0, 0.1] m lies on no face");
+  check_refused(with(corner, [](HouseTie& t) { t.reach = 1.1; }), "house.tie[0].reach", "1.1 m is beyond the end of the left wall (1 m)");
+  check_refused(with(corner, [](HouseTie& t) { t.reach = 0.3, t.walls = {"front", "rear"}; }), "house.tie[0]", "makes no tie");
+  check_refused(
+      [&](Case& c) {
+        c.house->roof.kind = RoofKind::none, c.house->walls = {"front", "left"};
+        c.house->ties = {across};
+        c.house->ties[0].at = {0.3};
+      },
+      "house.tie[0]", "runs across from the front wall, but the rear wall is not built");
+  check_refused([&](Case& c) { c.house->ties = {along, along}; }, "house", "\"rods 1\" is the name of another tie, too");
+  const auto net = [](const std::function<void(HouseMesh&)>& change) {
+    HouseMesh m = mesh();
+    change(m);
+    return [m](Case& c) { c.house->meshes = {m}; };
+  };
+  check_refused(net([](HouseMesh& m) { m.walls = {"up"}; }), "house.mesh[0].walls[0]", "\"up\" is no wall");
+  check_refused(net([](HouseMesh& m) { m.to = 0.5; }), "house.mesh[0].to", "0.5 m is above the top of the walls (0.4 m)");
+  check_refused(net([](HouseMesh& m) { m.from = 0.4; }), "house.mesh[0].from", "0.4 m is not below the upper edge of the mesh (0.4 m)");
+  check_refused(net([](HouseMesh& m) { m.spacing = {1e-5, 1e-5}; }), "house.mesh[0].spacing", "nodes (allowed: 1000000)");
+  check_refused(net([](HouseMesh& m) { m.spacing = {5.0, 5.0}, m.walls = {"front"}, m.faces = MeshFaces::outside; }), "house.mesh[0]",
+                "holds no two elements");
+}
+
+}  // namespace voussoir
