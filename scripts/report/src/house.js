@@ -216,10 +216,17 @@ export class House {
     return picked;
   }
 
-  render() {
-    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly);
+  /** Chooses the faces that are drawn. @param moving  without those that others hide */
+  chooseFaces(moving) {
+    const { width, height } = this.canvas, picture = moving ? { camera: this.camera, width, height } : null;
+    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly, picture);
     if (this.lines.mesh.visible) this.lines.update(this.at, this.hidden, this.order.seen);
-    if (this.shadow) this.shadow.visible = !(this.software && this.moving);
+  }
+
+  render() {
+    const plain = this.software && this.moving;
+    this.chooseFaces(plain);
+    if (this.shadow) this.shadow.visible = !plain;
     this.renderer.render(this.scene, this.camera);
   }
 
