@@ -196,10 +196,13 @@ void add_report(CLI::App& app, Words& w) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(io::kViews));
+  report->add_option("--modes", w.report.modes, "so many mode shapes of the undamaged structure in the page, too (default: none)")
+      ->check(CLI::Range(1, 50));
   report->add_flag("--overwrite", w.report.overwrite, "replace existing files");
   report->footer(
       "example: voussoir report results/flat20n --stills 1.2,2.0,2.8,4.8 --view front\n"
       "         voussoir report results/flat20n --film flat20n.mp4 --speed 0.5\n"
+      "         voussoir report results/flat20n --modes 6\n"
       "         voussoir report results/flat20n results/flat20s");
 }
 

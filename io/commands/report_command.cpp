@@ -6,9 +6,13 @@
 #include <charconv>
 
 #include "cases/case.h"
+#include "io/assess/case_of_run.h"
 #include "io/report/stills.h"
 #include "io/session/exit_code.h"
+#include "io/session/prepared_case.h"
 #include "io/session/views.h"
+#include "solver/analysis/modes.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::io {
 namespace {
@@ -30,6 +34,14 @@ std::vector<double> numbers(const char* key, const std::vector<std::string>& wor
   return all;
 }
 
+/// Modes of the structure that the run was made of, before anything of it was damaged.
+std::vector<solver::Mode> modes_of(const std::string& run, int count) {
+  if (count == 0) return {};
+  cases::Case c = case_of_run(Hdf5File::open(run));
+  const cases::Model model = prepared_model(c);
+  return solver::natural_modes(*solver::build_world(c, model, {}), count);
+}
+
 }  // namespace
 
 int report_command(const ReportOptions& o) {
@@ -42,6 +54,8 @@ int report_command(const ReportOptions& o) {
   if (film && !times.empty()) throw cases::InputError("--film", "does not go with --stills");
   if (!o.views.empty() && !film && times.empty()) throw cases::InputError("--view", "is of pictures: it needs --stills or --film");
   if (film && o.views.size() > 1) throw cases::InputError("--view", "a film has one");
+  if (o.modes > 0 && (runs.size() > 1 || film || !times.empty() || o.paraview))
+    throw cases::InputError("--modes", "is of the page of one run");
   if (o.paraview) write_for_paraview(folder, o.overwrite);
   if (!times.empty()) {
     StillsOptions s;
@@ -58,7 +72,8 @@ int report_command(const ReportOptions& o) {
     write_film(runs, f);
   }
   if (!o.paraview && times.empty() && !film)
-    write_page(runs, o.output.empty() ? folder + (runs.size() > 1 ? "/comparison.html" : "/report.html") : o.output, o.overwrite);
+    write_page(runs, o.output.empty() ? folder + (runs.size() > 1 ? "/comparison.html" : "/report.html") : o.output, o.overwrite,
+               modes_of(runs.front(), o.modes));
   return kDone;
 }
 

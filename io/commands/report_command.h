@@ -17,6 +17,7 @@ struct ReportOptions {
   std::vector<std::string> times;    // s, of pictures instead of the page: words of numbers with commas
   std::vector<std::string> views;    // of the pictures, or of the film; empty: corner
   FilmOptions film;                  // with a file: a film instead of the page
+  int modes = 0;                     // how many mode shapes the page shows, too
   bool overwrite = false;
 };
 

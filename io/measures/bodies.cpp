@@ -144,6 +144,19 @@ BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
   return out;
 }
 
+std::array<std::int32_t, 2> BodyFinder::carriers(const Vec3& end, const std::vector<const Joint*>& joints, const BodiesInFrame& found,
+                                                 std::uint8_t first) const {
+  std::array<std::int32_t, 2> nearest{-1, -1};
+  std::array<double, 2> distance{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const Joint* j : joints)
+    for (const std::int32_t e : {j->a, j->b}) {
+      const std::size_t side = found.id[static_cast<std::size_t>(e)] == first ? 0 : 1;
+      const double d = norm(start_[static_cast<std::size_t>(e)].centre - end);
+      if (d < distance[side]) distance[side] = d, nearest[side] = e;
+    }
+  return nearest;
+}
+
 std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const {
   const auto body = [&](std::uint8_t id) -> const Body* {
     const auto at = std::ranges::find(found.bodies, id, &Body::id);
@@ -178,7 +191,8 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
       low = std::min(low, s), high = std::max(high, s);
     }
     if (high - low < kShort) continue;
-    all.push_back({middle + aside + low * axis, middle + aside + high * axis});
+    const Vec3 from = middle + aside + low * axis, to = middle + aside + high * axis;
+    all.push_back({from, to, carriers(from, joints, found, ids.first), carriers(to, joints, found, ids.first)});
   }
   return all;
 }

@@ -34,6 +34,8 @@ struct Body {
 /// A line about which two bodies turn against each other.
 struct Hinge {
   Vec3 from, to;  // m, in the reference configuration
+  /// The elements whose motion its ends follow: of the first body and of the second, at their joints the nearest to the end.
+  std::array<std::int32_t, 2> at_from{}, at_to{};
 };
 
 struct BodiesInFrame {
@@ -59,6 +61,8 @@ class BodyFinder {
   };
   std::vector<std::int32_t> components(double time, const std::vector<Pose>& poses) const;
   void number(std::vector<Body>& bodies, const std::vector<std::int32_t>& component, BodiesInFrame& out);
+  [[nodiscard]] std::array<std::int32_t, 2> carriers(const Vec3& end, const std::vector<const Joint*>& joints, const BodiesInFrame& found,
+                                                     std::uint8_t first) const;
   [[nodiscard]] std::vector<Hinge> hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const;
 
   const Building& building_;

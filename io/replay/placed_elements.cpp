@@ -12,7 +12,9 @@ namespace {
 
 Vec3 vector_at(const std::vector<double>& values, std::size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
 
-std::vector<double> radii(const Hdf5File& run, std::size_t elements) {
+}  // namespace
+
+std::vector<double> element_radii(const Hdf5File& run, std::size_t elements) {
   const auto first = run.read<std::int32_t>("/model/element/first_vertex");
   const auto centre = run.read<double>("/model/element/position0"), vertex = run.read<double>("/model/vertex");
   if (first.size() != elements || centre.size() != 3 * elements) throw FileError(run.path(), "/model/element does not fit together");
@@ -24,8 +26,6 @@ std::vector<double> radii(const Hdf5File& run, std::size_t elements) {
   }
   return radius;
 }
-
-}  // namespace
 
 std::vector<Pose> first_poses(const FrameReader& frames) {
   std::vector<Pose> poses(frames.elements());
@@ -41,7 +41,7 @@ std::vector<Pose> poses_of(const FrameReader& frames, std::uint64_t frame) {
   return poses;
 }
 
-ElementShapes::ElementShapes(const Hdf5File& run, std::size_t elements) : first_(elements + 1), radius_(radii(run, elements)) {
+ElementShapes::ElementShapes(const Hdf5File& run, std::size_t elements) : first_(elements + 1), radius_(element_radii(run, elements)) {
   const auto element = run.read<std::int32_t>("/model/face/element");
   const auto normal = run.read<double>("/model/face/normal"), distance = run.read<double>("/model/face/distance");
   if (normal.size() != 3 * element.size() || distance.size() != element.size() || !std::ranges::is_sorted(element))

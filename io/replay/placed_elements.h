@@ -26,6 +26,9 @@ std::vector<Pose> first_poses(const FrameReader& frames);
 /// Of all elements in a frame. \throw FileError
 std::vector<Pose> poses_of(const FrameReader& frames, std::uint64_t frame);
 
+/// Of the spheres about the centroids that hold the elements, m. \throw FileError
+std::vector<double> element_radii(const Hdf5File& run, std::size_t elements);
+
 /// What of a vertical line lies in an element, m.
 struct Chord {
   double low = 0, high = 0;

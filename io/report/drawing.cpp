@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "io/report/dimensions.h"
 #include "io/report/svg.h"
 
 namespace voussoir::io {
@@ -18,12 +19,13 @@ using cases::PartKind;
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 22.0, kLegend = 40.0;  // user units
+constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 52.0, kLegend = 40.0;  // user units
 constexpr double kSheet = 760.0;                                                  // widest view
 constexpr double kLargestScale = 140.0;                                           // units per metre
-constexpr double kBehind = 0.55;  // m; a wall deeper than this behind the nearest face is drawn darker
-constexpr const char* kNamed = "#d62828";
-constexpr const char* kTie = "#1d4e9e";
+constexpr double kBehind = 0.55;                 // m; a wall deeper than this behind the nearest face is drawn darker
+constexpr double kWords = 46.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
+constexpr const char* kNamed = "#1f5fa8";        // red is for cracks alone, as in all pictures
+constexpr const char* kTie = "#1b7f5c";
 
 /// A direction of view: screen axes right and up, and into the picture.
 struct View {
@@ -139,6 +141,7 @@ class Drawing {
     draw_plan(svg, section, {kMargin, top}, deep);
     if (course > 0.0) draw_plan(svg, section + course, {second, top}, deep);
     draw_legend(svg, height - kLegend);
+    draw_scale_bar(svg, {width - kMargin - 180.0, height - kLegend + 8.0}, scale_);
     return std::move(svg).finish();
   }
 
@@ -184,7 +187,10 @@ class Drawing {
     const Vec3 size = box_.high - box_.low;
     const double width = scale_ * std::abs(dot(size, view.right));
     svg.line({corner.s - 8.0, corner.t + height}, {corner.s + width + 8.0, corner.t + height}, "#222", 1.5);
-    svg.text({corner.s, corner.t + height + kCaption},
+    draw_opening_dimensions(
+        svg, case_, view.name, box_, [&](Vec3 p) { return frame.at(p); }, kPieces);
+    draw_axes(svg, {corner.s + width - 30.0, corner.t + height + kWords + 2.0}, view.right, view.up);
+    svg.text({corner.s, corner.t + height + kWords},
              std::string(view.name) + ", " + metres_text(std::abs(dot(size, view.right))) + " x " + metres_text(size.z) + " m", 13.0);
   }
 
@@ -198,7 +204,9 @@ class Drawing {
       if (t.mesh < 0) draw_tie(svg, frame, t);
     }
     for (const auto& [element, name] : named_) label(svg, frame, element);
-    svg.text({corner.s, corner.t + height + kCaption}, "plan at z = " + metres_text(z) + " m; front below", 13.0);
+    draw_thicknesses(svg, case_, z, [&](Vec3 p) { return frame.at(p); });
+    draw_axes(svg, {corner.s + scale_ * (box_.high.x - box_.low.x) - 30.0, corner.t + height + kWords + 2.0}, kPlan.right, kPlan.up);
+    svg.text({corner.s, corner.t + height + kWords}, "plan at z = " + metres_text(z) + " m; front below", 13.0);
   }
 
   static Vec3 end_of(const cases::TieBar& t, std::size_t end) {

@@ -11,8 +11,9 @@
 namespace voussoir::io {
 
 /// Elevations are seen from outside, what lies behind an opening darker. The plans are horizontal sections, for a house through as many
-/// openings as one course can meet, and through the course above it; else at half the model's height. The elements that the case follows
-/// (output.history) are red and named. Ties are blue lines; straps of meshes stand in the elevations alone, on the faces seen.
+/// openings as one course can meet, and through the course above it; else at half the model's height. Openings and thicknesses of a house
+/// that stands alone have their dimensions (m); every view has its axes, the sheet a scale bar. The elements that the case follows
+/// (output.history) are blue and named. Ties are green lines; straps of meshes stand in the elevations alone, on the faces seen.
 /// \pre the model has an element
 std::string draw(const cases::Case& c, const cases::Model& model);
 

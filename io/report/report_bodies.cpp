@@ -32,6 +32,8 @@ ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
       nlohmann::json& line = hinges.emplace_back(nlohmann::json::array());
       for (const Vec3& p : {h.from, h.to})
         for (const double x : {p.x, p.y, p.z}) line.push_back(std::round(1000 * x) / 1000);
+      for (const auto& end : {h.at_from, h.at_to})
+        for (const std::int32_t e : end) line.push_back(e);
     }
   }
   result.json = safe_json(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

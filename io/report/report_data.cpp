@@ -18,6 +18,7 @@
 #include "io/report/report_bodies.h"
 #include "io/report/report_facts.h"
 #include "io/report/report_frames.h"
+#include "io/report/report_modes.h"
 #include "io/report/report_page.h"
 
 namespace voussoir::io {
@@ -57,18 +58,29 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   }
 }
 
+void put_modes(Scripts& out, const Hdf5File& file, const FrameReader& reader, const std::vector<solver::Mode>& modes) {
+  if (modes.empty()) return;
+  if (modes.front().displacement.size() != reader.elements())
+    throw FileError(file.path(), "its case makes " + std::to_string(modes.front().displacement.size()) + " elements, and not the " +
+                                     std::to_string(reader.elements()) + " of the run: no modes");
+  const ReportModes packed_modes = report_modes(modes);
+  out.put("application/json", "modes", packed_modes.json);
+  out.put("mode-shapes", packed_modes.shape);
+}
+
 }  // namespace
 
-std::string report_data(const std::string& run, const std::string& prefix) {
+std::string report_data(const std::string& run, const std::string& prefix, const std::vector<solver::Mode>& modes) {
   const Hdf5File file = Hdf5File::open(run);
   const FrameReader reader(file);
-  const PackedFrames frames = pack_frames(reader);
+  const PackedFrames frames = pack_frames(file, reader);
   const ReportFacts facts = report_facts(file, reader, frames.quantum);
   const CoveredFaces covered = covered_faces(file);
   const JointCracks cracks = joint_cracks(file, reader);
   const OpenedFaces opened = opened_faces(file, cracks.shown);
   Scripts out(prefix);
   out.put("application/json", "facts", facts.json);
+  out.put("plots", std::vector<char>(facts.plots.begin(), facts.plots.end()));
   out.put("vertices", file.read<float>("/model/vertex"));
   out.put("cells", file.read<std::int32_t>("/model/cells"));
   out.put("cell-types", file.read<std::uint8_t>("/model/cell_type"));
@@ -86,14 +98,16 @@ std::string report_data(const std::string& run, const std::string& prefix) {
   out.put("crack-ends", cracks.ends);
   out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
   put_bodies(out, file, reader);
+  put_modes(out, file, reader, modes);
+  out.put("turn-shifts", frames.shift);
   out.put("text/plain", "frames", frames.text);
   return out.text;
 }
 
-std::string report_html(const std::vector<std::string>& runs) {
+std::string report_html(const std::vector<std::string>& runs, const std::vector<solver::Mode>& modes) {
   const ReportPage page = report_page();
   std::string html(page.head);
-  for (std::size_t i = 0; i < runs.size(); ++i) html += report_data(runs[i], i == 0 ? "" : "second-");
+  for (std::size_t i = 0; i < runs.size(); ++i) html += i == 0 ? report_data(runs[i], "", modes) : report_data(runs[i], "second-");
   return html.append(page.tail);
 }
 

@@ -75,6 +75,30 @@ Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
   return plot("Ground acceleration", "m/s²", thinned(time), columns(value, kAxes));
 }
 
+/// Where the ground is at each of these times [s], m: from rest, with an acceleration that is linear between samples.
+Json ground_track(const cases::GroundMotion& motion, const std::vector<double>& times) {
+  double step = 0.01;
+  for (const cases::Accelerogram& a : motion.axis)
+    if (a.dt > 0.0) step = std::min(step, a.dt);
+  Json track = Json::array();
+  Vec3 at, speed, last = cases::acceleration_at(motion, 0.0);
+  double t = 0.0;
+  const auto go = [&](double until) {
+    const double h = until - t;
+    const Vec3 a = cases::acceleration_at(motion, until);
+    at = at + h * speed + (h * h / 6) * (2.0 * last + a), speed = speed + (0.5 * h) * (last + a);
+    last = a, t = until;
+  };
+  for (const double frame : times) {
+    while (t + step < frame) go(t + step);
+    if (frame > t) go(frame);
+    Json point = Json::array();
+    for (const double x : {at.x, at.y, at.z}) point.push_back(std::round(1e4 * x) / 1e4);
+    track.push_back(std::move(point));
+  }
+  return track;
+}
+
 void add_histories(const Hdf5File& file, Json& plots) {
   const Json time = thinned(file.read<double>("/history/time"));
   for (const std::string& name : file.children("/history")) {
@@ -178,7 +202,7 @@ std::string record_name(const cases::Motion& m) {
 }
 
 /// What shook the run. Its records may be gone: then the page has neither peaks nor the curves.
-void add_ground(const LoadedCase& c, const Hdf5File& file, Json& facts) {
+void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion) return;
   const cases::Motion& m = *c.value.motion;
@@ -190,6 +214,7 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, Json& facts) {
     for (const cases::Accelerogram& a : motion.axis) peak.push_back(cases::figures(a).peak_acceleration);
     facts["motion"]["peak"] = peak;
     if (!times.empty()) facts["plots"].push_back(ground_plot(motion, 0.0, times.back()));
+    facts["ground"] = ground_track(motion, frames.times());
   } catch (const std::exception& e) {
     warn("ground motion", e);
   }
@@ -271,7 +296,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   Json facts;
   facts["title"] = c ? c->value.title : std::filesystem::path(file.path()).parent_path().filename().string();
   facts["plots"] = Json::array();
-  if (c) add_ground(*c, file, facts);
+  if (c) add_ground(*c, file, frames, facts);
   add_measures(file, facts);
   add_capacity(file, facts);
   add_histories(file, facts["plots"]);
@@ -292,6 +317,8 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["quantum"] = quantum;
   out.part = number_parts(file, facts);
   out.material = file.read<std::int32_t>("/model/element/material");
+  out.plots = facts["plots"].dump(-1, ' ', false, Json::error_handler_t::replace);
+  facts.erase("plots");
   out.json = safe_json(facts.dump(-1, ' ', false, Json::error_handler_t::replace));
   return out;
 }

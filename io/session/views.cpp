@@ -14,10 +14,10 @@
 
 namespace voussoir::io {
 
-void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite) {
+void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
   std::error_code none;
   if (!overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
-  const std::string text = report_html(runs);
+  const std::string text = report_html(runs, modes);
   write_text_file(page, text, overwrite);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
 }

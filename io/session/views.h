@@ -6,11 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "solver/analysis/modes.h"
+
 /// Pages and files of a run's results for people: report.html, and files for ParaView.
 namespace voussoir::io {
 
-/// Writes the report page of one run, or of two side by side, and says where. \throw FileError if it exists and may not be replaced
-void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite);
+/// Writes the report page of one run, or of two side by side, and says where. \param modes  see report_html \throw FileError if it exists
+/// and may not be replaced
+void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes = {});
 
 /// Writes run.xdmf into the folder of a run and says so. \throw FileError
 void write_for_paraview(const std::string& folder, bool overwrite);

@@ -37,7 +37,7 @@ void main() {
   float light = 0.42 + 0.55 * max(0.0, dot(n, vec3(-0.218, -0.436, 0.873))) + 0.22 * max(0.0, dot(n, vec3(0.812, 0.487, 0.325)));
   vColour = opened <= now ? red : texelFetch(state, at + ivec2(2, 0), 0).rgb;
   if (element == picked) vColour = mix(vColour, light_up, 0.75);
-  vColour *= pow(light, 1.0 / 2.2);
+  vColour *= 0.3653 + light * (0.8216 - 0.1859 * light);  // light to the power 1 / 2.2 within 0.004: pow itself took a fifth of the time of a frame
   vAcross = across;
   gl_Position = projectionMatrix * viewMatrix * vec4(texelFetch(state, at, 0).xyz + turned(q, kSwell * position), 1.0);
 }`;

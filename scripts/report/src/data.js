@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data in the page; io/report/report_data.h and io/report/report_frames.h say how they are packed.
 
+import { Modes } from "./modes.js";
+
 async function inflate(id) {
   const element = document.getElementById(id);
   const text = atob(element.textContent);
@@ -13,13 +15,14 @@ async function inflate(id) {
 
 /** Adds up the steps of packed frames; positions are those of the run within half a quantum. */
 export class Frames {
-  constructor(buffer, count, centroids, quantum) {
+  constructor(buffer, count, centroids, quantum, shifts) {
     const n = centroids.length / 3;
-    Object.assign(this, { n, count, centroids, quantum });
+    Object.assign(this, { n, count, centroids, quantum, shifts });
     const packed = new Uint8Array(buffer);
     this.values = new Int16Array(7 * n * count); // a frame: dx, dy, dz, w, x, y, z of all elements, one after the other
     this.brokenBytes = new Uint8Array(n * count);
     for (let f = 0; f < count && packed.length > 0; ++f) this.#add(packed, f);
+    for (let f = 0; f < count && packed.length > 0; ++f) this.#scale(f);
     if (packed.length === 0) this.values.fill(32767, 3 * n, 4 * n); // the model alone, as it was built
   }
 
@@ -34,6 +37,12 @@ export class Frames {
       }
     }
     for (let i = 0; i < n; ++i) brokenBytes[n * f + i] = (f > 0 ? brokenBytes[n * (f - 1) + i] : 0) + packed[from + 14 * n + i];
+  }
+
+  /** Quaternions in steps of 1/32767, whatever the steps were in which they came. */
+  #scale(f) {
+    const { n, values, shifts } = this;
+    for (let c = 3, i = n * (7 * f + 3); c < 7; ++c) for (let e = 0; e < n; ++e, ++i) values[i] = Math.min(32767, values[i] << shifts[e]);
   }
 
   /** Component `c` of element `e` between frames; `at` is a frame number that need not be whole. */
@@ -90,7 +99,12 @@ class Bodies {
   }
   at(at) { return this.ids.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
   names(at) { return this.bodies[Math.floor(at)].map(([id, name]) => ({ id, name: this.texts[name] })); }
-  hinges(at) { return this.lines[Math.floor(at)].map((p) => ({ points: [p.slice(0, 3), p.slice(3)] })); }
+  /** Ends of the hinges where the elements are that they go with: halfway between where the two bodies take them.
+   *  @param carried  where an element takes a point of the reference configuration: (element, point) => point */
+  hinges(at, carried) {
+    const middle = (p, elements) => elements.map((e) => carried(e, p)).reduce((a, b) => a.map((x, k) => 0.5 * (x + b[k])));
+    return this.lines[Math.floor(at)].map((h) => ({ points: [middle(h.slice(0, 3), h.slice(6, 8)), middle(h.slice(3, 6), h.slice(8, 10))] }));
+  }
 }
 
 /** @param prefix  of the ids of its elements: "" the first run, "second-" the one beside it */
@@ -101,6 +115,7 @@ export async function loadRun(prefix = "") {
   facts.model = facts.times.length === 0; // no frames yet
   if (facts.model) facts.times = [0];
   const get = (id) => inflate(prefix + id);
+  facts.plots = JSON.parse(new TextDecoder().decode(await get("plots")));
   const run = {
     facts,
     vertices: new Float32Array(await get("vertices")),
@@ -116,9 +131,11 @@ export async function loadRun(prefix = "") {
     openedTimes: new Float32Array(await get("opened-times")),
   };
   const centroids = new Float32Array(await get("centroids"));
-  run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum);
+  run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum, new Uint8Array(await get("turn-shifts")));
   const edges = new Uint8Array(await get("crack-edges"));
   run.cracks = new Cracks(new Int32Array(await get("crack-elements")), edges, new Float32Array(await get("crack-ends")), facts.model ? new Uint8Array(edges.length) : new Uint8Array(await get("crack-levels")), facts.times.length);
+  const modes = document.getElementById(`${prefix}modes`);
+  if (modes) run.modes = new Modes(JSON.parse(modes.textContent), new Int16Array(await get("mode-shapes")), centroids);
   const bodies = document.getElementById(`${prefix}bodies`);
   if (bodies && !facts.model) run.frames.bodies = new Bodies(JSON.parse(bodies.textContent), new Uint8Array(await get("body-ids")), run.frames.n);
   return run;

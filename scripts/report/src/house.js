@@ -41,6 +41,7 @@ export class House {
     this.moving = false; // while it plays, what takes long is left out
     this.hidden = new Uint8Array(run.frames.n + 1);
     this.partly = false;
+    this.way = new Vector3(); // of the ground, from where the camera stands
     this.#measure();
     this.around = new Surroundings(this.scene, this.low, this.high, run.facts);
     this.#build();
@@ -106,15 +107,17 @@ export class House {
     this.view = name;
     this.hideRoof(name === "plan");
     this.around.distances && (this.around.distances.visible = name === "plan");
-    this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), this.fixed ? 0.76 : 0.88));
+    this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), this.fixed ? 0.76 : 0.88)).sub(this.way);
+    this.camera.position.sub(this.way);
     this.controls.update();
     this.turned();
   }
 
-  /** The camera and what it looks at: six numbers. */
+  /** The camera and what it looks at, as the house sees them: six numbers. */
+  get placed() { return [...this.camera.position.clone().add(this.way), ...this.controls.target.clone().add(this.way)]; }
   place(numbers) {
-    this.camera.position.fromArray(numbers);
-    this.controls.target.fromArray(numbers, 3);
+    this.camera.position.fromArray(numbers).sub(this.way);
+    this.controls.target.fromArray(numbers, 3).sub(this.way);
     this.controls.update();
     this.turned();
   }
@@ -125,6 +128,14 @@ export class House {
     this.camera.position.add(step);
     this.controls.target.add(step);
     this.followed = here;
+  }
+
+  /** All that stands on the ground moves with it, and the picture does not. @param way  of the ground, m; zeros: the picture moves with it */
+  shake(way) {
+    const step = new Vector3(...way).sub(this.way);
+    this.way.add(step);
+    this.camera.position.sub(step);
+    this.controls.target.sub(step);
   }
 
   /** Turns about the target by angles, and goes nearer by a factor. */
@@ -189,6 +200,27 @@ export class House {
     this.draw();
   }
 
+  /** Shows a mode of the structure as it was built. @param largest  see modes.js */
+  showMode(modes, mode, largest, colouring) {
+    modes.place(mode, largest, this.state, kStride);
+    colouring.paint(0, this.state);
+    this.colouring = null;
+    this.whole ??= new Uint8Array(this.run.frames.n);
+    Object.assign(this, { at: 0, now: kBefore, broken: this.whole });
+    this.texture.needsUpdate = true;
+    this.material.uniforms.now.value = kBefore;
+    this.material.uniforms.edges.value = colouring.edges;
+    this.lines.mesh.visible = false;
+    this.draw();
+  }
+
+  /** Where an element has taken a point of the reference configuration. */
+  carried(element, point) {
+    const at = kStride * element, c = this.run.frames.centroids, p = new Vector3(...[0, 1, 2].map((k) => point[k] - c[3 * element + k]));
+    p.applyQuaternion(new Quaternion().fromArray(this.state, at + 4));
+    return [0, 1, 2].map((k) => this.state[at + k] + p.getComponent(k));
+  }
+
   /** Lights up an element; -1: none. */
   lightUp(element) {
     this.material.uniforms.picked.value = element;
@@ -216,10 +248,17 @@ export class House {
     return picked;
   }
 
-  render() {
-    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly);
+  /** Chooses the faces that are drawn. @param moving  without those that others hide */
+  chooseFaces(moving) {
+    const { width, height } = this.canvas, picture = moving ? { camera: this.camera, width, height } : null;
+    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly, picture);
     if (this.lines.mesh.visible) this.lines.update(this.at, this.hidden, this.order.seen);
-    if (this.shadow) this.shadow.visible = !(this.software && this.moving);
+  }
+
+  render() {
+    const plain = this.software && this.moving;
+    this.chooseFaces(plain);
+    if (this.shadow) this.shadow.visible = !plain;
     this.renderer.render(this.scene, this.camera);
   }
 

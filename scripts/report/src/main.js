@@ -76,6 +76,10 @@ class Report {
       });
       this.pane = this.panes.find((p) => p.run === this.run);
       this.house = this.pane.house;
+      this.modes = this.runs.length === 1 ? this.run.modes : undefined;
+      this.modes?.names().forEach((name, i) => by("mode").add(new Option(name, i)));
+      by("mode").parentElement.hidden = !this.modes;
+      by("shake").parentElement.hidden = !this.runs.some((run) => run.facts.ground?.length > 0);
       if (this.run.frames.bodies) by("colour").add(new Option("bodies that move as one", "bodies"));
       this.#dress(still);
       for (const { house } of this.panes) house.resize();
@@ -96,7 +100,7 @@ class Report {
   #turned(from) {
     if (this.turning) return;
     this.turning = true;
-    for (const { house } of this.panes) if (house !== from.house) house.place([...from.house.camera.position, ...from.house.controls.target]);
+    for (const { house } of this.panes) if (house !== from.house) house.place(from.house.placed);
     this.turning = false;
     if (this.opened && !this.looking && by("camera").value !== "free") by("camera").value = "free";
     this.#remember();
@@ -114,7 +118,7 @@ class Report {
     for (const { house } of this.panes) {
       this.turning = true;
       house.look(view);
-      camera.push([...house.camera.position, ...house.controls.target]);
+      camera.push(house.placed);
     }
     this.turning = false;
     const far = camera.map((c) => Math.hypot(c[0] - c[3], c[1] - c[4], c[2] - c[5])); // the farther of two sees both whole
@@ -125,33 +129,19 @@ class Report {
   }
 
   #listen() {
-    const { panes } = this, redraw = () => this.show(this.at), houses = (act) => () => (panes.forEach(({ house }) => act(house)), redraw());
+    const { panes } = this, redraw = () => this.redraw(), houses = (act) => () => (panes.forEach(({ house }) => act(house)), redraw());
     by("time").addEventListener("input", (e) => this.show(Number(e.target.value)));
     by("play").addEventListener("click", () => this.play(!this.playing));
-    for (const id of ["colour", "magnify", "names"]) by(id).addEventListener("change", redraw);
+    for (const id of ["colour", "magnify", "names", "shake"]) by(id).addEventListener("change", redraw);
+    by("mode").addEventListener("change", () => (this.redraw(), this.play(this.mode !== null)));
     by("camera").addEventListener("change", (e) => this.look(e.target.value));
     by("roofless").addEventListener("change", houses((house) => house.hideRoof(by("roofless").checked)));
     by("rooms").addEventListener("change", houses((house) => house.around.rooms && (house.around.rooms.visible = by("rooms").checked)));
     for (const id of ["section", "cut"]) by(id).addEventListener("input", houses((house) => house.cut(by("section").value === "" ? null : { axis: Number(by("section").value), at: by("cut").value / 100 })));
     by("record").addEventListener("click", () => this.record(!this.recorder));
     this.dark.addEventListener("change", () => (this.#dress(), this.plots.forEach((p) => p.dress()), redraw()));
-    panes.forEach((pane) => this.#listenTo(pane));
+    panes.forEach((pane) => pane.listen((element) => this.pick(element, pane)));
     document.addEventListener("keydown", (e) => this.#key(e));
-  }
-
-  #listenTo(pane) {
-    let down = [0, 0];
-    const view = pane.house.canvas;
-    view.addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
-    view.addEventListener("pointerup", (e) => {
-      if (Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) this.pick(pane.house.pick(e.clientX, e.clientY), pane);
-    });
-    const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08], "+": [0, 0, 1.15], "=": [0, 0, 1.15], "-": [0, 0, 1 / 1.15] };
-    view.addEventListener("keydown", (e) => {
-      if (!turns[e.key] || e.altKey || e.ctrlKey || e.metaKey) return;
-      pane.house.orbit(...turns[e.key]);
-      e.preventDefault(), e.stopPropagation();
-    });
   }
 
   #open(asked) {
@@ -174,7 +164,7 @@ class Report {
     clearTimeout(this.remembering);
     this.remembering = setTimeout(() => {
       const parts = [`t=${+this.time().toFixed(3)}`, `colour=${by("colour").value}`, by("magnify").value !== "auto" && `motion=${by("magnify").value}`];
-      parts.push(by("camera").value === "free" ? `camera=${cameraText(this.house.camera, this.house.controls.target)}` : `view=${by("camera").value}`);
+      parts.push(by("camera").value === "free" ? `camera=${cameraText(this.house.placed)}` : `view=${by("camera").value}`);
       history.replaceState(null, "", "#" + parts.filter(Boolean).join("&"));
     }, 400);
   }
@@ -192,12 +182,14 @@ class Report {
   /** Shows frame `at` of the run whose frames are on the slider; it need not be whole. */
   show(at) {
     this.at = Math.min(Math.max(at, 0), this.last);
+    by("mode").value = "";
     const t = this.time(), name = by("colour").value, size = by("magnify").value;
     let large = 1;
     for (const pane of this.panes) {
       const own = pane === this.pane ? this.at : pane.frameAt(t);
       large = size === "auto" ? this.pane.magnify(t) : Number(size);
       if (by("follow").checked && pane.picked >= 0) pane.house.follow(pane.picked);
+      pane.house.shake(by("shake").checked ? pane.groundWay(own) : [0, 0, 0]);
       pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
     }
     this.large = large;
@@ -205,6 +197,18 @@ class Report {
     this.#legend(name);
     if (this.still_) return; // nobody looks at the page
     if (!this.playing || !this.house?.software || ++this.unsaid >= kStepped) this.#say(t);
+    this.recorder?.shot();
+  }
+
+  /** The mode that is shown, or null. */
+  get mode() { return by("mode").value === "" ? null : Number(by("mode").value); }
+
+  redraw() {
+    if (this.mode === null) return this.show(this.at);
+    const { house, colours } = this.pane, colouring = colours[by("colour").value] ?? colours.cracks, largest = this.modes.largest(house.size, by("magnify").value);
+    house.shake([0, 0, 0]);
+    house.showMode(this.modes, this.mode, largest, colouring.steady ? colouring : colours.cracks);
+    say("note", `mode ${this.modes.names()[this.mode]} · as built, largest motion ${Math.round(1000 * largest)} mm`);
     this.recorder?.shot();
   }
 
@@ -231,13 +235,13 @@ class Report {
 
   #overlayOf(pane) {
     const t = this.time(), plan = pane.house.view === "plan";
-    return { names: by("names").checked && !plan, ground: pane.groundAt(t), distances: plan, hinges: by("colour").value === "bodies" ? pane.run.frames.bodies?.hinges(pane.house.at) : null };
+    return { names: by("names").checked && !plan, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
   }
 
   #overlay(pane) {
     if (this.composing) return;
     // While it plays, writing it all at every frame would take as long as the house.
-    const camera = cameraText(pane.house.camera, pane.house.controls.target);
+    const camera = cameraText([...pane.house.camera.position, ...pane.house.controls.target]);
     if (this.playing && camera === pane.written && ++pane.unwritten < kStepped * kSeldom) return;
     pane.written = camera, pane.unwritten = 0;
     const ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: width, clientHeight: height } = pane.element;
@@ -307,14 +311,16 @@ class Report {
     for (const id of ["clock", "picked"]) by(id).setAttribute("aria-live", on ? "off" : "polite"); // else every frame is read out
     if (!on) {
       if (this.recorder) this.record(false);
-      return this.show(this.at);
+      return this.redraw();
     }
-    if (this.at >= this.last) this.show(0);
+    if (this.at >= this.last && this.mode === null) this.show(0);
     let before = performance.now();
     const tick = (now) => {
-      this.#advance(((now - before) / 1000) * Number(by("speed").value));
+      const seconds = ((now - before) / 1000) * Number(by("speed").value);
       before = now;
-      if (this.at >= this.last) this.play(false);
+      if (this.mode !== null) this.modes.advance(seconds), this.redraw();
+      else this.#advance(seconds);
+      if (this.at >= this.last && this.mode === null) this.play(false);
       else this.next = requestAnimationFrame(tick);
     };
     this.next = requestAnimationFrame(tick);

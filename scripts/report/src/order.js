@@ -5,6 +5,7 @@
 // its joint is so wide open that one could look in.
 import { BufferAttribute, DynamicDrawUsage } from "three";
 import { kStride } from "./brick.js";
+import { HiddenFaces } from "./hidden.js";
 
 const kLayers = 1024; // of depth: elements of one are in no order
 const kNear = 4; // m: from here on, a joint that is not yet as wide as faces need to show (shapes.js: opened) is no wider than a pixel
@@ -16,6 +17,7 @@ export class FaceOrder {
   constructor(geometry, faces) {
     const n = faces.first.length - 1;
     Object.assign(this, { geometry, faces, n, distance: new Float32Array(n), sorted: new Uint32Array(n), ends: new Uint32Array(kLayers + 1), seen: new Uint8Array(faces.start.length) });
+    this.others = new HiddenFaces(geometry.getAttribute("position").array);
     // `seen`: 1 for faces that are drawn; the last stands for a face that always is
     this.index = new BufferAttribute(new Uint32Array(faces.index.length), 1).setUsage(DynamicDrawUsage);
     geometry.setIndex(this.index);
@@ -40,9 +42,12 @@ export class FaceOrder {
 
   /** Orders anew for elements that are where `state` says (brick.js), of which `broken` bonds are gone (0: none), and a camera at `eye`.
    *  @param now  s; infinity: all faces on which a bond is gone are drawn  @param hidden  1 an element that is not drawn  @param inside  whether
-   *  faces inside an intact wall are drawn, too: some of it is hidden */
-  update(state, broken, eye, now, hidden, inside) {
+   *  faces inside an intact wall are drawn, too: some of it is hidden  @param coarse  null; or {camera, width, height: of the canvas}: faces
+   *  that others hide are left out (hidden.js) */
+  update(state, broken, eye, now, hidden, inside, coarse) {
     this.#sort(state, eye);
+    const { others } = this;
+    if (coarse) others.begin(coarse.camera, coarse.width, coarse.height);
     const { index, start, plane, first, covered, opened } = this.faces, to = this.index.array;
     let count = 0;
     this.seen.fill(0);
@@ -54,10 +59,12 @@ export class FaceOrder {
       // the eye as the element sees it: v + 2 q × (q × v + w v), with the quaternion turned back
       const tx = qy * z - qz * y + qw * x, ty = qz * x - qx * z + qw * y, tz = qx * y - qy * x + qw * z;
       const ex = x + 2 * (qy * tz - qz * ty), ey = y + 2 * (qz * tx - qx * tz), ez = z + 2 * (qx * ty - qy * tx);
+      if (coarse) others.element(state, at);
       const whole = broken[e] === 0 && !inside, until = inside || this.distance[e] < kNear ? Infinity : now;
       for (let f = first[e]; f < first[e + 1]; ++f) {
         if (covered[f] && (whole || opened[f] > until)) continue;
         if (plane[4 * f] * ex + plane[4 * f + 1] * ey + plane[4 * f + 2] * ez <= plane[4 * f + 3]) continue;
+        if (coarse && !others.face(index, start[f], start[f + 1])) continue;
         this.seen[f] = 1;
         for (let i = start[f]; i < start[f + 1]; ++i) to[count++] = index[i];
       }

@@ -8,6 +8,18 @@ const small = (v) => String(v !== 0 && Math.abs(v) < 1e-3 ? v.toExponential(1) :
 /** In little room: "202 k" is 202,000. */
 const number = (v) => (v === null || v === undefined ? "–" : Math.abs(v) >= 1e6 ? `${small(v / 1e6)} M` : Math.abs(v) >= 1e4 ? `${small(v / 1e3)} k` : small(v));
 
+const plain = HTMLCanvasElement.prototype.getContext;
+/** Has the processor draw on the canvases that `make` makes: where there is no graphics card, curves of thousands of points took seconds else,
+ *  in which nothing on the page moved. */
+function onProcessor(make) {
+  HTMLCanvasElement.prototype.getContext = function (kind, options) { return plain.call(this, kind, { ...options, willReadFrequently: true }); };
+  try {
+    return make();
+  } finally {
+    HTMLCanvasElement.prototype.getContext = plain;
+  }
+}
+
 /** A variable of the style sheet as a colour that a canvas knows. */
 function colour(name) {
   const probe = document.body.appendChild(document.createElement("i"));
@@ -108,7 +120,7 @@ export class Plot {
       series: this.series.map((s, i) => (i === 0 ? { label: "Time", value: (u, t) => (t === null ? "–" : `${t.toFixed(2)} s`) } : { label: s.label, stroke: colour(s.tint), width: s.width, dash: s.dash, fill: s.fill ? colour(s.tint) : undefined, value: value(i), points: { show: false } })),
       hooks: { draw: [(u) => this.#drawMarks(u)], ready: [() => this.#again()], setSize: [() => this.#again()] },
     };
-    this.plot = new uPlot(options, this.data, this.holder);
+    this.plot = onProcessor(() => new uPlot(options, this.data, this.holder));
     this.line = this.plot.over.appendChild(Object.assign(document.createElement("div"), { className: "now" }));
     this.plot.over.addEventListener("pointerenter", () => (this.hover = true));
     this.plot.over.addEventListener("pointerleave", () => ((this.hover = false), this.#again()));

@@ -14,7 +14,7 @@ function ground(radius) {
     uniforms: { colour: { value: [1, 1, 1] }, far: { value: [1, 1, 1] } },
     vertexShader: "uniform vec3 colour, far; varying vec3 vColour; void main() { vColour = mix(colour, far, smoothstep(0.25, 1.0, length(2.0 * uv - 1.0))); gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
     fragmentShader: "varying vec3 vColour; void main() { gl_FragColor = vec4(vColour, 1.0); }" });
-  return new Mesh(new RingGeometry(0.001, radius, 40, 8), material);
+  return new Mesh(new RingGeometry(0.001, radius, 32, 5), material);
 }
 
 function segments(points, colour, strength, more) {
@@ -39,7 +39,7 @@ function person(colour) {
     uniforms: { colour: { value: colour } },
     vertexShader: "varying float vLight; void main() { vLight = 0.72 + 0.28 * dot(normalize(normalMatrix * normal), vec3(0.35, 0.5, 0.79)); gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
     fragmentShader: "uniform vec3 colour; varying float vLight; void main() { gl_FragColor = vec4(colour * vLight, 1.0); }" });
-  const mesh = new Mesh(new LatheGeometry(kPerson.map(([r, z]) => new Vector2(r, z)), 16), material);
+  const mesh = new Mesh(new LatheGeometry(kPerson.map(([r, z]) => new Vector2(r, z)), 10), material);
   mesh.rotation.x = Math.PI / 2;
   mesh.scale.set(1, 1, 0.65);
   return mesh;

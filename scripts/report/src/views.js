@@ -33,7 +33,7 @@ export function fit(camera, direction, points, margin = 0.92) {
 
 const round = (x) => Math.round(100 * x) / 100;
 /** The camera as a text for the page's address. */
-export const cameraText = (camera, target) => [...camera.position, ...target].map(round).join(",");
+export const cameraText = (numbers) => numbers.map(round).join(",");
 /** Six numbers of such a text, or null. */
 export function cameraNumbers(text) {
   const numbers = (text ?? "").split(",").map(Number);

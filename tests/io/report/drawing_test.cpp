@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cstdio>
+
 #include "io/report/vtu_file.h"
 #include "tests/cases/paper_house.h"
 
@@ -54,7 +57,25 @@ TEST_CASE("a house's plans lie in two courses that meet its openings, and its hi
   CHECK(count(svg, "plan at z = 1.55 m") == 1);
   CHECK(count(svg, "voussoir: 675") == 1);
   CHECK(count(svg, "<path") < static_cast<int>(model.assembly.patches.size()) + 1000);
-  CHECK(count(svg, ">element1<") == 1 + 2);  // in the left elevation and both plans
+  CHECK(count(svg, ">element1<") == 1 + 2);               // in the left elevation and both plans
+  CHECK(count(svg, "#d62828") + count(svg, "red") == 0);  // which is for cracks
+}
+
+TEST_CASE("a drawing says how large openings are, how thick walls, which way the axes go and how long a metre is") {
+  const cases::Case c = testing::paper_vault20();
+  const std::string svg = io::draw(c, cases::build_model(c));
+  REQUIRE(c.house);
+  for (const cases::Opening& o : c.house->openings) {
+    std::array<char, 24> words{};
+    std::snprintf(words.data(), words.size(), ">%.2f<", o.width);
+    CHECK(count(svg, words.data()) >= 2);  // in the opening and among the pieces of its wall
+    std::snprintf(words.data(), words.size(), ">%.2f<", o.height);
+    CHECK(count(svg, words.data()) >= 1);
+  }
+  CHECK(count(svg, ">0.20<") >= 4);  // two walls in two plans
+  CHECK(count(svg, ">x<") == 4);     // front, rear and two plans
+  CHECK(count(svg, ">z<") == 4);
+  CHECK(count(svg, ">1 m<") == 1);
 }
 
 TEST_CASE("mode shapes: vertices move with their element") {

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/analysis/modes.h"
+
+namespace voussoir::io {
+
+/// Mode shapes as the page has them.
+struct ReportModes {
+  /// JSON, a list: frequency, Hz; share: of the mass that moves along x, y, z; move, turn: units of the shape, m and rad.
+  std::string json;
+  /// For one mode after the other and each of its elements displacement and rotation (x, y, z), in units of `move` and `turn`. The largest
+  /// component of a displacement in a mode is 1 m.
+  std::vector<std::int16_t> shape;
+};
+
+/// \param modes  with a displacement that is not zero
+ReportModes report_modes(const std::vector<solver::Mode>& modes);
+
+}  // namespace voussoir::io
