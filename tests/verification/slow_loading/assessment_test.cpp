@@ -149,7 +149,8 @@ cases::Case buttressed_vault() {
 }  // namespace
 
 TEST_CASE("V15: a buttressed vault" * doctest::skip()) {
-  const cases::Case c = buttressed_vault();
+  cases::Case c = buttressed_vault();
+  c.materials.at("stone").young *= 10.0;  // rigid blocks have no second order: at 9.8e9 N/m2 the peak is 1.2 % lower
   const double expected = collapse_factors(c, 60.0, {0.0, 1.0, 0.0}).associated;
   for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
     compare("a buttressed vault", short_of(analysed(c, kind, 0.0, 1.0)), expected);
