@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <cstdio>
+#include <numeric>
 
 #include "io/case_file/case_file.h"
 #include "io/files/hdf5_file.h"
@@ -14,11 +15,11 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kWindow = 0.25;       // of the pace, before the largest load factor, in which motion is looked at
+constexpr double kWindow = 0.1;        // of the pace: the load factor is a mean over it
+constexpr double kOnward = 0.9;        // of the way in such a window is onward
 constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
 constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
 constexpr double kItalianShare = 0.6;  // of the largest base shear: the elastic branch goes through it
-constexpr double kSecondsBefore = 1e-9;
 
 using Values = std::vector<double>;
 
@@ -69,21 +70,43 @@ Bilinear ntc_of(const Capacity& c, std::size_t peak) {
   return finished(b);
 }
 
-/// What went into motion and mass damping of the work put in during a last part of the pace.
-void look_at_motion(Capacity& c, double pace) {
+/// Over the rows from `from` to `to`: the mean load factor over the displacement that its forces work on, and what motion bore of it.
+struct Window {
+  double mean = 0.0, motion = 0.0;
+  [[nodiscard]] double at_rest() const { return mean - motion; }
+};
+/// Nothing of a window in which the structure swings to and fro: there is no virtual work along a path that turns back.
+std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size_t from, std::size_t to) {
+  double way = 0.0, sum = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const double on = r.moved[i] - r.moved[i - 1];
+    way += std::abs(on), sum += 0.5 * (r.factor[i] + r.factor[i - 1]) * on;
+  }
+  const double moved = r.moved[to] - r.moved[from];
+  if (moved <= 0.0 || moved < kOnward * way) return {};
+  const double motion = r.kinetic[to] - r.kinetic[from] + r.damping[to] - r.damping[from];
+  return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
+}
+
+/// The largest load factor that the structure itself has borne, (30) of THEORY.md.
+void look_at_motion(Capacity& c, double pace, double weight) {
   const CapacityCurve& r = c.curve;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
-  c.multiplier = r.factor[peak], c.multiplier_time = r.time[peak], c.multiplier_displacement = r.displacement[peak];
+  c.multiplier = r.factor[peak];
   c.least_factor = *std::ranges::min_element(r.factor);
-  std::size_t from = peak;
-  while (from > 0 && r.time[from] > r.time[peak] - kWindow * pace + kSecondsBefore) --from;
-  const double work = r.input[peak] - r.input[from];
-  const double motion = r.kinetic[peak] - r.kinetic[from] + r.damping[peak] - r.damping[from];
-  c.motion_share = work > 0.0 ? motion / work : 0.0;
-  c.multiplier_at_rest = c.multiplier * (1.0 - c.motion_share);
-  for (std::size_t i = 0; i <= peak; ++i) {
+  std::size_t from = 0, at = 0;
+  double most = -1.0;
+  for (std::size_t i = 1; i < r.time.size(); ++i) {
+    while (from + 1 < i && r.time[from] < r.time[i] - kWindow * pace) ++from;
+    const std::optional<Window> w = window_of(r, weight, from, i);
+    if (!w || w->at_rest() <= most) continue;
+    most = w->at_rest(), at = i;
+    c.multiplier_at_rest = w->at_rest(), c.motion_share = w->motion / w->mean;
+  }
+  c.multiplier_time = r.time[at], c.multiplier_displacement = r.displacement[at];
+  for (std::size_t i = 0; i <= at; ++i) {
     const double put_in = r.input[i] - r.input.front();
-    if (r.factor[i] >= kLoaded * c.multiplier && put_in > 0.0) c.kinetic_share = std::max(c.kinetic_share, r.kinetic[i] / put_in);
+    if (r.factor[i] >= kLoaded * c.multiplier_at_rest && put_in > 0.0) c.kinetic_share = std::max(c.kinetic_share, r.kinetic[i] / put_in);
   }
 }
 
@@ -121,7 +144,13 @@ void look_at_fall(Capacity& c, double quiet) {
 std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frames, const Building& building, std::uint64_t frame) {
   BodyFinder finder(run, building, first_poses(frames));
   std::vector<std::string> names;
-  for (const Body& b : finder.find(frames.times()[frame], poses_of(frames, frame)).bodies) names.push_back(body_name(b, building));
+  const BodiesInFrame found = finder.find(frames.times()[frame], poses_of(frames, frame));
+  const double mass = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
+  for (const Body& b : found.bodies) {
+    std::array<char, 80> size{};
+    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id), 100.0 * b.mass / mass);
+    names.push_back(body_name(b, building) + size.data());
+  }
   return names;
 }
 
@@ -189,7 +218,7 @@ Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double 
     look_at_fall(c, quiet);
     return c;
   }
-  look_at_motion(c, pace);
+  look_at_motion(c, pace, weight);
   look_at_loops(c, weight);
   if (kind != cases::AnalysisKind::cyclic) look_at_shear(c, drop);
   return c;

@@ -35,10 +35,10 @@ struct Capacity {
   cases::AnalysisKind kind = cases::AnalysisKind::pushover;
   std::string ended;                // why: see MEASURES.md
   double multiplier = 0.0;          // the largest load factor
-  double multiplier_at_rest = 0.0;  // the same without what inertia and mass damping bore then
-  double motion_share = 0.0;        // of the work put in before the largest load factor, what went into motion and mass damping
+  double multiplier_at_rest = 0.0;  // the largest mean over a tenth of the pace, without what inertia and mass damping bore
+  double motion_share = 0.0;        // of that mean, what inertia and mass damping bore
   double kinetic_share = 0.0;       // the largest kinetic energy over the work put in, until then
-  double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // s, m of the control point
+  double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of that at rest: s, m of the control point
   double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
   double first_stiffness = Bilinear::kNone;                                          // N/m
   double ultimate_displacement = Bilinear::kNone, ultimate_drift = Bilinear::kNone;  // m, 1

@@ -162,11 +162,11 @@ void add_tables(const Hdf5File& file, Json& plots) {
   plots.back()["stack"] = true;
 }
 
-/// The capacity that a quasi-static analysis has found, with its curve.
+/// The capacity that a quasi-static analysis has found; its curve is in the plots.
 void add_capacity(const Hdf5File& file, Json& facts) {
   const std::optional<Capacity> c = capacity_of(file);
   if (!c) return;
-  facts["capacity"] = Json::parse(capacity_json(*c, true));
+  facts["capacity"] = Json::parse(capacity_json(*c, false));
   const Json time = thinned(c->curve.time);
   Json& plots = facts["plots"];
   if (c->kind != cases::AnalysisKind::settlement) plots.push_back(plot("Load factor", "", time, columns(c->curve.factor, {"load factor"})));

@@ -57,9 +57,10 @@ class LoadProgram {
   struct State {
     double factor = 0.0, factor_before = 0.0;       // at this step and the last
     double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: the rate of q over the last interval
-    double shear_sum = 0.0, shear_count = 0.0;      // N; looks at it since the last mean
+    double looks = 0.0;                             // at base shear and load factor since the last means
+    double shear_sum = 0.0, factor_sum = 0.0;       // N, 1; of these looks
     double shear = 0.0, most_shear = 0.0;           // N, mean over a first period, the largest so far
-    double most_factor = 0.0;                       // the largest load factor so far
+    double mean_factor = 0.0, most_factor = 0.0;    // the same of the load factor
     double sense = 1.0, half_cycles = 0.0;          // cyclic: where the push goes, reversals so far
     double ended = 0.0;                             // see ended()
     Vec3 start;                                     // m, of the control point at time zero

@@ -71,12 +71,25 @@ TEST_CASE("capacity: what is not reached is none") {
 TEST_CASE("capacity: what motion bears is taken off the multiplier, and too much of it is said") {
   const Capacity c = capacity_of(cases::AnalysisKind::tilt, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
   CHECK(c.multiplier == doctest::Approx(0.1).epsilon(1e-4));
-  CHECK(c.multiplier_displacement == doctest::Approx(3e-3));
+  CHECK(c.multiplier_displacement >= 3e-3);  // in the tenth of a pace that sees the small bump there
+  CHECK(c.multiplier_displacement <= 3.21e-3);
   CHECK(c.motion_share == doctest::Approx(0.101));
   CHECK(c.multiplier_at_rest == doctest::Approx(0.1 * 0.899).epsilon(1e-4));
   CHECK(c.kinetic_share == doctest::Approx(1e-3));
   CHECK(nlohmann::json::parse(capacity_json(c, false))["slow"] == 0);
   CHECK(capacity_text(c).find("the result depends on the rate") != std::string::npos);
+}
+
+TEST_CASE("capacity: a jolt of the load factor is no strength, nor is motion that dies down") {
+  CapacityCurve jolted = trilinear(7e-3);
+  jolted.factor[250] += 0.02;
+  for (std::size_t i = 250; i < jolted.time.size(); ++i) jolted.kinetic[i] -= 0.5 * jolted.kinetic[250];
+  const Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, jolted);
+  CHECK(c.multiplier == doctest::Approx(0.12));
+  CHECK(c.multiplier_at_rest == doctest::Approx(0.1 * 0.899).epsilon(0.015));
+  CapacityCurve to_and_fro = trilinear(7e-3);
+  for (std::size_t i = 200; i < 240; ++i) to_and_fro.moved[i] -= i % 2 == 0 ? 5e-5 : 0.0, to_and_fro.factor[i] = 0.2;
+  CHECK(capacity_of(cases::AnalysisKind::tilt, 0.2, kPace, kWeight, 0.0, to_and_fro).multiplier_at_rest < 0.1);
 }
 
 TEST_CASE("capacity: a loop's area is the work of its forces") {

@@ -81,7 +81,8 @@ TEST_CASE("V15: an arch" * doctest::skip()) {
 
 namespace {
 
-/// A dry façade of two storeys, a window in each: blocks of 0.4 × 0.2 × 0.4 m, piers of one and a half, lintels of stone over the openings.
+/// A dry façade of two storeys with an opening in each: two piers of three blocks, 0.4 m wide and 1.2 m high, under a lintel of stone over
+/// the whole length. The lower storey sways: all its piers rock, so the multiplier is 0.4 (1 - 1/4) / 1.2.
 cases::Case facade() {
   cases::Case c = load("tilt").value;
   c.blocks.clear();
@@ -93,12 +94,12 @@ cases::Case facade() {
     b.box = {{Vec3{x0, 0.0, z0}, Vec3{x1, 0.2, z1}}};
     c.blocks.push_back(b);
   };
-  for (const double z : {0.0, 1.2}) {
-    for (const double course : {0.0, 0.4}) {
-      add(0.0, 0.6, z + course, z + course + 0.4);
-      add(1.4, 2.0, z + course, z + course + 0.4);
+  for (const double z : {0.0, 1.6}) {
+    for (const double course : {0.0, 0.4, 0.8}) {
+      add(0.0, 0.4, z + course, z + course + 0.4);
+      add(1.6, 2.0, z + course, z + course + 0.4);
     }
-    add(0.0, 2.0, z + 0.8, z + 1.2);  // the lintel course
+    add(0.0, 2.0, z + 1.2, z + 1.6);
   }
   return c;
 }
@@ -148,7 +149,8 @@ cases::Case buttressed_vault() {
 }  // namespace
 
 TEST_CASE("V15: a buttressed vault" * doctest::skip()) {
-  const cases::Case c = buttressed_vault();
+  cases::Case c = buttressed_vault();
+  c.materials.at("stone").young *= 10.0;  // rigid blocks have no second order: at 9.8e9 N/m2 the peak is 1.2 % lower
   const double expected = collapse_factors(c, 60.0, {0.0, 1.0, 0.0}).associated;
   for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
     compare("a buttressed vault", short_of(analysed(c, kind, 0.0, 1.0)), expected);
