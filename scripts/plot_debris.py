@@ -19,7 +19,7 @@ import run_file
 from render import FACES
 from voussoir.results import rotation_matrices
 
-STANDS, MASONRY, ROOF = "#d9d9d9", "#cc4125", "#7f5a33"
+STANDS, MASONRY, ROOF = "#d9d9d9", "#c08a3e", "#8a5f38"
 ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column")  # and "left ring beam", ...
 
 

@@ -49,7 +49,7 @@ def main():
     for frequency in a.mark:
         axes.axvline(frequency if a.over == "frequency" else 1.0 / frequency, color="grey", linewidth=0.8)
     axes.set(xlabel=OVER[a.over].replace(" [", ", ").rstrip("]"), ylabel=f"{NAMES[a.quantity]}, {UNITS[a.quantity]}")
-    axes.xaxis.set_major_formatter("{x:g}")
+    run_file.plots.plain_numbers(axes)
     axes.grid(which="minor", linewidth=0.25)
     axes.legend()
     run_file.save(figure, a.output)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/case.h"
+#include "geometry/polyhedron.h"
 #include "io/report/svg.h"
 
 /// What a drawing says about lengths and directions. Points of the sheet in user units, y downwards.

@@ -80,7 +80,7 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   const OpenedFaces opened = opened_faces(file, cracks.shown);
   Scripts out(prefix);
   out.put("application/json", "facts", facts.json);
-  out.put("plots", std::vector<char>(facts.plots.begin(), facts.plots.end()));
+  out.put("curves", std::vector<char>(facts.plots.begin(), facts.plots.end()));
   out.put("vertices", file.read<float>("/model/vertex"));
   out.put("cells", file.read<std::int32_t>("/model/cells"));
   out.put("cell-types", file.read<std::uint8_t>("/model/cell_type"));

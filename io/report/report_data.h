@@ -11,14 +11,14 @@
 namespace voussoir::io {
 
 /// The data as elements of HTML that the page's program reads by their `id`: "facts" (JSON, report_facts.h) and, packed (packed_text.h),
-/// "plots" (JSON, report_facts.h), "vertices" (float32, three a vertex, reference configuration), "cells" (int32, as /model/cells),
-/// "cell-types" (uint8), "cell-elements" (int32), "centroids" (float32, position0), "parts" and "materials" (int32, an entry an element,
-/// into the names in facts), "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h), "opened-elements",
-/// "opened-normals" and "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint),
-/// "crack-edges" (uint8), "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of
-/// joint_cracks.h), "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), "modes" (JSON) and "mode-shapes" (int16;
-/// report_modes.h) where there are modes, "turn-shifts" (uint8, an entry an element) and "frames" (both of report_frames.h). \param run  a
-/// run.h5, of a finished run or not \param prefix  of all ids \throw FileError
+/// "curves" (JSON of the plots, report_facts.h), "vertices" (float32, three a vertex, reference configuration), "cells" (int32, as
+/// /model/cells), "cell-types" (uint8), "cell-elements" (int32), "centroids" (float32, position0), "parts" and "materials" (int32, an entry
+/// an element, into the names in facts), "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h),
+/// "opened-elements", "opened-normals" and "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32,
+/// two a joint), "crack-edges" (uint8), "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo
+/// 256; all of joint_cracks.h), "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), "modes" (JSON) and "mode-shapes"
+/// (int16; report_modes.h) where there are modes, "turn-shifts" (uint8, an entry an element) and "frames" (both of report_frames.h). \param
+/// run  a run.h5, of a finished run or not \param prefix  of all ids \throw FileError
 std::string report_data(const std::string& run, const std::string& prefix = "", const std::vector<solver::Mode>& modes = {});
 
 /// The whole page: report_data of one run, or of two side by side (the ids of the second begin with "second-"), within the page of

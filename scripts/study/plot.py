@@ -11,7 +11,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import run_file
 
-UNITS = {"first_crack_time": "s", "peak_base_shear": "N", "peak_speed": "m/s"}
+UNITS = {"first_crack_time": "s", "peak_base_shear": "kN", "peak_speed": "m/s"}
+SHOWN = {"peak_base_shear": 1e-3}  # of the table's value, where that is in another unit
 GROUP = ("case", "direction", "record", "options")
 
 
@@ -23,11 +24,15 @@ def is_number(text):
     return True
 
 
+def value_of(row, quantity):
+    return SHOWN.get(quantity, 1) * float(row[quantity])
+
+
 def over_scale(axes, rows, quantity):
     groups = {}
     for row in rows:
         points = groups.setdefault(" ".join(row[key] for key in GROUP if row[key]), {})
-        points.setdefault(float(row["scale"]), []).append(float(row[quantity]))
+        points.setdefault(float(row["scale"]), []).append(value_of(row, quantity))
     for number, (label, points) in enumerate(groups.items()):
         look = run_file.style(number)
         scales = sorted(points)
@@ -38,7 +43,7 @@ def over_scale(axes, rows, quantity):
 
 
 def bars(axes, rows, quantity):
-    axes.barh([row["run"] for row in rows], [float(row[quantity]) for row in rows], color=run_file.COLOURS[0], height=0.6)
+    axes.barh([row["run"] for row in rows], [value_of(row, quantity) for row in rows], color=run_file.COLOURS[0], height=0.6)
     axes.invert_yaxis()
     axes.set(xlabel=label_of(quantity))
 

@@ -12,22 +12,24 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from .errors import FileError, VoussoirError
 from .results import Array, Results
 
-# Okabe and Ito's colours, which colour-blind readers can tell apart, and dashes that survive a black and white print.
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
+# Okabe and Ito's colours, which colour-blind readers can tell apart, and dashes that survive a black and white print. The report page has the
+# same ones for the same things (scripts/report/src/style.css); their vermilion is left out, as red is for cracks in all pictures.
+COLOURS = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#8c6d31", "#000000"]
 DASHES = ["-", "--", "-.", ":"]
 LOOK = {"font.size": 8, "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.5, "axes.axisbelow": True,
         "legend.frameon": False, "lines.linewidth": 1.0, "svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "voussoir"}
 AXES = "xyz"
 UNITS = {"displacement": "m", "velocity": "m/s", "rotation": "rad"}
 # Losses first, as they only grow; stores above them.
-ENERGIES = {"damping": ("mass damping", "#56b4e9"), "dashpot": ("dashpots", "#0072b2"), "friction": ("friction", "#e69f00"),
-            "fracture": ("fracture", "#d55e00"), "strain": ("strain", "#009e73"), "contact": ("contacts", "#cc79a7"),
-            "kinetic": ("kinetic", "#999999")}
-MODES = {"tension": "#d55e00", "shear": "#0072b2", "compression": "#555555"}
+ENERGIES = {"damping": ("mass damping", "#999999"), "dashpot": ("dashpots", "#cc79a7"), "friction": ("friction", "#56b4e9"),
+            "fracture": ("fracture", "#8c6d31"), "strain": ("strain", "#e69f00"), "contact": ("contacts", "#009e73"),
+            "kinetic": ("kinetic", "#0072b2")}
+MODES = {"tension": "#0072b2", "shear": "#e69f00", "compression": "#009e73"}
 
 
 def label_of(run: Results) -> str:
@@ -45,6 +47,17 @@ def panels(rows: int, width: float = 16.0, height: float = 4.2, **options: Any) 
     with matplotlib.rc_context(LOOK):
         figure, axes = plt.subplots(rows, 1, figsize=(width / 2.54, (height * rows + 1.2) / 2.54), squeeze=False, **options)
     return figure, list(axes[:, 0])
+
+
+def plain_numbers(axes: Axes) -> None:
+    """Numbers such as 0.5, 2 and 10 along axes whose scale is logarithmic, and not powers of ten."""
+    for axis in (axes.xaxis, axes.yaxis):
+        if axis.get_scale() != "log":
+            continue
+        low, high = axis.get_view_interval()
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high < 1000 * low else (1.0,)))
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter(NullFormatter())
 
 
 def time_axis(axes: Axes, until: float | None, ends: Sequence[float]) -> None:

@@ -115,7 +115,7 @@ export async function loadRun(prefix = "") {
   facts.model = facts.times.length === 0; // no frames yet
   if (facts.model) facts.times = [0];
   const get = (id) => inflate(prefix + id);
-  facts.plots = JSON.parse(new TextDecoder().decode(await get("plots")));
+  facts.plots = JSON.parse(new TextDecoder().decode(await get("curves")));
   const run = {
     facts,
     vertices: new Float32Array(await get("vertices")),

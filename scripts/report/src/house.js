@@ -94,7 +94,8 @@ export class House {
   #extent() {
     const { low, high, size, state } = this, points = [];
     for (let i = 0; i < 8; ++i) points.push(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-    const middle = this.centre;
+    const middle = this.centre, person = this.around.person;
+    if (person?.visible) for (const height of [0, 1.8]) for (const side of [-0.3, 0.3]) points.push(person.position.x + side, person.position.y, person.position.z + height);
     for (let e = 0; this.broken && e < this.run.frames.n; ++e) {
       const at = kStride * e, far = Math.hypot(state[at] - middle.x, state[at + 1] - middle.y);
       if (!this.hidden[e] && far < 1.3 * size && far > 0.4 * size) points.push(state[at], state[at + 1], state[at + 2]);
@@ -106,6 +107,7 @@ export class House {
   look(name) {
     this.view = name;
     this.hideRoof(name === "plan");
+    if (this.around.person) this.around.person.visible = !/top|plan/.test(name); // from above nobody would know it
     this.around.distances && (this.around.distances.visible = name === "plan");
     this.controls.target.copy(fit(this.camera, kViews[name], this.#extent(), this.fixed ? 0.76 : 0.88)).sub(this.way);
     this.camera.position.sub(this.way);

@@ -59,7 +59,7 @@ export class Plot {
     Object.assign(this, { title: first.title, unit: first.unit, from, until, seek, hover: false });
     this.figure = parent.appendChild(document.createElement("figure"));
     const caption = this.figure.appendChild(document.createElement("figcaption"));
-    caption.textContent = first.unit ? `${first.title} (${first.unit})` : first.title;
+    caption.textContent = first.unit ? `${first.title}, ${first.unit}` : first.title;
     this.holder = this.figure.appendChild(document.createElement("div"));
     this.#read(plots, first);
     this.holder.setAttribute("role", "img");

@@ -82,7 +82,7 @@ export class Surroundings {
       this.group.add(this.ground, this.grid, this.distances);
       if (size > 2 && size < 60) {
         this.person = person([0.36, 0.4, 0.46]);
-        this.person.position.set(high.x + 1.0, high.y + 0.6, z);
+        this.person.position.set(low.x - 1.0, low.y - 0.9, z); // off a corner, where walls seldom fall
         this.group.add(this.person);
       }
     }

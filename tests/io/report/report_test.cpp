@@ -248,6 +248,44 @@ TEST_CASE("two elements move as one until their joint is open by a millimetre, a
   CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
 }
 
+TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  m.blocks[1].fixed = false;
+  for (geometry::Element& e : m.assembly.elements) e.mass.volume = 1e-3;
+  // Three joints along y on the face between the cubes, 0.4 m from end to end.
+  const geometry::Joint joint = m.assembly.joints[0];
+  m.assembly.joints.assign(3, joint);
+  m.joint_law.assign(3, m.joint_law[0]);
+  for (int i = 0; i < 3; ++i) m.assembly.joints[static_cast<std::size_t>(i)].frame.centre.y = 0.05 + 0.2 * (i - 1);
+  ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
+  const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
+  writer.frame({0.0, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, std::array<float, 2>{}});
+  std::vector<solver::CrackRow> cracks;
+  for (std::int32_t j = 0; j < 3; ++j)
+    cracks.push_back({1.0, j, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0});
+  writer.cracks(cracks);
+  writer.finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  const Building building = building_of(run);
+  const std::vector<Pose> start = first_poses(FrameReader(run));
+  BodyFinder finder(run, building, start);
+  // The second turns by a tenth about y, about the upper edge of the joint: x = 0.1, z = 0.1.
+  std::vector<Pose> turned = start;
+  const double angle = 0.1, half = 0.5 * angle;
+  turned[1].rotation = rotation({std::cos(half), 0, std::sin(half), 0});
+  const Vec3 hinge{0.1, 0.05, 0.1};
+  turned[1].centre = hinge + turned[1].rotation * (start[1].centre - hinge);
+  const BodiesInFrame found = finder.find(2.0, turned);
+  REQUIRE(found.hinges.size() == 1);
+  const Hinge& h = found.hinges[0];
+  CHECK(h.from.x == doctest::Approx(0.1).epsilon(0.01));
+  CHECK(h.from.z == doctest::Approx(0.1).epsilon(0.05));
+  CHECK(std::abs(h.to.y - h.from.y) == doctest::Approx(0.4));
+  CHECK(std::set<std::int32_t>(h.at_from.begin(), h.at_from.end()) == std::set<std::int32_t>{0, 1});
+  CHECK(found.id[static_cast<std::size_t>(h.at_from[0])] < found.id[static_cast<std::size_t>(h.at_from[1])]);
+}
+
 TEST_CASE("two runs stand in one page, each under its own names") {
   const TempFolder a, b;
   write_run(a, 2);
