@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/stones.h"
 #include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
 
@@ -56,6 +57,7 @@ struct Material {
   double density = 0.0;  // kg/m3
   double young = 0.0;    // Pa
   double poisson = 0.0;
+  std::optional<std::string> inside;  // law between the convex pieces of a stone that is not convex; none: they never part
 };
 
 /// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
@@ -156,11 +158,13 @@ struct SupportMotion {
   std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
 };
-/// A free-standing block. Exactly one of box, vertices, polygon + extrude.
+/// A free-standing block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK's
+/// order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
   std::string name, material;
   std::optional<std::array<Vec3, 2>> box;
-  std::optional<std::array<Vec3, 8>> vertices;
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
   std::vector<std::array<double, 2>> polygon;
   std::optional<std::array<double, 2>> extrude;
   bool fixed = false, free = false;
@@ -248,7 +252,8 @@ struct Case {
   Output output;
   std::optional<House> house;
   std::vector<BlockSpec> blocks;  // key: block
-  std::vector<Load> loads;        // key: load
+  std::vector<StonesSpec> stones;
+  std::vector<Load> loads;  // key: load
   std::optional<Base> base;
   std::string folder;  // of the case file; relative paths in the case start here (not a key)
 };

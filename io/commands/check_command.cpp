@@ -59,6 +59,7 @@ void print_parts(const cases::Census& n) {
 }
 
 std::string dimensions(const cases::BillLine& line) {
+  if (line.faces > 0) return "polyhedron of " + std::to_string(line.faces) + " faces";
   if (line.edges[0] == 0.0) return line.corners == 4 ? "hexahedron" : "prism of " + std::to_string(line.corners) + " corners";
   std::string text;
   for (const double edge : line.edges) text += (text.empty() ? "" : " x ") + cases::text(edge);
