@@ -31,6 +31,7 @@
 #include "io/results/provenance.h"
 #include "io/session/prepared_case.h"
 #include "io/session/waiting_threads.h"
+#include "io/stones/stones.h"
 #include "solver/world/errors.h"
 
 namespace {
@@ -282,6 +283,7 @@ int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
   io::LoadedCase c = io::load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   try {
+    io::load_stones(c.value);
     io::fill_own_frequency(c.value);
     return use(c);
   } catch (const cases::InputError& e) {

@@ -231,46 +231,6 @@ Mesh welded(const Mesh& m, double tolerance) {
   return compacted(out);
 }
 
-std::vector<Mesh> components(const Mesh& m) {
-  std::vector<std::int32_t> parent(m.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t v) {
-    while (parent[static_cast<std::size_t>(v)] != v) {
-      parent[static_cast<std::size_t>(v)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(v)])];
-      v = parent[static_cast<std::size_t>(v)];
-    }
-    return v;
-  };
-  for (const auto& loop : m.faces) {
-    for (const std::int32_t v : loop) parent[static_cast<std::size_t>(root(v))] = root(loop.front());
-  }
-  std::vector<std::int32_t> part(m.vertices.size(), -1);
-  std::vector<Mesh> parts;
-  for (const auto& loop : m.faces) {
-    std::int32_t& number = part[static_cast<std::size_t>(root(loop.front()))];
-    if (number < 0) {
-      number = static_cast<std::int32_t>(parts.size());
-      parts.emplace_back();
-    }
-    parts[static_cast<std::size_t>(number)].faces.push_back(loop);
-  }
-  // Vertices of each part in the order of the whole.
-  std::vector<std::int32_t> place(m.vertices.size(), -1);
-  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-    const std::int32_t number = part[static_cast<std::size_t>(root(static_cast<std::int32_t>(v)))];
-    if (number < 0) continue;
-    Mesh& of = parts[static_cast<std::size_t>(number)];
-    place[v] = static_cast<std::int32_t>(of.vertices.size());
-    of.vertices.push_back(m.vertices[v]);
-  }
-  for (Mesh& p : parts) {
-    for (auto& loop : p.faces) {
-      for (std::int32_t& v : loop) v = place[static_cast<std::size_t>(v)];
-    }
-  }
-  return parts;
-}
-
 std::optional<std::string> fault_of(const Mesh& m) {
   if (m.faces.empty()) return "has no faces";
   const auto edges = edges_of(m);

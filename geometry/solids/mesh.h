@@ -38,9 +38,6 @@ double volume(const Mesh& m);
 /// corners and without vertices that no face uses.
 Mesh welded(const Mesh& m, double tolerance);
 
-/// Parts that share no vertex, in the order of their first faces.
-std::vector<Mesh> components(const Mesh& m);
-
 /// Why the mesh bounds no solid, with the place and what to do: open, faces turned against each other, inside out, no volume; nothing if it
 /// does bound one. Every edge must then be met once in each direction.
 std::optional<std::string> fault_of(const Mesh& m);

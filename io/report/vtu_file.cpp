@@ -47,7 +47,7 @@ void write_cells(std::string& out, const Cells& cells) {
   });
   array(out, "Int64", "offsets", 1, [&](std::string& o) {
     int end = 0;
-    for (const std::uint8_t t : cells.type) o += std::to_string(end += t == kHexahedron ? 8 : 6) + ' ';
+    for (const std::uint8_t t : cells.type) o += std::to_string(end += corners_of(t)) + ' ';
   });
   array(out, "UInt8", "types", 1, [&](std::string& o) {
     for (const std::uint8_t t : cells.type) o += std::to_string(t) + ' ';
