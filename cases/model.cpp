@@ -155,7 +155,10 @@ void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
 
 }  // namespace
 
-Model build_model(const Case& c) {
+namespace {
+
+/// Materials, laws and blocks; no assembly yet.
+Model model_of_blocks(const Case& c) {
   Model model;
   name_materials_and_laws(c, model);
   if (!c.house && c.blocks.empty() && c.stones.empty())
@@ -163,7 +166,6 @@ Model build_model(const Case& c) {
   if (c.house) {
     if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
   }
-  const JointRules rules(c, model);
   model.contact_friction = contact_friction(c.contact, model.materials);
   check_loads(c);
   if (c.house) add_house(c, model);
@@ -174,6 +176,31 @@ Model build_model(const Case& c) {
     for (Block& block : model.blocks) block.segment_size = *c.segment_size;
   }
   check_segments(c, model);
+  return model;
+}
+
+}  // namespace
+
+Model build_loose_model(const Case& c) {
+  Model model = model_of_blocks(c);
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const geometry::Part alone{&block.shape, block.segment_size, true};
+    try {
+      geometry::Assembly one = geometry::assemble({&alone, 1}, std::nullopt, c.segment_rule);
+      one.elements[0].first_face = static_cast<std::int32_t>(model.assembly.faces.size());
+      model.assembly.elements.push_back(one.elements[0]);
+      model.assembly.faces.insert(model.assembly.faces.end(), one.faces.begin(), one.faces.end());
+    } catch (const geometry::ModelError& error) {
+      throw InputError(key_of(model, static_cast<int>(i)), describe(block, i) + ": " + error.what());
+    }
+  }
+  return model;
+}
+
+Model build_model(const Case& c) {
+  Model model = model_of_blocks(c);
+  const JointRules rules(c, model);
   assemble(c, model);
   pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
   model.joint_strength = strength_factors(c.scatter, model);

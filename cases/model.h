@@ -66,6 +66,7 @@ struct Model {
   std::vector<NamedMaterial> materials;
   std::vector<NamedLaw> laws;  // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;
+  std::vector<std::vector<Stone>> stones;  // by table, as the case had them
   geometry::Assembly assembly;           // of the blocks, in order
   std::vector<std::int32_t> joint_law;   // by assembly joint, into laws
   std::vector<double> contact_friction;  // degrees, see cases/contact_rules.h
@@ -80,6 +81,10 @@ struct Model {
 /// joints.default; between two beds of stones.gap it has mortar of that thickness.
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
 Model build_model(const Case& c);
+
+/// The same elements with no joints: each by itself, whatever it overlaps or does not touch. To look at a model that build_model refuses.
+/// \throw InputError for what keeps an element from being built
+Model build_loose_model(const Case& c);
 
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among those equally near (to 1 nm).
 /// \pre the model has an element

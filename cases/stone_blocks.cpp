@@ -75,6 +75,7 @@ void add_stone_blocks(const Case& c, Model& model) {
   for (std::size_t k = 0; k < c.stones.size(); ++k) {
     const StonesSpec& spec = c.stones[k];
     if (spec.stones.empty()) throw InputError(indexed_key("stones", k, "file"), quoted(spec.file) + " gave no stones");
+    model.stones.push_back(spec.stones);
     Block like;
     like.set = static_cast<std::int32_t>(k);
     like.material = material_of(c, model, k);
