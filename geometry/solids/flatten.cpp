@@ -4,7 +4,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "geometry/message.h"
 #include "geometry/solids/face_groups.h"
@@ -17,7 +19,11 @@ constexpr double kPlane = 9e-10;      // of the size: validate() takes 1e-9
 constexpr double kConverged = 1e-13;  // of the size
 constexpr int kMostRounds = 60;
 
-std::string millimetres(double metres) { return figure(1e3 * metres) + " mm"; }
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * metres);
+  return text.data();
+}
 
 /// A plane by a point of it, so that stones far from the origin keep their digits.
 struct Plane {

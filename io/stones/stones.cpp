@@ -71,8 +71,12 @@ class Import {
   void straighten(Item& item) const {
     const double size = geometry::diagonal(item.raw.mesh), snap = spec_of(item).snap;
     if (snap == 0.0 || geometry::is_convex(item.raw.mesh, kConvex * size)) return;
-    Mesh merged = geometry::with_merged_faces(item.raw.mesh, std::min(snap, 0.02 * size), kNearlyFlat);
+    // A fourth corner lies up to four times as far off the plane of the other three as all four off the plane between them.
+    Mesh merged = geometry::with_merged_faces(item.raw.mesh, 4.0 * std::min(snap, 0.005 * size), kNearlyFlat);
     if (!geometry::is_convex(merged, 2.0 * snap)) return;
+    for (std::size_t f = 0; f < merged.faces.size(); ++f) {
+      if (geometry::warp(merged, f) > snap) return;
+    }
     item.nearly_flat = item.raw.mesh.faces.size() - merged.faces.size();
     item.raw.mesh = std::move(merged);
   }

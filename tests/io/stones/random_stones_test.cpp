@@ -59,7 +59,7 @@ TEST_CASE("5,000 random convex stones: volume, inertia, areas and joints as brut
   const TempFolder folder;
   const std::string file = folder.write("many.obj", stones::obj(all));
   const auto start = std::chrono::steady_clock::now();
-  const auto c = stones::load(file, "supports = 1e6");
+  const auto c = stones::load(file, "supports = 1e6", "[segments]\nsize = 0.2\n");
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   MESSAGE("import of " << all.size() << " stones: " << taken << " s");
   const auto model = stones::model_of(c);

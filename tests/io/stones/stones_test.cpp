@@ -21,9 +21,10 @@ bool says(const std::string& message, const std::string& words) { return message
 
 double rounded(double x, double to) { return std::round(x / to) * to; }
 
-/// Every corner to a raster, as files with few decimals have them.
+/// Turned a little about z, then every corner to a raster, as files with few decimals have them: so no face is quite plane.
 std::vector<Named> coarse(std::vector<Named> all, double raster) {
   for (Named& n : all) {
+    n.mesh.vertices = voussoir::geometry::rotated({n.mesh.vertices, {}}, {0, 0, 1}, 0.3, {}).vertices;
     for (Vec3& v : n.mesh.vertices) v = {rounded(v.x, raster), rounded(v.y, raster), rounded(v.z, raster)};
   }
   return all;
@@ -55,9 +56,9 @@ double total_volume(const Model& m) {
 
 }  // namespace
 
-TEST_CASE("an arch drawn in millimetres: faces a little apart are put into one plane") {
+TEST_CASE("an arch drawn in half millimetres: faces a little apart are put into one plane") {
   const TempFolder folder;
-  const auto all = arch(17, 2.0, 2.37, 0.7), drawn = coarse(all, 1e-3);
+  const auto all = arch(17, 2.0, 2.37, 0.7), drawn = coarse(all, 5e-4);
   const Model exact = model_of(load(folder.write("exact.obj", obj(all)), "", kBase));
   SUBCASE("as quadrilaterals, which are warped") {
     const auto c = load(folder.write("a.obj", obj(drawn)), "", kBase);
@@ -111,7 +112,7 @@ TEST_CASE("a gap is a bed of mortar: stones are grown to its middle, and its thi
   CHECK(total_volume(m) == doctest::Approx(1.0 * 0.5 * 0.6).epsilon(1e-12));
   CHECK(says(c.stones[0].stones[1].change, "grown to the middle of mortar on 2 faces"));
   CHECK(says(refusal(file, "gap = 0.01", mortar), "has no young"));
-  CHECK(says(refusal(file, "joint = \"mortar\"", mortar), "held by nothing"));
+  CHECK(says(refusal(file, "joint = \"mortar\"", mortar), "touches nothing"));
 }
 
 TEST_CASE("a stone that is not convex is cut along its reflex edges, and its pieces never part unless a law says so") {
@@ -233,8 +234,6 @@ TEST_CASE("what cannot be mended is refused with the stone's name, where it is a
   SUBCASE("touching nothing") { CHECK(says(fault({{"low", cube}, {"high", box({0, 0, 1.01}, {1, 1, 2})}}), "touches nothing")); }
   SUBCASE("no volume") {
     Mesh m = box({0, 0, 0}, {1, 1, 1e-10});
-    m.faces[0] = m.faces[0];
-    CHECK(says(fault({{"leaf", m}, {"cube", cube}}), "") );
     const auto c = load(folder.write("b.obj", obj({{"leaf", m}, {"cube", cube}})), "", kBase);
     CHECK(c.stones[0].stones.size() == 1);
     CHECK(says(c.stones[0].notes.at(0), "1 flat surface passed over"));

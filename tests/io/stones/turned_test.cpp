@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "solver/analysis/modes.h"
 #include "solver/run/run.h"
