@@ -132,8 +132,8 @@ void check_loads(const Case& c) {
     const Load& load = c.loads[i];
     const auto named = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const BlockSpec& b) { return b.name == load.block; });
     if (named == c.blocks.end() && !is_stone_or_group(c, load.block)) {
-      throw InputError(indexed_key("load", i, "block"), "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") +
-                                                            " named " + quoted(load.block));
+      throw InputError(indexed_key("load", i, "block"),
+                       "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
     }
     if (named != c.blocks.end() && named->fixed) {
       throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");

@@ -158,8 +158,8 @@ struct SupportMotion {
   std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
 };
-/// A free-standing block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK's
-/// order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
+/// A free-standing block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in
+/// VTK's order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
   std::string name, material;
   std::optional<std::array<Vec3, 2>> box;

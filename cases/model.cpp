@@ -104,7 +104,8 @@ std::string what_to_do(const geometry::ModelError& error) {
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
   // Of two, the one that stands later in the case: the first was there already.
   const int later = std::max(error.subject(), error.other());
-  const bool of_file = later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
+  const bool of_file =
+      later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
   throw InputError(key_of(model, later), with_names(model, error) + (of_file ? what_to_do(error) : ""));
 }
 

@@ -67,10 +67,10 @@ struct Model {
   std::vector<NamedLaw> laws;  // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;
   std::vector<std::vector<Stone>> stones;  // by table, as the case had them
-  geometry::Assembly assembly;           // of the blocks, in order
-  std::vector<std::int32_t> joint_law;   // by assembly joint, into laws
-  std::vector<double> contact_friction;  // degrees, see cases/contact_rules.h
-  std::vector<double> joint_strength;    // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
+  geometry::Assembly assembly;             // of the blocks, in order
+  std::vector<std::int32_t> joint_law;     // by assembly joint, into laws
+  std::vector<double> contact_friction;    // degrees, see cases/contact_rules.h
+  std::vector<double> joint_strength;      // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
 /// Builds blocks (house first, numbered along its plan, then free blocks, then stones), assembles them and picks the law of every joint.
@@ -90,8 +90,8 @@ Model build_loose_model(const Case& c);
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;
 
-/// The elements that a load on `name` acts on: the block of that name; of a stone in pieces the piece nearest to its centroid; of a group of
-/// stones so one element of each. Empty: nothing has this name.
+/// The elements that a load on `name` acts on: the block of that name; of a stone in pieces the piece nearest to its centroid; of a group
+/// of stones so one element of each. Empty: nothing has this name.
 std::vector<std::int32_t> elements_named(const Model& model, const std::string& name);
 
 /// How a message calls an element: `front wall (element 12)`, with the house if there are several; `block "slider" (element 3)`.

@@ -23,7 +23,8 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
   const std::string key = indexed_key("stones", set, "material");
   if (!c.stones[set].material.empty()) return find_material(model.materials, c.stones[set].material, key);
   if (model.materials.size() == 1) return 0;
-  throw InputError(key, model.materials.empty() ? "is missing, and the case has no materials" : "is missing: the case has several materials");
+  throw InputError(key,
+                   model.materials.empty() ? "is missing, and the case has no materials" : "is missing: the case has several materials");
 }
 
 /// Appends one stone. \param number  of the stone in the model
@@ -82,8 +83,9 @@ void add_stone_blocks(const Case& c, Model& model) {
     for (const Stone& stone : spec.stones) {
       like.name = stone_name(spec, stone.name);
       if (!names.insert(like.name).second) {
-        throw InputError(indexed_key("stones", k, "name"), "a stone " + quoted(like.name) + " of " + quoted(spec.file) +
-                                                               " has the name of another stone or block; give this table a name of its own");
+        throw InputError(indexed_key("stones", k, "name"),
+                         "a stone " + quoted(like.name) + " of " + quoted(spec.file) +
+                             " has the name of another stone or block; give this table a name of its own");
       }
       like.stone = number++;
       like.groups.clear();

@@ -31,11 +31,12 @@ class StoneLaws {
   /// Of two blocks, if the tables of stones say one. \param b  null: the base
   [[nodiscard]] std::optional<std::int32_t> law(const Block& a, const Block* b) const noexcept;
   /// The same law with the mortar of the gap, if both faces stand on a bed of it.
-  [[nodiscard]] std::int32_t on_bed(std::int32_t law, const Block& a, std::int32_t face_a, const Block& b, std::int32_t face_b) const noexcept;
+  [[nodiscard]] std::int32_t on_bed(std::int32_t law, const Block& a, std::int32_t face_a, const Block& b,
+                                    std::int32_t face_b) const noexcept;
 
  private:
-  std::vector<std::int32_t> of_set_;       // -1: none
-  std::vector<std::int32_t> of_material_;  // inside
+  std::vector<std::int32_t> of_set_;            // -1: none
+  std::vector<std::int32_t> of_material_;       // inside
   std::vector<std::vector<std::int32_t>> bed_;  // by table and law
 };
 

@@ -12,8 +12,8 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kExact = 5e-7;       // m and rad, half of what find_contacts takes as touching
-constexpr double kLeastArea = 1e-8;   // m2, as find_contacts
+constexpr double kExact = 5e-7;      // m and rad, half of what find_contacts takes as touching
+constexpr double kLeastArea = 1e-8;  // m2, as find_contacts
 
 Box3 box_of(const Mesh& m) { return bounds(Polyhedron{m.vertices, {}}); }
 
@@ -105,7 +105,8 @@ std::vector<FaceGroup> face_groups(std::span<const RoughSolid> solids, const Rou
     while (parent[f] != f) f = parent[f] = parent[parent[f]];
     return f;
   };
-  std::vector<std::uint8_t> touches(faces.face.size(), 0), inexact(faces.face.size(), 0), base(faces.face.size(), 0), bed(faces.face.size(), 0);
+  std::vector<std::uint8_t> touches(faces.face.size(), 0), inexact(faces.face.size(), 0), base(faces.face.size(), 0),
+      bed(faces.face.size(), 0);
   const auto join = [&](const Pair& p) {
     const std::size_t a = root(p.a), b = root(p.b);
     parent[std::max(a, b)] = std::min(a, b);

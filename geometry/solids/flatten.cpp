@@ -137,8 +137,9 @@ double checked_warp(const RoughSolid& s, int subject) {
   for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
     const double w = warp(s.mesh, f);
     if (w > std::max(s.snap, kPlane * diagonal(s.mesh))) {
-      throw ModelError(block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " + place_text(loop_plane(s.mesh, f).centre) +
-                           " m (allowed " + millimetres(s.snap) + ", stones.snap); part it into triangles or make it plane where it was drawn",
+      throw ModelError(block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " +
+                           place_text(loop_plane(s.mesh, f).centre) + " m (allowed " + millimetres(s.snap) +
+                           ", stones.snap); part it into triangles or make it plane where it was drawn",
                        subject);
     }
     most = std::max(most, w);
@@ -183,21 +184,23 @@ std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<doubl
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (active[i] == 0) continue;
-    const auto first = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i]), end = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i + 1]);
+    const auto first = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i]),
+               end = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i + 1]);
     Solid solid(solids[i].mesh, {first, end});
     const double left = solid.settle();
     out[i].moved = solid.moved();
     const int subject = static_cast<int>(i);
     const double allowed = 2.0 * (solids[i].snap + (out[i].beds.empty() ? 0.0 : solids[i].gap.value_or(0.0)));
     if (out[i].moved > allowed) {
-      throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(out[i].moved) + " to lie against its neighbours (allowed " +
-                           millimetres(allowed) + " with this stones.snap), at " + place_text(solids[i].mesh.vertices.front()) +
-                           " m; draw the faces that touch in one plane, or lower snap",
+      throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(out[i].moved) +
+                           " to lie against its neighbours (allowed " + millimetres(allowed) + " with this stones.snap), at " +
+                           place_text(solids[i].mesh.vertices.front()) + " m; draw the faces that touch in one plane, or lower snap",
                        subject);
     }
     if (left > kPlane * solid.size()) {
       throw ModelError(block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(left) + " are left, at " +
-                           place_text(solids[i].mesh.vertices.front()) + " m; part them into triangles, or make them plane where it was drawn",
+                           place_text(solids[i].mesh.vertices.front()) +
+                           " m; part them into triangles, or make them plane where it was drawn",
                        subject);
     }
   }

@@ -22,9 +22,9 @@ struct RoughSolid {
 
 /// What was done to one solid.
 struct Flattened {
-  double moved = 0.0;              // m, of its farthest vertex; 0: nothing
-  double warped = 0.0;             // m, of its worst face before
-  std::vector<HalfSpace> beds;     // planes of faces that stand on a bed of mortar
+  double moved = 0.0;           // m, of its farthest vertex; 0: nothing
+  double warped = 0.0;          // m, of its worst face before
+  std::vector<HalfSpace> beds;  // planes of faces that stand on a bed of mortar
 };
 
 /// Two faces of two solids are in contact where they look at each other and are no farther apart than the larger snap, over all that they

@@ -150,7 +150,8 @@ std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& fa
   }
   std::vector<std::int32_t> loop;
   if (outer.empty()) return loop;
-  std::int32_t v = m.faces[static_cast<std::size_t>(faces.front())].front();  // begin where the first face does, if its corner is on the rim
+  std::int32_t v =
+      m.faces[static_cast<std::size_t>(faces.front())].front();  // begin where the first face does, if its corner is on the rim
   if (!std::binary_search(outer.begin(), outer.end(), Edge{v, -1}, [](Edge a, Edge b) { return a[0] < b[0]; })) v = outer.front()[0];
   const std::int32_t first = v;
   do {
@@ -252,9 +253,11 @@ std::optional<std::string> fault_of(const Mesh& m) {
     return "is open: " + count(open) + " of one face only, the first " + edge_text(m, first_open) + "; close it where it was drawn";
   const double size = diagonal(m), v = volume(m);
   if (!(std::abs(v) > kNoVolume * size * size * size))
-    return "has no volume: " + figure(v) + " m3 in a box of " + figure(size) + " m across, at " + place_text(m.vertices.front()) + " m; leave it out, or give it thickness";
+    return "has no volume: " + figure(v) + " m3 in a box of " + figure(size) + " m across, at " + place_text(m.vertices.front()) +
+           " m; leave it out, or give it thickness";
   if (v < 0.0)
-    return "is inside out: its volume is " + figure(v) + " m3, at " + place_text(m.vertices.front()) + " m; turn its faces round (flip the normals)";
+    return "is inside out: its volume is " + figure(v) + " m3, at " + place_text(m.vertices.front()) +
+           " m; turn its faces round (flip the normals)";
   return std::nullopt;
 }
 

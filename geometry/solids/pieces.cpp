@@ -15,9 +15,9 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kTolerance = 1e-9;   // of the size
+constexpr double kTolerance = 1e-9;  // of the size
 constexpr std::size_t kMostPieces = 500;
-constexpr double kFills = 1e-9;       // relative, of volumes
+constexpr double kFills = 1e-9;                    // relative, of volumes
 constexpr double kSharp = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
 
 /// A flat part of the surface within a cell.
@@ -62,7 +62,8 @@ class Cutting {
       open.pop_back();
       divide(std::move(cell), open);
       if (open.size() + pieces_.size() > kMostPieces)
-        throw ModelError("takes more than " + std::to_string(kMostPieces) + " convex pieces; simplify it, or part it where it was drawn", -1);
+        throw ModelError("takes more than " + std::to_string(kMostPieces) + " convex pieces; simplify it, or part it where it was drawn",
+                         -1);
     }
     check_volume();
     return std::move(pieces_);
@@ -112,7 +113,8 @@ class Cutting {
     double low = 0.0, high = 1.0;
     for (std::size_t f = 0; f < cell.shape.faces.size(); ++f) {
       const FacePlane plane = face_plane(cell.shape, static_cast<int>(f));
-      const double a = dot(e.from - plane.centroid, plane.normal) + 2.0 * tolerance_, b = dot(e.to - plane.centroid, plane.normal) + 2.0 * tolerance_;
+      const double a = dot(e.from - plane.centroid, plane.normal) + 2.0 * tolerance_,
+                   b = dot(e.to - plane.centroid, plane.normal) + 2.0 * tolerance_;
       if (a > 0.0 && b > 0.0) return false;
       if (a > 0.0) low = std::max(low, a / (a - b));
       if (b > 0.0) high = std::min(high, a / (a - b));
@@ -206,7 +208,8 @@ class Cutting {
       const Vec3 a = p.corners[i], b = p.corners[(i + 1) % p.corners.size()];
       const double ha = sign * (dot(h.normal, a) - h.offset), hb = sign * (dot(h.normal, b) - h.offset);
       if (ha <= tolerance_) out.corners.push_back(a);
-      if ((ha < -tolerance_ && hb > tolerance_) || (ha > tolerance_ && hb < -tolerance_)) out.corners.push_back(a + (ha / (ha - hb)) * (b - a));
+      if ((ha < -tolerance_ && hb > tolerance_) || (ha > tolerance_ && hb < -tolerance_))
+        out.corners.push_back(a + (ha / (ha - hb)) * (b - a));
     }
     return out;
   }

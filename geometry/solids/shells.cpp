@@ -34,7 +34,8 @@ class Shells {
         uses.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), a < b});
       }
     }
-    std::stable_sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return x.low < y.low || (x.low == y.low && x.high < y.high); });
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const Use& x, const Use& y) { return x.low < y.low || (x.low == y.low && x.high < y.high); });
     for (std::size_t first = 0; first < uses.size();) {
       std::size_t end = first;
       while (end < uses.size() && uses[end].low == uses[first].low && uses[end].high == uses[first].high) ++end;
@@ -46,7 +47,8 @@ class Shells {
 
  private:
   std::int32_t root(std::int32_t f) {
-    while (parent_[static_cast<std::size_t>(f)] != f) f = parent_[static_cast<std::size_t>(f)] = parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(f)])];
+    while (parent_[static_cast<std::size_t>(f)] != f)
+      f = parent_[static_cast<std::size_t>(f)] = parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(f)])];
     return f;
   }
   void join(std::int32_t a, std::int32_t b) {
@@ -55,7 +57,9 @@ class Shells {
   }
 
   /// From the edge into the face, in its plane.
-  [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const { return cross(normal_[static_cast<std::size_t>(u.face)], u.forward ? along : -along); }
+  [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const {
+    return cross(normal_[static_cast<std::size_t>(u.face)], u.forward ? along : -along);
+  }
 
   void pair_up(const std::vector<Use>& uses) {
     if (uses.size() == 2) return join(uses[0].face, uses[1].face);
@@ -100,7 +104,8 @@ class Shells {
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for (const std::int32_t v : vertices) out[i].vertices.push_back(mesh_.vertices[static_cast<std::size_t>(v)]);
       for (auto& loop : out[i].faces) {
-        for (std::int32_t& v : loop) v = static_cast<std::int32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+        for (std::int32_t& v : loop)
+          v = static_cast<std::int32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
       }
     }
     return out;

@@ -30,10 +30,14 @@ Key<StonesSpec> turn_key() {
 /// A word, a level, or names.
 Key<StonesSpec> supports_key() {
   Key<StonesSpec> key;
-  key.info = {"supports", "", "stones that are fixed: all that touch the lowest level of the file (\"ground\"), none of them (\"none\"), all that "
+  key.info = {"supports",
+              "",
+              "stones that are fixed: all that touch the lowest level of the file (\"ground\"), none of them (\"none\"), all that "
               "reach below a height [m], or those of the names and groups in an array; none: those that the file marks as supports, and if "
               "it marks none and the case has neither [base] nor a fixed block: \"ground\"",
-              any(), "\"ground\" | \"none\", a number or an array of names", false};
+              any(),
+              "\"ground\" | \"none\", a number or an array of names",
+              false};
   key.read = [info = key.info](const Node& node, StonesSpec& s, Reading& reading, const std::string& path) {
     using Kind = StoneSupports::Kind;
     if (same_word(node, "\"ground\"") || same_word(node, "\"none\"")) {
@@ -71,20 +75,21 @@ Table<StonesSpec> stones_table() {
   const std::vector<std::pair<std::string, std::string>> units{{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}};
   return {
       "stones out of a file: every closed body in it is one",
-      {required(value<S>("file", &S::file, "", filled(),
-                         "OBJ, PLY, STL, VTU or COMPAS JSON; or a folder, each such file in it a stone")),
+      {required(value<S>("file", &S::file, "", filled(), "OBJ, PLY, STL, VTU or COMPAS JSON; or a folder, each such file in it a stone")),
        required(choice<S>("unit", &S::unit, "", units, "of lengths in the file; none of these formats says it")),
        value<S>("name", &S::name, "", any(), "goes before the names of its stones: \"name/stone\""),
        value<S>("only", &S::only, "", any(), "names and groups of the file that are taken; none: all"),
        value<S>("place", &S::place, "m", any(), "by which the stones are moved, after they were turned"), turn_key(),
        value<S>("material", &S::material, "", any(), "a name of materials; none: the only one"),
        value<S>("joint", &S::joint, "", filled(), "law between stones of this table: a name of joint_laws, or \"dry\"; none: [joints]"),
-       value<S>("snap", &S::snap, "m", within(0.0, 0.05),
-                "faces nearer than this, or as much inside each other, are put into one plane and are in contact; faces that are warped by no "
-                "more are made plane"),
-       value<S>("gap", &S::gap, "m", within(1e-4, 0.2),
-                "faces so far apart (within snap) have a bed of mortar between them: both stones are grown to its middle, and its thickness "
-                "enters Eq. 3 in place of the law's; none: they do not touch"),
+       value<S>(
+           "snap", &S::snap, "m", within(0.0, 0.05),
+           "faces nearer than this, or as much inside each other, are put into one plane and are in contact; faces that are warped by no "
+           "more are made plane"),
+       value<S>(
+           "gap", &S::gap, "m", within(1e-4, 0.2),
+           "faces so far apart (within snap) have a bed of mortar between them: both stones are grown to its middle, and its thickness "
+           "enters Eq. 3 in place of the law's; none: they do not touch"),
        supports_key()},
       [](const S& s, const RuleCheck& check) {
         if (s.gap && *s.gap <= 2.0 * s.snap) check.fault("gap", "must be above twice snap, or a bed cannot be told from a contact");

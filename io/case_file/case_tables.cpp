@@ -203,20 +203,20 @@ void check_reserved_names(const Case& c, const RuleCheck& check) {
 
 Table<Case> case_table() {
   using S = Case;
-  return {
-      "the whole case",
-      {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
-       value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
-       table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
-       table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
-       table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
-       table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
-       table<S>("motion", &S::motion, motion_table()),
-       table<S>(
-           "segments", [](auto& c) -> auto& { return c; }, segments_table()),
-       table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),
-       table<S>("block", &S::blocks, block_table()), table<S>("stones", &S::stones, stones_table()), table<S>("load", &S::loads, load_table()), table<S>("base", &S::base, base_table())},
-      check_reserved_names};
+  return {"the whole case",
+          {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
+           value<S>("source", &S::source, "", any(), "where the numbers come from"), table<S>("gravity", &S::gravity, gravity_table()),
+           table<S>("time", &S::time, time_table()), table<S>("damping", &S::damping, damping_table()),
+           table<S>("materials", &S::materials, material_table()), table<S>("joint_laws", &S::joint_laws, joint_law_table()),
+           table<S>("scatter", &S::scatter, scatter_table()), table<S>("failure", &S::failure, failure_table()),
+           table<S>("joints", &S::joints, joints_table()), table<S>("contact", &S::contact, contact_table()),
+           table<S>("motion", &S::motion, motion_table()),
+           table<S>(
+               "segments", [](auto& c) -> auto& { return c; }, segments_table()),
+           table<S>("output", &S::output, output_table()), table<S>("house", &S::house, house_table()),
+           table<S>("block", &S::blocks, block_table()), table<S>("stones", &S::stones, stones_table()),
+           table<S>("load", &S::loads, load_table()), table<S>("base", &S::base, base_table())},
+          check_reserved_names};
 }
 
 }  // namespace voussoir::io

@@ -136,8 +136,9 @@ void print_stones(const cases::Case& c) {
   for (const cases::StonesSpec& spec : c.stones) {
     const auto fixed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return s.fixed; });
     const auto changed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return !s.change.empty(); });
-    std::printf("\nstones of %s: %s, %s of them fixed, %s changed (in %s)\n", spec.file.c_str(), format_count(static_cast<std::int64_t>(spec.stones.size())).c_str(),
-                format_count(fixed).c_str(), format_count(changed).c_str(), spec.unit.c_str());
+    std::printf("\nstones of %s: %s, %s of them fixed, %s changed (in %s)\n", spec.file.c_str(),
+                format_count(static_cast<std::int64_t>(spec.stones.size())).c_str(), format_count(fixed).c_str(),
+                format_count(changed).c_str(), spec.unit.c_str());
     for (const std::string& note : spec.notes) std::printf("  %s\n", note.c_str());
     for (const cases::Stone& s : spec.stones) {
       if (!s.change.empty()) std::printf("  %-22s %s\n", s.name.c_str(), s.change.c_str());

@@ -10,12 +10,12 @@ namespace voussoir::io {
 
 /// The data as elements of HTML that the page's program reads by their `id`: "facts" (JSON, report_facts.h) and, packed (packed_text.h),
 /// "vertices" (float32, three a vertex, reference configuration), "cells" (int32, as /model/cells), "cell-types" (uint8), "cell-elements"
-/// (int32), "loops" (int32, polyhedron_loops of report_model.h, if there are any), "centroids" (float32, position0), "parts" and "materials" (int32, an entry an element, into the names in facts),
-/// "covered-elements" (int32) and "covered-normals" (float32, three a face; covered_faces.h), "opened-elements", "opened-normals" and
-/// "opened-times" (float32, s; opened_faces.h, from when on faces show), "crack-elements" (int32, two a joint), "crack-edges" (uint8),
-/// "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from the one before, modulo 256; all of joint_cracks.h),
-/// "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), and "frames" (report_frames.h). \param run  a run.h5, of a
-/// finished run or not \param prefix  of all ids \throw FileError
+/// (int32), "loops" (int32, polyhedron_loops of report_model.h, if there are any), "centroids" (float32, position0), "parts" and
+/// "materials" (int32, an entry an element, into the names in facts), "covered-elements" (int32) and "covered-normals" (float32, three a
+/// face; covered_faces.h), "opened-elements", "opened-normals" and "opened-times" (float32, s; opened_faces.h, from when on faces show),
+/// "crack-elements" (int32, two a joint), "crack-edges" (uint8), "crack-ends" (float32) and "crack-levels" (uint8, each frame as steps from
+/// the one before, modulo 256; all of joint_cracks.h), "bodies" (JSON) and "body-ids" (uint8, as steps, too; report_bodies.h), and "frames"
+/// (report_frames.h). \param run  a run.h5, of a finished run or not \param prefix  of all ids \throw FileError
 std::string report_data(const std::string& run, const std::string& prefix = "");
 
 /// The page of a model alone: report_data of a run without frames, and beside it "model" (JSON), "fixed" (uint8, an entry an element),

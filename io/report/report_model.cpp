@@ -55,7 +55,8 @@ std::vector<std::int32_t> polyhedron_loops(const Hdf5File& run) {
   std::sort(polyhedra.begin(), polyhedra.end());
   for (std::size_t f = 0; f < element.size(); ++f) {
     if (!std::binary_search(polyhedra.begin(), polyhedra.end(), element[f])) continue;
-    const std::size_t from = static_cast<std::size_t>(first[f]), end = f + 1 < first.size() ? static_cast<std::size_t>(first[f + 1]) : corner.size();
+    const std::size_t from = static_cast<std::size_t>(first[f]),
+                      end = f + 1 < first.size() ? static_cast<std::size_t>(first[f + 1]) : corner.size();
     if (first[f] < 0 || end < from || end > corner.size()) throw FileError(run.path(), "/model/face/corners does not fit together");
     out.push_back(element[f]);
     out.push_back(static_cast<std::int32_t>(end - from));

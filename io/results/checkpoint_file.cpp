@@ -70,7 +70,8 @@ void write_supports(Hdf5File& file, const std::vector<cases::SupportHistory>& su
 
 void write_stones(Hdf5File& file, const StoneTables& stones) {
   const PackedStones packed = packed_stones(stones);
-  file.write_dataset("/stones/numbers", Hdf5Type::i32, {packed.numbers.size()}, packed.numbers.data(), {}, {"1", "see checkpoint_stones.h"});
+  file.write_dataset("/stones/numbers", Hdf5Type::i32, {packed.numbers.size()}, packed.numbers.data(), {},
+                     {"1", "see checkpoint_stones.h"});
   file.write_dataset("/stones/vertices", Hdf5Type::f64, {packed.vertices.size()}, packed.vertices.data(), {}, {"m", "three each"});
   file.write_strings("/stones/texts", packed.texts, {"1", "names and groups"});
 }

@@ -27,7 +27,7 @@ struct CheckpointFacts {
   std::string case_toml;                        // resolved
   cases::GroundMotion motion;                   // as used: turned and scaled
   std::vector<cases::SupportHistory> supports;  // of the model, in order
-  StoneTables stones;           // of the files that the case names
+  StoneTables stones;                           // of the files that the case names
   double step = 0.0;                            // s, Δt
   bool reference_kernels = false;
   std::string program;           // version, compiler and flags of the program that wrote it

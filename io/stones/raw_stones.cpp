@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 using geometry::Mesh;
 
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;  // bytes
-constexpr double kEqual = 1e-9;    // of the size of what stands together: vertices of triangles that each have their own
-constexpr double kFlat = 1e-9;     // of the size: a stone's faces in one plane
-constexpr double kStraight = 1e-3; // rad
+constexpr double kEqual = 1e-9;     // of the size of what stands together: vertices of triangles that each have their own
+constexpr double kFlat = 1e-9;      // of the size: a stone's faces in one plane
+constexpr double kStraight = 1e-3;  // rad
 
 StoneFile read_one(const std::string& path) { return read_stone_file(path, read_text_file(path, kLargestFile)); }
 
@@ -141,7 +141,8 @@ class Raw {
   void check_names(const std::vector<RawStone>& stones) const {
     for (std::size_t i = 0; i < spec_.only.size(); ++i) {
       if (!used_.contains(spec_.only[i]))
-        throw cases::InputError(key_ + ".only[" + std::to_string(i) + "]", quoted_word(spec_.only[i]) + " is no stone or group of " + quoted_word(spec_.file));
+        throw cases::InputError(key_ + ".only[" + std::to_string(i) + "]",
+                                quoted_word(spec_.only[i]) + " is no stone or group of " + quoted_word(spec_.file));
     }
     std::set<std::string> names;
     for (const RawStone& s : stones) {
@@ -157,8 +158,7 @@ class Raw {
     RawStone out{std::move(part.name), std::move(part.groups), {}, part.support, 0};
     const double size = geometry::diagonal(part.mesh);
     const Mesh joined = geometry::welded(part.mesh, 1e-7 * size);
-    if (const auto fault = geometry::fault_of(joined))
-      throw cases::InputError(key_ + ".file", stone_words(spec_, out.name) + " " + *fault);
+    if (const auto fault = geometry::fault_of(joined)) throw cases::InputError(key_ + ".file", stone_words(spec_, out.name) + " " + *fault);
     out.mesh = geometry::with_merged_faces(joined, kFlat * size, kStraight);
     out.merged = joined.faces.size() - out.mesh.faces.size();
     return out;

@@ -18,7 +18,8 @@ struct RawStone {
 };
 
 /// All stones of one table, in the order of its file. \param key  of the table; \param notes  what was passed over
-std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder, std::vector<std::string>& notes);
+std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
+                                 std::vector<std::string>& notes);
 
 /// "12 stones", "1 stone".
 std::string counted(std::size_t n, const std::string& what);

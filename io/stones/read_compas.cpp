@@ -123,7 +123,7 @@ class CompasReader {
     geometry::Mesh mesh;
     if (vertex != nullptr && face != nullptr && vertex->is_object() && face->is_object()) {
       mesh = mesh_of(*vertex, *face, around);
-    } else if (const Json *points = member(data, "vertices"), *loops = member(data, "faces");
+    } else if (const Json* points = member(data, "vertices"), *loops = member(data, "faces");
                points != nullptr && loops != nullptr && points->is_array() && loops->is_array()) {
       mesh = polyhedron_of(*points, *loops, around);
     } else if (type.ends_with("/Box") && member(data, "frame") != nullptr) {
@@ -141,7 +141,8 @@ class CompasReader {
   }
 
   double number(const Json* value, const Around& at) const {
-    if (value == nullptr || !value->is_number() || !std::isfinite(value->get<double>())) fault(at, "has a coordinate that is no finite number");
+    if (value == nullptr || !value->is_number() || !std::isfinite(value->get<double>()))
+      fault(at, "has a coordinate that is no finite number");
     return value->get<double>();
   }
   Vec3 point(const Json& value, const Around& at) const {
@@ -199,7 +200,8 @@ class CompasReader {
     const double size[3] = {number(member(data, "xsize"), at), number(member(data, "ysize"), at), number(member(data, "zsize"), at)};
     const auto unit = geometry::make_box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
     geometry::Mesh mesh{{}, unit.faces};
-    for (const Vec3& v : unit.vertices) mesh.vertices.push_back(centre + (v.x * size[0]) * ex + (v.y * size[1]) * ey + (v.z * size[2]) * ez);
+    for (const Vec3& v : unit.vertices)
+      mesh.vertices.push_back(centre + (v.x * size[0]) * ex + (v.y * size[1]) * ey + (v.z * size[2]) * ez);
     return mesh;
   }
 

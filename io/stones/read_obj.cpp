@@ -85,7 +85,8 @@ class ObjReader {
       const auto count = static_cast<long>(vertices_.size());
       if (error != std::errc() || end != number.data() + number.size() || index == 0) fault(shown(word) + " is no number of a vertex");
       const long at = index > 0 ? index - 1 : count + index;
-      if (at < 0 || at >= count) fault("vertex " + std::to_string(index) + " of a face is not there; so far there are " + std::to_string(count));
+      if (at < 0 || at >= count)
+        fault("vertex " + std::to_string(index) + " of a face is not there; so far there are " + std::to_string(count));
       loop.push_back(solid.add(static_cast<std::int32_t>(at), vertices_));
     }
     if (loop.size() < 3) fault("a face of " + std::to_string(loop.size()) + " corners; wanted: 3 or more");

@@ -171,7 +171,8 @@ class PlyReader {
 
   std::size_t list_length(const Property& p) {
     const double count = next(*p.count);
-    if (!(count >= 0.0) || count > static_cast<double>(text_.size())) fault("a list of " + std::to_string(count) + " numbers in " + shown(p.name));
+    if (!(count >= 0.0) || count > static_cast<double>(text_.size()))
+      fault("a list of " + std::to_string(count) + " numbers in " + shown(p.name));
     return static_cast<std::size_t>(count);
   }
   void pass_over(const Property& p) {

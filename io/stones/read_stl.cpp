@@ -40,7 +40,8 @@ StoneFile read_binary(const std::string& path, std::string_view text) {
   for (std::uint32_t i = 0; i < count; ++i) {
     float x[9];
     std::memcpy(x, text.data() + kHead + kTriangle * i + 12, sizeof x);
-    if (!std::all_of(x, x + 9, [](float v) { return std::isfinite(v); })) throw FileError(path, "triangle " + std::to_string(i) + " is not finite");
+    if (!std::all_of(x, x + 9, [](float v) { return std::isfinite(v); }))
+      throw FileError(path, "triangle " + std::to_string(i) + " is not finite");
     add_triangle(solid.mesh, {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}});
   }
   if (count == 0) throw FileError(path, "holds no triangles");

@@ -62,7 +62,8 @@ class VtuReader {
   }
 
   [[nodiscard]] std::int32_t point(std::int64_t v) const {
-    if (v < 0 || v >= static_cast<std::int64_t>(points_.size())) fault("a cell names point " + std::to_string(v) + ", there are " + std::to_string(points_.size()));
+    if (v < 0 || v >= static_cast<std::int64_t>(points_.size()))
+      fault("a cell names point " + std::to_string(v) + ", there are " + std::to_string(points_.size()));
     return static_cast<std::int32_t>(v);
   }
 
@@ -70,12 +71,14 @@ class VtuReader {
     const auto corners = whole_numbers("connectivity"), ends = whole_numbers("offsets"), types = whole_numbers("types");
     if (ends.size() != types.size()) fault("its offsets and types are not as many");
     std::vector<std::int64_t> faces, face_ends;
-    if (std::find(types.begin(), types.end(), kPolyhedron) != types.end()) faces = whole_numbers("faces"), face_ends = whole_numbers("faceoffsets");
+    if (std::find(types.begin(), types.end(), kPolyhedron) != types.end())
+      faces = whole_numbers("faces"), face_ends = whole_numbers("faceoffsets");
     const std::vector<double> element = arrays_.cell_data("element");
     if (!element.empty() && element.size() != types.size()) fault("its cell array element is not as long as its types");
     std::int64_t start = 0;
     for (std::size_t c = 0; c < types.size(); ++c) {
-      if (ends[c] < start || ends[c] > static_cast<std::int64_t>(corners.size())) fault("its offsets do not rise, or pass the end of its connectivity");
+      if (ends[c] < start || ends[c] > static_cast<std::int64_t>(corners.size()))
+        fault("its offsets do not rise, or pass the end of its connectivity");
       const std::vector<std::int64_t> own(corners.begin() + start, corners.begin() + ends[c]);
       start = ends[c];
       const double key = element.empty() ? static_cast<double>(c) : element[c];
@@ -88,7 +91,8 @@ class VtuReader {
       } else if (const auto known = faces_by_type().find(type); known != faces_by_type().end()) {
         add_cell(own, known->second, cells_[key]);
       } else {
-        fault("cell " + std::to_string(c) + " is of VTK's type " + std::to_string(type) + "; wanted: 10 to 14 or 42 (solids), 5, 7 or 9 (polygons)");
+        fault("cell " + std::to_string(c) + " is of VTK's type " + std::to_string(type) +
+              "; wanted: 10 to 14 or 42 (solids), 5, 7 or 9 (polygons)");
       }
     }
   }

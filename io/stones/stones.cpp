@@ -19,7 +19,7 @@ namespace {
 using geometry::Mesh;
 using geometry::Polyhedron;
 
-constexpr double kConvex = 1e-9;    // of the size, as geometry::validate
+constexpr double kConvex = 1e-9;      // of the size, as geometry::validate
 constexpr double kNearlyFlat = 0.05;  // rad: faces of a surface that was meant to be plane, as drawn in millimetres
 
 std::string millimetres(double metres) {

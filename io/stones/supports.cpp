@@ -40,12 +40,15 @@ void fix_named(StonesSpec& spec, const std::string& key) {
   const auto& names = spec.supports.names;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (std::none_of(spec.stones.begin(), spec.stones.end(), [&](const Stone& s) { return is_called(s, names[i]); }))
-      throw cases::InputError(key + ".supports[" + std::to_string(i) + "]", quoted_word(names[i]) + " is no stone or group of " + quoted_word(spec.file));
+      throw cases::InputError(key + ".supports[" + std::to_string(i) + "]",
+                              quoted_word(names[i]) + " is no stone or group of " + quoted_word(spec.file));
   }
   fix_where(spec, [&](const Stone& s) { return std::any_of(names.begin(), names.end(), [&](const auto& n) { return is_called(s, n); }); });
 }
 
-bool has_fixed(const StonesSpec& spec) { return std::any_of(spec.stones.begin(), spec.stones.end(), [](const Stone& s) { return s.fixed; }); }
+bool has_fixed(const StonesSpec& spec) {
+  return std::any_of(spec.stones.begin(), spec.stones.end(), [](const Stone& s) { return s.fixed; });
+}
 
 }  // namespace
 
@@ -75,9 +78,11 @@ void choose_supports(cases::Case& c) {
     if (spec.supports.kind != Kind::automatic) continue;
     const bool marked = has_fixed(spec);
     if (!held) fix_on_ground(spec);
-    const auto fixed = static_cast<std::size_t>(std::count_if(spec.stones.begin(), spec.stones.end(), [](const Stone& s) { return s.fixed; }));
+    const auto fixed =
+        static_cast<std::size_t>(std::count_if(spec.stones.begin(), spec.stones.end(), [](const Stone& s) { return s.fixed; }));
     if (marked) spec.notes.push_back("fixed: " + counted(fixed, "stone") + " that the file marks as supports");
-    if (!held) spec.notes.push_back("fixed: " + counted(fixed, "stone") + " on the ground, since nothing else holds the model (stones.supports)");
+    if (!held)
+      spec.notes.push_back("fixed: " + counted(fixed, "stone") + " on the ground, since nothing else holds the model (stones.supports)");
   }
 }
 

@@ -96,11 +96,14 @@ VtuArrays::VtuArrays(const std::string& path, std::string_view text) : path_(pat
     at = end + 1;
     const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
     if (name == "VTKFile") {
-      if (attribute(tag, "type") != "UnstructuredGrid") throw FileError(path_, "is a VTK file of type " + shown(attribute(tag, "type")) + "; wanted: UnstructuredGrid");
-      if (attribute(tag, "byte_order") == "BigEndian") throw FileError(path_, "has its bytes in the big-endian order; write it as little-endian or ASCII");
+      if (attribute(tag, "type") != "UnstructuredGrid")
+        throw FileError(path_, "is a VTK file of type " + shown(attribute(tag, "type")) + "; wanted: UnstructuredGrid");
+      if (attribute(tag, "byte_order") == "BigEndian")
+        throw FileError(path_, "has its bytes in the big-endian order; write it as little-endian or ASCII");
       const std::string packer = attribute(tag, "compressor");
       deflated_ = packer == "vtkZLibDataCompressor";
-      if (!packer.empty() && !deflated_) throw FileError(path_, "is packed by " + shown(packer) + "; wanted: vtkZLibDataCompressor, or none");
+      if (!packer.empty() && !deflated_)
+        throw FileError(path_, "is packed by " + shown(packer) + "; wanted: vtkZLibDataCompressor, or none");
       long_heads_ = attribute(tag, "header_type") == "UInt64";
     } else if (name == "Piece") {
       if (++pieces > 1) throw FileError(path_, "has several pieces; write it as one");
@@ -122,7 +125,8 @@ VtuArrays::VtuArrays(const std::string& path, std::string_view text) : path_(pat
 
 void VtuArrays::take_array(const std::string& section, std::string_view tag, std::string_view content) {
   Array a{attribute(tag, "type"), attribute(tag, "format"), 0, content};
-  if (const auto offset = finite_number(attribute(tag, "offset")); offset && *offset >= 0.0 && *offset < 1e15) a.offset = static_cast<std::size_t>(*offset);
+  if (const auto offset = finite_number(attribute(tag, "offset")); offset && *offset >= 0.0 && *offset < 1e15)
+    a.offset = static_cast<std::size_t>(*offset);
   arrays_[section == "Points" ? "Points" : section + "/" + attribute(tag, "Name")] = a;
 }
 
@@ -160,11 +164,13 @@ std::string VtuArrays::blocks(std::string_view coded, bool raw, const std::strin
   std::string out;
   for (std::size_t b = 0; b < count; ++b) {
     const std::size_t size = number(head, 3 + b), last = number(head, 2), whole = b + 1 == count && last != 0 ? last : number(head, 1);
-    if (packed.size() < size || out.size() + whole > kMostBytes || whole / 1100 > size + 64) fault("ends early, or claims more than it holds");
+    if (packed.size() < size || out.size() + whole > kMostBytes || whole / 1100 > size + 64)
+      fault("ends early, or claims more than it holds");
     const std::size_t from = out.size();
     out.resize(from + whole);
     uLongf length = whole;
-    if (uncompress(reinterpret_cast<Bytef*>(out.data() + from), &length, reinterpret_cast<const Bytef*>(packed.data()), size) != Z_OK || length != whole)
+    if (uncompress(reinterpret_cast<Bytef*>(out.data() + from), &length, reinterpret_cast<const Bytef*>(packed.data()), size) != Z_OK ||
+        length != whole)
       fault("cannot be unpacked");
     packed.remove_prefix(size);
   }

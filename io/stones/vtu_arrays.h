@@ -23,8 +23,8 @@ class VtuArrays {
  private:
   struct Array {
     std::string type, format;
-    std::size_t offset = 0;      // into the appended data
-    std::string_view text;       // within the element
+    std::size_t offset = 0;  // into the appended data
+    std::string_view text;   // within the element
   };
   [[nodiscard]] std::vector<double> values(const Array& a, const std::string& name) const;
   [[nodiscard]] std::string bytes(const Array& a, const std::string& name) const;

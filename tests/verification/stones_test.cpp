@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "io/stones/stones.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "io/stones/stones.h"
 #include "tests/io/stones/stones_fixture.h"
 #include "tests/verification/collapse.h"
 #include "tests/verification/limit_analysis.h"
@@ -51,7 +52,8 @@ std::vector<Named> mesh_dome(double thickness, int rings, int meridians) {
   for (int i = 0; i < rings; ++i) {
     for (int k = 0; k < meridians; ++k) {
       const auto patch = [&](double r) { return std::vector{at(r, i, k), at(r, i, k + 1), at(r, i + 1, k + 1), at(r, i + 1, k)}; };
-      all.push_back(stone_of("r" + std::to_string(i) + "m" + std::to_string(k), patch(kMeanRadius - 0.5 * thickness), patch(kMeanRadius + 0.5 * thickness)));
+      all.push_back(stone_of("r" + std::to_string(i) + "m" + std::to_string(k), patch(kMeanRadius - 0.5 * thickness),
+                             patch(kMeanRadius + 0.5 * thickness)));
     }
   }
   return all;
@@ -64,7 +66,8 @@ struct Shell {
   [[nodiscard]] cases::Case shaped(double ratio) const {
     const double thickness = ratio * kMeanRadius;
     const TempFolder folder;
-    const std::string file = folder.write("shell.obj", stones::obj(dome ? mesh_dome(thickness, rings, meridians) : mesh_arch(thickness, voussoirs)));
+    const std::string file =
+        folder.write("shell.obj", stones::obj(dome ? mesh_dome(thickness, rings, meridians) : mesh_arch(thickness, voussoirs)));
     cases::Case c = load("arch_stands").value;
     c.blocks.clear();
     c.output.history.clear();

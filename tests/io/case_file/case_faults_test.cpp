@@ -183,7 +183,8 @@ TEST_CASE("faults: rules of stones") {
   const std::string stones = "[[stones]]\nfile = \"a.obj\"\n", good = stones + "unit = \"m\"\n";
   CHECK(refusal(stones).starts_with("test.toml:1: stones[0].unit is missing"));
   CHECK(refusal("[[stones]]\nunit = \"m\"").starts_with("test.toml:1: stones[0].file is missing"));
-  CHECK(refusal(stones + "unit = \"yd\"").find("test.toml:3: stones[0].unit = \"yd\": must be \"m\" | \"cm\" | \"mm\" | \"in\" | \"ft\"") == 0);
+  CHECK(refusal(stones + "unit = \"yd\"").find("test.toml:3: stones[0].unit = \"yd\": must be \"m\" | \"cm\" | \"mm\" | \"in\" | \"ft\"") ==
+        0);
   CHECK(refusal(good + "snap = 0.2").starts_with("test.toml:4: stones[0].snap = 0.2 m: "));
   CHECK(refusal(good + "snap = -1.0").starts_with("test.toml:4: stones[0].snap = -1 m: "));
   CHECK(refusal(good + "gap = 0.5").starts_with("test.toml:4: stones[0].gap = 0.5 m: "));
@@ -197,7 +198,8 @@ TEST_CASE("faults: rules of stones") {
 }
 
 TEST_CASE("faults: rules of blocks and loads") {
-  CHECK(refusal(kBlock + "vertices = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]").find("has 4 points, wanted 8, or faces beside them") != std::string::npos);
+  CHECK(refusal(kBlock + "vertices = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]").find("has 4 points, wanted 8, or faces beside them") !=
+        std::string::npos);
   CHECK(refusal(kBlock + "faces = [[0,1,2]]").find("block[0] has no shape") != std::string::npos);
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nfaces = [[0,1,2]]").find("needs vertices") != std::string::npos);
   CHECK(refusal(kBlock) == "test.toml:1: block[0] has no shape; give box, or vertices, or polygon and extrude");

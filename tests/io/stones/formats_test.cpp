@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
+#include <zlib.h>
 
 #include <algorithm>
 
@@ -21,7 +22,8 @@ Model model_from(const std::string& file, const std::string& keys = "") { return
 std::vector<std::size_t> order_of(const Model& m) {
   std::vector<std::size_t> order(m.blocks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return m.assembly.elements[a].mass.centroid.x < m.assembly.elements[b].mass.centroid.x; });
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return m.assembly.elements[a].mass.centroid.x < m.assembly.elements[b].mass.centroid.x; });
   return order;
 }
 
@@ -43,6 +45,76 @@ void check_same(const Model& a, const Model& b, double tolerance) {
   };
   const auto areas_a = areas(a), areas_b = areas(b);
   for (std::size_t i = 0; i < areas_a.size(); ++i) CHECK(std::abs(areas_a[i] - areas_b[i]) <= tolerance);
+}
+
+std::string base64(const std::string& bytes) {
+  static const char* const kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k > bytes.size() ? '=' : kLetters[bits >> (18 - 6 * k) & 63U];
+  }
+  return out;
+}
+
+/// An array of VTK as it stands in the file: a head and the bytes, or deflated in two blocks.
+std::string vtk_binary(const std::string& bytes, bool deflated) {
+  std::string head;
+  if (!deflated) {
+    append_bytes(head, static_cast<std::uint32_t>(bytes.size()));
+    return base64(head + bytes);
+  }
+  const std::size_t block = (bytes.size() + 1) / 2;
+  std::string packed;
+  append_bytes(head, std::uint32_t{2});
+  append_bytes(head, static_cast<std::uint32_t>(block));
+  append_bytes(head, static_cast<std::uint32_t>(bytes.size() - block));
+  for (const std::string& part : {bytes.substr(0, block), bytes.substr(block)}) {
+    std::vector<Bytef> room(compressBound(part.size()));
+    uLongf size = room.size();
+    compress(room.data(), &size, reinterpret_cast<const Bytef*>(part.data()), part.size());
+    append_bytes(head, static_cast<std::uint32_t>(size));
+    packed.append(reinterpret_cast<const char*>(room.data()), size);
+  }
+  return base64(head) + base64(packed);
+}
+
+enum class Vtu { ascii, base64, deflated };
+std::string vtu(const std::vector<Named>& all, Vtu kind) {
+  std::vector<double> points;
+  std::vector<std::int64_t> corners, ends, faces, face_ends;
+  for (const Named& n : all) {
+    const auto first = static_cast<std::int64_t>(points.size() / 3);
+    for (const Vec3& v : n.mesh.vertices) points.insert(points.end(), {v.x, v.y, v.z});
+    for (std::size_t v = 0; v < n.mesh.vertices.size(); ++v) corners.push_back(first + static_cast<std::int64_t>(v));
+    ends.push_back(static_cast<std::int64_t>(corners.size()));
+    faces.push_back(static_cast<std::int64_t>(n.mesh.faces.size()));
+    for (const auto& loop : n.mesh.faces) {
+      faces.push_back(static_cast<std::int64_t>(loop.size()));
+      for (const int v : loop) faces.push_back(first + v);
+    }
+    face_ends.push_back(static_cast<std::int64_t>(faces.size()));
+  }
+  const auto array = [&](const std::string& name, const char* type, const auto& values) {
+    std::string out = std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" format=\"" +
+                      (kind == Vtu::ascii ? "ascii" : "binary") + "\">\n";
+    if (kind == Vtu::ascii) {
+      for (const auto v : values) out += number(static_cast<double>(v)) + " ";
+    } else {
+      std::string bytes;
+      for (const auto v : values) append_bytes(bytes, v);
+      out += "  " + vtk_binary(bytes, kind == Vtu::deflated);
+    }
+    return out + "\n</DataArray>\n";
+  };
+  return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"") +
+         (kind == Vtu::deflated ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+         std::to_string(points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(all.size()) + "\">\n<Points>\n" +
+         array("Points", "Float64", points) + "</Points>\n<Cells>\n" + array("connectivity", "Int64", corners) +
+         array("offsets", "Int64", ends) + array("types", "UInt8", std::vector<std::uint8_t>(all.size(), 42)) +
+         array("faces", "Int64", faces) + array("faceoffsets", "Int64", face_ends) +
+         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 Mesh together(const std::vector<Named>& all) {
@@ -84,7 +156,9 @@ TEST_CASE("an arch in every format is the same model") {
     for (const Named& n : all) folder.write("stl/" + n.name + ".stl", stl({n.mesh}, false));
     check_same(reference, model_from(folder.path("stl")), 1e-6 * 4.8);
   }
-  SUBCASE("STL, binary, one heap of triangles") { check_same(reference, model_from(folder.write("a.stl", stl(meshes, false))), 1e-6 * 4.8); }
+  SUBCASE("STL, binary, one heap of triangles") {
+    check_same(reference, model_from(folder.write("a.stl", stl(meshes, false))), 1e-6 * 4.8);
+  }
   SUBCASE("VTU, ASCII") { check_same(reference, model_from(folder.write("a.vtu", vtu(all, Vtu::ascii))), 1e-12); }
   SUBCASE("VTU, base64") { check_same(reference, model_from(folder.write("a.vtu", vtu(triangles, Vtu::base64))), 1e-12); }
   SUBCASE("VTU, deflated") { check_same(reference, model_from(folder.write("a.vtu", vtu(all, Vtu::deflated))), 1e-12); }
@@ -110,8 +184,10 @@ TEST_CASE("an arch in every format is the same model") {
 TEST_CASE("names and groups of an OBJ file") {
   const TempFolder folder;
   const std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
-  const std::string faces = "f -8//1 -5//1 -6//1 -7//1\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7/1 -6/2 \\\n-2/3 -3/4\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n";
-  const std::string file = folder.write("a.obj", "mtllib a.mtl\no left one\ng wall pier\n" + cube + faces + "o right\ng wall\n" + cube + faces);
+  const std::string faces =
+      "f -8//1 -5//1 -6//1 -7//1\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7/1 -6/2 \\\n-2/3 -3/4\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n";
+  const std::string file =
+      folder.write("a.obj", "mtllib a.mtl\no left one\ng wall pier\n" + cube + faces + "o right\ng wall\n" + cube + faces);
   const auto c = load(file, "place = [3, 0, 0]\nname = \"A\"");
   REQUIRE(c.stones[0].stones.size() == 2);
   CHECK(c.stones[0].stones[0].name == "left one");
@@ -156,7 +232,8 @@ TEST_CASE("damaged files are refused with the place") {
   CHECK(says(fault("v 0 0 0\nf 1 1\n"), ":2: a face of 2 corners"));
   CHECK(says(fault("o a\nv 0 0 0\no a\n"), ":3: the name \"a\" stands twice, first in line 1"));
   CHECK(says(fault("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n"), "have no y"));
-  CHECK(says(fault("ply\nformat binary_little_endian 1.0\nelement vertex 300000\nproperty double x\nproperty double y\nproperty double z\nend_header\nabc"),
+  CHECK(says(fault("ply\nformat binary_little_endian 1.0\nelement vertex 300000\nproperty double x\nproperty double y\nproperty double "
+                   "z\nend_header\nabc"),
              "ends within its numbers"));
   CHECK(says(fault("{\"a\": 1}"), "holds no mesh"));
   CHECK(says(fault("{\"a\": "), "is no JSON"));

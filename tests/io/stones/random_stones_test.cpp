@@ -68,7 +68,8 @@ TEST_CASE("5,000 random convex stones: volume, inertia, areas and joints as brut
     check_same(model.assembly.elements[e].mass, integrals_of(hull[e]));
     const auto& element = model.assembly.elements[e];
     std::vector<double> areas;
-    for (int f = 0; f < element.face_count; ++f) areas.push_back(model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].area);
+    for (int f = 0; f < element.face_count; ++f)
+      areas.push_back(model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].area);
     std::sort(areas.begin(), areas.end());
     const std::vector<double> expected = sorted_areas(hull[e]);
     REQUIRE(areas.size() == expected.size());

@@ -26,8 +26,11 @@ struct Named {
 inline const std::string kMaterial = "[materials.stone]\ndensity = 2000.0\nyoung = 1e9\npoisson = 0.2\n";
 
 /// A case with its stones. `keys`: of [[stones]] beside file and unit.
-inline voussoir::cases::Case load(const std::string& file, const std::string& keys = "", const std::string& rest = "", const std::string& unit = "m") {
-  auto c = voussoir::io::read_case({"test.toml", kMaterial + rest + "\n[[stones]]\nfile = \"" + file + "\"\nunit = \"" + unit + "\"\n" + keys}).value;
+inline voussoir::cases::Case load(const std::string& file, const std::string& keys = "", const std::string& rest = "",
+                                  const std::string& unit = "m") {
+  auto c =
+      voussoir::io::read_case({"test.toml", kMaterial + rest + "\n[[stones]]\nfile = \"" + file + "\"\nunit = \"" + unit + "\"\n" + keys})
+          .value;
   voussoir::io::load_stones(c);
   return c;
 }

@@ -93,10 +93,12 @@ TEST_CASE("stones that touch exactly keep their bits, whatever snap is") {
 
 TEST_CASE("a gap is a bed of mortar: stones are grown to its middle, and its thickness enters the law") {
   const TempFolder folder;
-  const std::string file =
-      folder.write("a.obj", obj({{"low", box({0, 0, 0}, {1, 0.5, 0.3})}, {"left", box({0, 0, 0.31}, {0.495, 0.5, 0.6})}, {"right", box({0.505, 0, 0.31}, {1, 0.5, 0.6})}}));
-  const std::string mortar =
-      kBase + "[joint_laws.mortar]\ntension = 1e5\ncohesion = 2e5\nfriction = 30.0\ncompression = 1e7\nthickness = 0.02\nyoung = 3e8\npoisson = 0.2\n";
+  const std::string file = folder.write("a.obj", obj({{"low", box({0, 0, 0}, {1, 0.5, 0.3})},
+                                                      {"left", box({0, 0, 0.31}, {0.495, 0.5, 0.6})},
+                                                      {"right", box({0.505, 0, 0.31}, {1, 0.5, 0.6})}}));
+  const std::string mortar = kBase +
+                             "[joint_laws.mortar]\ntension = 1e5\ncohesion = 2e5\nfriction = 30.0\ncompression = 1e7\nthickness = "
+                             "0.02\nyoung = 3e8\npoisson = 0.2\n";
   const auto c = load(file, "gap = 0.01\njoint = \"mortar\"", mortar);
   const Model m = model_of(c);
   REQUIRE(m.assembly.joints.size() == 4);  // two beds, an upright, the base
@@ -136,8 +138,9 @@ TEST_CASE("a stone that is not convex is cut along its reflex edges, and its pie
   }
   SUBCASE("with a law for its inside") {
     const std::string law = "[joint_laws.crack]\ntension = 1e6\ncohesion = 1e6\nfriction = 40.0\ncompression = 1e8\n";
-    auto c = voussoir::io::read_case({"t", "[materials.stone]\ndensity = 2000.0\nyoung = 1e9\npoisson = 0.2\ninside = \"crack\"\n" + law + kBase +
-                                               "[[stones]]\nunit = \"m\"\nfile = \"" + folder.write("a.obj", obj({l})) + "\"\n"}).value;
+    auto c = voussoir::io::read_case({"t", "[materials.stone]\ndensity = 2000.0\nyoung = 1e9\npoisson = 0.2\ninside = \"crack\"\n" + law +
+                                               kBase + "[[stones]]\nunit = \"m\"\nfile = \"" + folder.write("a.obj", obj({l})) + "\"\n"})
+                 .value;
     voussoir::io::load_stones(c);
     const Model m = model_of(c);
     bool found = false;
@@ -152,7 +155,8 @@ TEST_CASE("a stone that is not convex is cut along its reflex edges, and its pie
       turned.mesh.faces.push_back({t[0], t[1], t[2]});
       turned.mesh.faces.push_back({t[2] + 6, t[1] + 6, t[0] + 6});
     }
-    const auto c = load(folder.write("a.obj", obj({turned})), "turn = { axis = [1, 2, 3], angle = 37.0 }\nplace = [5, -3, 7]\nsupports = \"ground\"");
+    const auto c =
+        load(folder.write("a.obj", obj({turned})), "turn = { axis = [1, 2, 3], angle = 37.0 }\nplace = [5, -3, 7]\nsupports = \"ground\"");
     const Model m = model_of(c);
     CHECK(m.blocks.size() == 2);
     CHECK(total_volume(m) == doctest::Approx(0.5 * (1.0 * 0.4 + 0.4 * 0.6)).epsilon(1e-11));
@@ -239,8 +243,10 @@ TEST_CASE("what cannot be mended is refused with the stone's name, where it is a
     CHECK(says(c.stones[0].notes.at(0), "1 flat surface passed over"));
   }
   SUBCASE("a name that stands twice") {
-    auto c = voussoir::io::read_case({"t", kMaterial + kBase + "[[stones]]\nunit = \"m\"\nfile = \"" + folder.write("c.obj", obj({{"a", cube}})) +
-                                               "\"\n[[stones]]\nunit = \"m\"\nplace = [3, 0, 0]\nfile = \"" + folder.path("c.obj") + "\"\n"}).value;
+    auto c = voussoir::io::read_case(
+                 {"t", kMaterial + kBase + "[[stones]]\nunit = \"m\"\nfile = \"" + folder.write("c.obj", obj({{"a", cube}})) +
+                           "\"\n[[stones]]\nunit = \"m\"\nplace = [3, 0, 0]\nfile = \"" + folder.path("c.obj") + "\"\n"})
+                 .value;
     voussoir::io::load_stones(c);
     CHECK_THROWS_WITH(model_of(c), doctest::Contains("has the name of another stone or block"));
     c.stones[1].name = "B";

@@ -63,15 +63,18 @@ TEST_CASE("a copy turned together with gravity and moved by ten metres: the same
   }
   const std::string file = folder.write("arch.obj", obj(all));
   const std::string law =
-      "[joint_laws.weak]\ntension = 2500.0\ncohesion = 1e5\nfriction = 30.0\ncompression = 1e8\nthickness = 0.005\nyoung = 1e8\npoisson = 0.2\n"
+      "[joint_laws.weak]\ntension = 2500.0\ncohesion = 1e5\nfriction = 30.0\ncompression = 1e8\nthickness = 0.005\nyoung = 1e8\npoisson = "
+      "0.2\n"
       "[gravity]\nramp = 0.5\n[time]\nduration = 0.02\n";
   const auto c = load(file, "joint = \"weak\"\nsupports = \"ground\"", law);
   const Outcome straight = outcome_of(c);
 
   const Vec3 axis{1.0, -2.0, 0.7}, by{7.0, -6.0, 3.5};
   const double angle = 51.0;
-  auto t = voussoir::io::read_case({"t", kMaterial + law + "[[stones]]\nfile = \"" + file + "\"\nunit = \"m\"\njoint = \"weak\"\nsupports = [\"voussoir_0\", \"voussoir_12\"]\n" +
-                                             "place = [7.0, -6.0, 3.5]\nturn = { axis = [1.0, -2.0, 0.7], angle = 51.0 }\n"}).value;
+  auto t = voussoir::io::read_case({"t", kMaterial + law + "[[stones]]\nfile = \"" + file +
+                                             "\"\nunit = \"m\"\njoint = \"weak\"\nsupports = [\"voussoir_0\", \"voussoir_12\"]\n" +
+                                             "place = [7.0, -6.0, 3.5]\nturn = { axis = [1.0, -2.0, 0.7], angle = 51.0 }\n"})
+               .value;
   voussoir::io::load_stones(t);
   const auto turned_vector = voussoir::geometry::rotated({{Vec3{0, 0, -9.8}}, {}}, axis, angle * M_PI / 180.0, {}).vertices[0];
   t.gravity.acceleration = turned_vector;
@@ -80,7 +83,8 @@ TEST_CASE("a copy turned together with gravity and moved by ten metres: the same
 
   REQUIRE(straight.frequencies.size() == turned.frequencies.size());
   double worst = 0.0;
-  for (std::size_t i = 0; i < straight.frequencies.size(); ++i) worst = std::max(worst, std::abs(turned.frequencies[i] / straight.frequencies[i] - 1.0));
+  for (std::size_t i = 0; i < straight.frequencies.size(); ++i)
+    worst = std::max(worst, std::abs(turned.frequencies[i] / straight.frequencies[i] - 1.0));
   MESSAGE("frequencies apart by " << worst << ", first crack at " << straight.crack.time << " s in joint " << straight.crack.joint);
   CHECK(worst < 1e-9);
   CHECK(turned.crack.joint == straight.crack.joint);
