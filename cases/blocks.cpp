@@ -6,17 +6,31 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <span>
 
 #include "cases/names.h"
+#include "cases/stone_blocks.h"
+#include "geometry/prism.h"
 
 namespace voussoir::cases {
 namespace {
 
 using geometry::Polyhedron;
 
+Polyhedron polyhedron_of(const BlockSpec& spec, const std::string& key) {
+  if (spec.faces.empty()) {
+    if (spec.vertices.size() == 8) return geometry::make_hexahedron(std::span<const Vec3, 8>(spec.vertices));
+    throw InputError(key + ".vertices", "are " + std::to_string(spec.vertices.size()) + "; without faces they are the 8 of a hexahedron");
+  }
+  Polyhedron shape{spec.vertices, {}};
+  for (const std::vector<int>& loop : spec.faces) shape.faces.emplace_back(loop.begin(), loop.end());
+  geometry::validate(shape);  // before it is put in order: its messages count as the case does
+  return geometry::in_prism_order(shape);
+}
+
 Polyhedron shape_as_given(const BlockSpec& spec, const std::string& key) {
   const bool prism = !spec.polygon.empty() || spec.extrude.has_value();
-  const int shapes = (spec.box ? 1 : 0) + (spec.vertices ? 1 : 0) + (prism ? 1 : 0);
+  const int shapes = (spec.box ? 1 : 0) + (spec.vertices.empty() ? 0 : 1) + (prism ? 1 : 0);
   if (shapes != 1) {
     throw InputError(key, (shapes == 0 ? "has no shape" : "has more than one shape") +
                               std::string("; give exactly one of: box, vertices, polygon with extrude"));
@@ -26,7 +40,7 @@ Polyhedron shape_as_given(const BlockSpec& spec, const std::string& key) {
     return geometry::make_box({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                               {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
   }
-  if (spec.vertices) return geometry::make_hexahedron(*spec.vertices);
+  if (!spec.vertices.empty()) return polyhedron_of(spec, key);
   if (spec.polygon.empty()) throw InputError(key + ".polygon", "is missing; extrude needs a polygon of three corners or more");
   if (!spec.extrude) throw InputError(key + ".extrude", "is missing; a polygon needs extrude = [x0, x1]");
   return geometry::make_prism(spec.polygon, (*spec.extrude)[0], (*spec.extrude)[1]);
@@ -100,7 +114,7 @@ void add_free_blocks(const Case& c, Model& model) {
     block.tag = spec.name;
     block.material = find_material(model.materials, spec.material, key + ".material");
     block.shape = shape_of(spec, key);
-    block.segment_size = shortest_edge(block.shape) / 4.0;
+    block.segment_size = (spec.faces.empty() ? shortest_edge(block.shape) : geometry::least_width(block.shape)) / 4.0;
     block.fixed = spec.fixed;
     block.free = spec.free;
     block.velocity = spec.velocity;
@@ -117,10 +131,13 @@ void check_loads(const Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const Load& load = c.loads[i];
     const auto named = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const BlockSpec& b) { return b.name == load.block; });
-    if (named == c.blocks.end()) {
-      throw InputError(indexed_key("load", i, "block"), "there is no [[block]] named " + quoted(load.block));
+    if (named == c.blocks.end() && !is_stone_or_group(c, load.block)) {
+      throw InputError(indexed_key("load", i, "block"),
+                       "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
     }
-    if (named->fixed) throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
+    if (named != c.blocks.end() && named->fixed) {
+      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
+    }
     if (!(load.ramp[0] <= load.ramp[1])) {
       throw InputError(indexed_key("load", i, "ramp"),
                        "begins at " + text(load.ramp[0]) + " s, after its end at " + text(load.ramp[1]) + " s");

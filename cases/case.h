@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/analysis.h"
+#include "cases/stones.h"
 #include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
 
@@ -57,6 +58,7 @@ struct Material {
   double density = 0.0;  // kg/m3
   double young = 0.0;    // Pa
   double poisson = 0.0;
+  std::optional<std::string> inside;  // law between the convex pieces of a stone that is not convex; none: they never part
 };
 
 /// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
@@ -157,11 +159,13 @@ struct SupportMotion {
   std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
 };
-/// A free-standing block. Exactly one of box, vertices, polygon + extrude.
+/// A free-standing block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in
+/// VTK's order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
   std::string name, material;
   std::optional<std::array<Vec3, 2>> box;
-  std::optional<std::array<Vec3, 8>> vertices;
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
   std::vector<std::array<double, 2>> polygon;
   std::optional<std::array<double, 2>> extrude;
   bool fixed = false, free = false;
@@ -233,22 +237,22 @@ struct HouseTie {
 };
 /// Bars through the wall from node to node of a mesh.
 struct MeshConnectors {
-  int every = 2;                             // nodes, along and up
-  double area = 0.0, young = 2.1e11;         // m2, Pa
+  int every = 2;                            // nodes, along and up
+  double area = 0.0, young = 2.1e11;        // m2, Pa
   std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
 };
 /// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
 enum class MeshFaces { both, outside, inside };
 struct HouseMesh {
   std::string name;
-  std::vector<std::string> walls;              // empty: all that are built
-  double from = 0.0;                           // m, above the foot of the walls
-  std::optional<double> to;                    // m; none: the top of the walls
-  std::array<double, 2> spacing{0.2, 0.2};     // m, of the nodes along and up
+  std::vector<std::string> walls;           // empty: all that are built
+  double from = 0.0;                        // m, above the foot of the walls
+  std::optional<double> to;                 // m; none: the top of the walls
+  std::array<double, 2> spacing{0.2, 0.2};  // m, of the nodes along and up
   MeshFaces faces = MeshFaces::both;
-  double stiffness = 0.0;                      // N per m of width, force over strain
-  std::optional<double> strength;              // N per m of width, at which it yields; none: elastic
-  std::optional<double> elongation;            // strain at which it breaks; none: never
+  double stiffness = 0.0;            // N per m of width, force over strain
+  std::optional<double> strength;    // N per m of width, at which it yields; none: elastic
+  std::optional<double> elongation;  // strain at which it breaks; none: never
   std::optional<MeshConnectors> connectors;
 };
 
@@ -300,8 +304,9 @@ struct Case {
   Output output;
   std::optional<House> house;
   std::vector<BlockSpec> blocks;  // key: block
-  std::vector<Load> loads;        // key: load
-  std::vector<Tie> ties;          // key: tie
+  std::vector<StonesSpec> stones;
+  std::vector<Load> loads;  // key: load
+  std::vector<Tie> ties;    // key: tie
   std::optional<Base> base;
   std::string folder;  // of the case file; relative paths in the case start here (not a key)
 

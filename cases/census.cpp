@@ -10,6 +10,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/prism.h"
+
 namespace voussoir::cases {
 namespace {
 
@@ -63,15 +65,17 @@ std::array<double, 3> box_edges(const Block& block, double volume) {
 }
 
 void write_bill(const Model& model, Census& result) {
-  using Key = std::tuple<PartKind, std::int32_t, bool, std::array<double, 3>, std::int32_t>;
+  using Key = std::tuple<PartKind, std::int32_t, bool, std::array<double, 3>, std::int32_t, std::int32_t>;
   std::map<Key, BillLine> lines;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     const double volume = model.assembly.elements[i].mass.volume;
     const std::array<double, 3> edges = box_edges(block, volume);
-    const std::int32_t corners = edges[0] > 0.0 ? 0 : static_cast<std::int32_t>(block.shape.vertices.size() / 2);
-    const Key key{block.kind, block.material, !block.whole, {-edges[0], -edges[1], -edges[2]}, corners};
-    BillLine& line = lines.try_emplace(key, BillLine{block.kind, block.material, block.whole, edges, corners, 0, 0.0}).first->second;
+    const bool box = edges[0] > 0.0, prism = !box && geometry::is_prism(block.shape);
+    const std::int32_t corners = prism ? static_cast<std::int32_t>(block.shape.vertices.size() / 2) : 0;
+    const std::int32_t faces = box || prism ? 0 : static_cast<std::int32_t>(block.shape.faces.size());
+    const Key key{block.kind, block.material, !block.whole, {-edges[0], -edges[1], -edges[2]}, corners, faces};
+    BillLine& line = lines.try_emplace(key, BillLine{block.kind, block.material, block.whole, edges, corners, faces, 0, 0.0}).first->second;
     ++line.count;
     line.volume += volume;
   }

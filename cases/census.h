@@ -26,7 +26,8 @@ struct BillLine {
   std::int32_t material = 0;      // into Model::materials
   bool whole = true;              // false: cut
   std::array<double, 3> edges{};  // m, of a box, descending; all zero for any other shape
-  std::int32_t corners = 0;       // of a shape that is no box: corners of the prism's section
+  std::int32_t corners = 0;       // of a prism that is no box: corners of its section
+  std::int32_t faces = 0;         // of a shape that is neither
   std::int64_t count = 0;
   double volume = 0.0;  // m3, of all
 };

@@ -62,6 +62,16 @@ std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
   return default_;
 }
 
+namespace {
+
+/// Whether a table of stones gives their law: StoneLaws.
+bool is_of_stones(const Case& c, const Block& a, const Block* b) {
+  if (b == nullptr || a.set < 0) return false;
+  return a.stone == b->stone || (a.set == b->set && c.stones[static_cast<std::size_t>(a.set)].joint);
+}
+
+}  // namespace
+
 std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   const JointRules rules(c, model);
   const std::size_t n = c.joints.between.size();
@@ -69,7 +79,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
     const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
-    bool before = JointRules::is_in_house(a, b);
+    bool before = JointRules::is_in_house(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {
       if (!rules.fits(i, a, b)) continue;
       (before ? taken : used)[i] = true;
@@ -84,7 +94,8 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
         indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
         (taken[i] ? std::string("wherever these touch, ") +
                         (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.between_beams) or an earlier rule come"
-                                 : "an earlier rule comes") +
+                         : c.stones.empty() ? "an earlier rule comes"
+                                            : "stones.joint or an earlier rule comes") +
                         " first"
                   : "no faces of these two touch"));
   }

@@ -17,7 +17,8 @@ class JointRules {
   /// \throw InputError with the key of a name that is not known.
   JointRules(const Case& c, const Model& model);
 
-  /// Index into Model::laws for the joint of two blocks; `b` is null for the base.
+  [[nodiscard]] std::int32_t default_law() const noexcept { return default_; }
+  /// Index into Model::laws for the joint of two blocks; `b` is null for the base. Without what stones say (StoneLaws).
   [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
   /// Whether joints.between[rule] is about the materials of these two.
   [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;

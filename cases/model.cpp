@@ -12,6 +12,7 @@
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"
+#include "cases/stone_blocks.h"
 #include "cases/ties.h"
 
 namespace voussoir::cases {
@@ -45,7 +46,7 @@ void name_materials_and_laws(const Case& c, Model& model) {
 
 void add_house(const Case& c, Model& model) {
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
-  if (!c.base && !on_fixed_block)
+  if (!c.base && !on_fixed_block && c.stones.empty())
     throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
   model.blocks = build_house(*c.house, model.materials);
   number_along_plan(model.blocks, kCellLengths * c.house->brick[0]);
@@ -61,8 +62,10 @@ std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
   if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
   std::size_t index = static_cast<std::size_t>(element);
-  for (const Block& block : model.blocks) {
-    if (block.house >= 0) --index;  // the house's blocks come first
+  const Block& block = model.blocks[index];
+  if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
+  for (const Block& other : model.blocks) {
+    if (other.house >= 0) --index;  // the house's blocks come first
   }
   return indexed_key("block", index, "");
 }
@@ -87,9 +90,24 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
   return message;
 }
 
+/// What helps with stones out of a file.
+std::string what_to_do(const geometry::ModelError& error) {
+  const std::string message = error.what();
+  const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
+  if (says("overlaps")) return "; part them where they were drawn, or raise stones.snap if faces were meant to touch";
+  if (says("touches nothing") || says("held by nothing"))
+    return "; faces farther apart than stones.snap do not touch: move it, raise snap, give gap if there is mortar between, fix it "
+           "(stones.supports), or give the case a [base]";
+  if (says("below the base")) return "; stones.place moves the stones of a file, base.z the base";
+  return "";
+}
+
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
   // Of two, the one that stands later in the case: the first was there already.
-  throw InputError(key_of(model, std::max(error.subject(), error.other())), with_names(model, error));
+  const int later = std::max(error.subject(), error.other());
+  const bool of_file =
+      later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
+  throw InputError(key_of(model, later), with_names(model, error) + (of_file ? what_to_do(error) : ""));
 }
 
 /// About how many segments the faces of a block get: those of the box about it.
@@ -127,29 +145,34 @@ void assemble(const Case& c, Model& model) {
   }
 }
 
-void pick_laws(const JointRules& rules, Model& model) {
+void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
   model.joint_law.reserve(model.assembly.joints.size());
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
     const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
-    model.joint_law.push_back(rules.law(a, b));
+    const std::int32_t law = stones.law(a, b).value_or(rules.law(a, b));
+    model.joint_law.push_back(b == nullptr ? law : stones.on_bed(law, a, joint.face_a, *b, joint.face_b));
   }
 }
 
 }  // namespace
 
-Model build_model(const Case& c) {
+namespace {
+
+/// Materials, laws and blocks; no assembly yet.
+Model model_of_blocks(const Case& c) {
   Model model;
   name_materials_and_laws(c, model);
-  if (!c.house && c.blocks.empty()) throw InputError("", "describes nothing to simulate; give [house], [[block]], or both");
+  if (!c.house && c.blocks.empty() && c.stones.empty())
+    throw InputError("", "describes nothing to simulate; give [house], [[block]] or [[stones]], or some of them");
   if (c.house) {
     if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
   }
-  const JointRules rules(c, model);
   model.contact_friction = contact_friction(c.contact, model.materials);
   check_loads(c);
   if (c.house) add_house(c, model);
   add_free_blocks(c, model);
+  add_stone_blocks(c, model);
   if (c.segment_size) {
     if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
     for (Block& block : model.blocks) block.segment_size = *c.segment_size;
@@ -160,8 +183,33 @@ Model build_model(const Case& c) {
       model.support_motions.push_back({{}, {}, false, *c.loads[i].history, "load[" + std::to_string(i) + "].history"});
   }
   check_segments(c, model);
+  return model;
+}
+
+}  // namespace
+
+Model build_loose_model(const Case& c) {
+  Model model = model_of_blocks(c);
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const geometry::Part alone{&block.shape, block.segment_size, true};
+    try {
+      geometry::Assembly one = geometry::assemble({&alone, 1}, std::nullopt, c.segment_rule);
+      one.elements[0].first_face = static_cast<std::int32_t>(model.assembly.faces.size());
+      model.assembly.elements.push_back(one.elements[0]);
+      model.assembly.faces.insert(model.assembly.faces.end(), one.faces.begin(), one.faces.end());
+    } catch (const geometry::ModelError& error) {
+      throw InputError(key_of(model, static_cast<int>(i)), describe(block, i) + ": " + error.what());
+    }
+  }
+  return model;
+}
+
+Model build_model(const Case& c) {
+  Model model = model_of_blocks(c);
+  const JointRules rules(c, model);
   assemble(c, model);
-  pick_laws(rules, model);
+  pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
   model.joint_strength = strength_factors(c.scatter, model);
   place_ties(c, model);
   return model;
@@ -212,7 +260,7 @@ const char* name(PartKind kind) noexcept {
 
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
-  if (block.house < 0) return "block " + quoted(block.name) + " (" + number + ")";
+  if (block.house < 0) return (block.set < 0 ? "block " : "stone ") + quoted(block.name) + " (" + number + ")";
   return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
 }
 

@@ -32,6 +32,11 @@ struct Block {
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;   // initial, m/s and rad/s
   std::int32_t support_motion = -1;  // into Model::support_motions
+  std::int32_t set = -1;             // of Case::stones; -1: of no file
+  std::int32_t stone = -1;           // number of the stone in the model, the same for all its pieces; -1: of no file
+  std::string part_of;               // name of the stone, if this is a piece of it
+  std::vector<std::string> groups;   // of the file
+  std::vector<std::int32_t> beds;    // faces that stand on a bed of mortar (StonesSpec::gap)
 };
 
 /// Displacement of a fixed block, or force of a load [N], as a function of time: piecewise linear, held after its end, 0 before t[0].
@@ -55,6 +60,8 @@ struct NamedMaterial {
 struct NamedLaw {
   std::string name;  // "dry" is always law 0: no bond
   JointLaw value;
+  std::int32_t made_from = -1;  // the law that it is with the mortar of a gap between stones; -1: its own
+  bool never_breaks = false;    // within a stone in pieces
 };
 
 /// A share of the force of a tie's end: it acts on this element (geometry::kBase: the base) at a point that moves with it.
@@ -92,6 +99,7 @@ struct Model {
   std::vector<NamedLaw> laws;                   // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;  // of fixed blocks, then of loads
   std::vector<std::int32_t> load_history;       // by load of the case, into support_motions; −1: none
+  std::vector<std::vector<Stone>> stones;       // by table, as the case had them
   geometry::Assembly assembly;                  // of the blocks, in order
   std::vector<std::int32_t> joint_law;          // by assembly joint, into laws
   std::vector<double> contact_friction;         // degrees, see cases/contact_rules.h
@@ -100,16 +108,26 @@ struct Model {
   std::vector<double> joint_strength;           // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
-/// Builds blocks (house first, numbered along its plan, then free blocks), assembles them and picks the law of every joint.
+/// Builds blocks (house first, numbered along its plan, then free blocks, then stones), assembles them and picks the law of every joint.
 /// A house stands on the base, so its walls begin at Case::base's height (0 without one, on fixed blocks).
 /// Motions of supports given as files stay empty, with the file's name: io reads them.
-/// The law: the first that applies of the house's own keys, joints.between, joints.default.
+/// Stones of files must be there (StonesSpec::stones): io reads them.
+/// The law: the first that applies of the house's own keys, materials.<name>.inside (pieces of one stone), stones.joint, joints.between,
+/// joints.default; between two beds of stones.gap it has mortar of that thickness.
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
 Model build_model(const Case& c);
+
+/// The same elements with no joints: each by itself, whatever it overlaps or does not touch. To look at a model that build_model refuses.
+/// \throw InputError for what keeps an element from being built
+Model build_loose_model(const Case& c);
 
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among those equally near (to 1 nm).
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;
+
+/// The elements that a load on `name` acts on: the block of that name; of a stone in pieces the piece nearest to its centroid; of a group
+/// of stones so one element of each. Empty: nothing has this name.
+std::vector<std::int32_t> elements_named(const Model& model, const std::string& name);
 
 /// How a message calls an element: `front wall (element 12)`, with the house if there are several; `block "slider" (element 3)`.
 std::string describe(const Block& block, std::size_t element);

@@ -95,6 +95,11 @@ std::vector<double> strength_factors(const Scatter& s, const Model& model) {
     const std::int32_t law = find_law(model.laws, s.laws[i], indexed_key("scatter.laws", i, ""));
     takes_part[static_cast<std::size_t>(law)] = law != 0;
   }
+  for (std::size_t i = 0; i < model.laws.size(); ++i) {
+    const NamedLaw& law = model.laws[i];
+    if (law.made_from >= 0) takes_part[i] = takes_part[static_cast<std::size_t>(law.made_from)];
+    if (law.never_breaks) takes_part[i] = false;
+  }
   std::vector<double> factors;
   factors.reserve(model.assembly.joints.size());
   for (std::size_t i = 0; i < model.assembly.joints.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "geometry/polyhedron.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "geometry/message.h"
@@ -141,6 +142,17 @@ FacePlane face_plane(const Polyhedron& p, int face) {
     sum += weight;
   }
   return {normal, 0.5 * sum, first + moment / (3.0 * sum)};
+}
+
+double least_width(const Polyhedron& p) {
+  double least = INFINITY;
+  for (std::size_t f = 0; f < p.faces.size(); ++f) {
+    const FacePlane plane = face_plane(p, static_cast<int>(f));
+    double width = 0.0;
+    for (const Vec3& v : p.vertices) width = std::max(width, dot(plane.centroid - v, plane.normal));
+    least = std::min(least, width);
+  }
+  return least;
 }
 
 Box3 bounds(const Polyhedron& p) {

@@ -82,6 +82,9 @@ struct FacePlane {
 };
 FacePlane face_plane(const Polyhedron& p, int face);
 
+/// The least distance [m] between a face and the vertex farthest behind it: of a box its shortest edge.
+double least_width(const Polyhedron& p);
+
 struct Box3 {
   Vec3 low, high;
 };

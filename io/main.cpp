@@ -23,6 +23,7 @@
 #include "io/commands/run_command.h"
 #include "io/commands/summary_command.h"
 #include "io/commands/verify_command.h"
+#include "io/commands/view_command.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/manual/manual_commands.h"
@@ -31,6 +32,7 @@
 #include "io/results/provenance.h"
 #include "io/session/prepared_case.h"
 #include "io/session/waiting_threads.h"
+#include "io/stones/stones.h"
 #include "solver/world/errors.h"
 
 namespace {
@@ -54,6 +56,7 @@ struct Words {
   io::SummaryOptions summary;
   io::MotionOptions motion_options;
   io::CheckOptions check;
+  io::ViewOptions view;
   io::ModesOptions modes;
   io::LimitCommandOptions limit;
   io::AssessOptions assess;
@@ -221,6 +224,13 @@ void add_check(CLI::App& app, Words& w) {
   check->footer("example: voussoir check my-house.toml --draw my-house.svg");
 }
 
+void add_view(CLI::App& app, Words& w) {
+  CLI::App* view = app.add_subcommand("view", "one HTML page of the model before any run: stones by material, joints by law, supports");
+  add_case(view, w);
+  view->add_option("-o,--output", w.view.output, "file of the page (default: CASE.html)");
+  view->add_flag("--overwrite", w.view.overwrite, "replace an existing page");
+}
+
 void add_modes(CLI::App& app, Words& w) {
   CLI::App* modes = app.add_subcommand("modes", "first natural frequencies: eigenvalues, and an impulse with a Fourier transform");
   add_case(modes, w);
@@ -286,6 +296,7 @@ int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
   io::LoadedCase c = io::load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   try {
+    io::load_stones(c.value);
     io::fill_own_frequency(c.value);
     return use(c);
   } catch (const cases::InputError& e) {
@@ -311,13 +322,12 @@ int dispatch(const CLI::App& app, Words& w) {
     w.summary.json = w.format == "json";
     return io::summary_command(w.summary);
   }
-  if (app.got_subcommand("assess")) {
-    return io::assess_command(w.assess);
-  }
+  if (app.got_subcommand("assess")) return io::assess_command(w.assess);
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
+  if (app.got_subcommand("view")) return with_case(w, [&](const auto& c) { return io::view_command(c, w.view); });
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
   if (app.got_subcommand("limit")) {
     return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });
@@ -362,6 +372,7 @@ int main(int argc, char** argv) {
   io::add_assess_options(*app.add_subcommand("assess", io::kAssess), w.assess);
   add_report(app, w);
   add_check(app, w);
+  add_view(app, w);
   add_modes(app, w);
   CLI::App* limit = app.add_subcommand("limit", io::kLimit);
   add_case(limit, w);

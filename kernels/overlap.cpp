@@ -89,6 +89,12 @@ Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
   return 0.5 * ((a + s * ea) + (b + t * eb));
 }
 
+/// Room for the vertices of the largest shape, unset: most shapes need little of it.
+union VertexRoom {
+  VertexRoom() noexcept {}  // NOLINT(modernize-use-equals-default): would set all of it
+  Vec3 at[kMostVertices];
+};
+
 Vec3 turned(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
 Vec3 turned_back(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
 
@@ -96,7 +102,8 @@ Vec3 turned_back(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * 
 
 Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                    double enough) noexcept {
-  Vec3 vertices[kMostVertices];
+  VertexRoom room;
+  Vec3* const vertices = room.at;
   const std::size_t count = b.vertices.size();
   PairOfShapes p{a, b, transposed(Mat3{} + pose_a.d) * (Mat3{} + pose_b.d), turned_back(pose_a, from_a_to_b), {vertices, count}};
   for (std::size_t i = 0; i < count; ++i) vertices[i] = p.centre + p.turn * b.vertices[i];

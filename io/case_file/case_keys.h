@@ -63,6 +63,8 @@ struct Shape<std::optional<T>> : Shape<T> {};
 std::string value_text(Vec3 v);
 template <class T, std::size_t N>
 std::string value_text(const std::array<T, N>& v);
+template <class T>
+std::string value_text(const std::vector<T>& v);
 
 template <class T>
 std::string list_text(const T& values) {

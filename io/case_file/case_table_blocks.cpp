@@ -36,10 +36,13 @@ Table<SupportMotion> support_motion_table() {
 void check_shape(const BlockSpec& s, const RuleCheck& check) {
   std::vector<std::string> shapes;
   if (s.box) shapes.emplace_back("box");
-  if (s.vertices) shapes.emplace_back("vertices");
+  if (!s.vertices.empty()) shapes.emplace_back("vertices");
   if (!s.polygon.empty() || s.extrude) shapes.emplace_back(s.polygon.empty() ? "extrude" : "polygon");
   if (shapes.empty()) return check.fault("", "has no shape; give box, or vertices, or polygon and extrude");
   if (shapes.size() > 1) return check.fault(shapes[1], "does not go with " + shapes[0] + "; a block has one shape");
+  if (!s.faces.empty() && s.vertices.empty()) check.fault("faces", "needs vertices = [[x, y, z], ...]");
+  if (s.faces.empty() && !s.vertices.empty() && s.vertices.size() != 8)
+    check.fault("vertices", "has " + std::to_string(s.vertices.size()) + " points, wanted 8, or faces beside them");
   if (!s.polygon.empty() && !s.extrude) check.fault("polygon", "needs extrude = [x0, x1]");
   if (s.polygon.empty() && s.extrude) check.fault("extrude", "needs polygon = [[y, z], ...]");
   if (!s.polygon.empty() && s.polygon.size() < 3)
@@ -154,7 +157,9 @@ Table<BlockSpec> block_table() {
           {required(value<S>("name", &S::name, "", filled(), "a name of its own, for loads and messages")),
            required(value<S>("material", &S::material, "", filled(), "a name of materials")),
            value<S>("box", &S::box, "m", any(), "two opposite corners"),
-           value<S>("vertices", &S::vertices, "m", any(), "eight corners of a hexahedron, VTK order"),
+           value<S>("vertices", &S::vertices, "m", any(),
+                    "eight corners of a hexahedron, VTK order; with faces, those of any convex polyhedron"),
+           value<S>("faces", &S::faces, "", any(), "numbers of vertices, from 0, of each face, counter-clockwise seen from outside"),
            value<S>("polygon", &S::polygon, "m", any(), "section of a prism along x: its corners [y, z]"),
            value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
            value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),

@@ -82,7 +82,9 @@ Table<Material> material_table() {
   return {"a material of elements",
           {required(value<S>("density", &S::density, "kg/m3", above(0.0), "mass per volume")),
            required(value<S>("young", &S::young, "Pa", above(0.0), "Young's modulus")),
-           required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio"))},
+           required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio")),
+           value<S>("inside", &S::inside, "", filled(),
+                    "law between the convex pieces of a stone that is not convex: a name of joint_laws; none: they never part")},
           nullptr};
 }
 
@@ -220,6 +222,7 @@ Table<Case> case_table() {
            table<S>("output", &S::output, output_table()),
            table<S>("house", &S::house, house_table()),
            table<S>("block", &S::blocks, block_table()),
+           table<S>("stones", &S::stones, stones_table()),
            table<S>("load", &S::loads, load_table()),
            table<S>("tie", &S::ties, tie_table()),
            table<S>("base", &S::base, base_table())},

@@ -25,6 +25,7 @@ void for_each_path(cases::Case& value, Change change) {
     }
     if (value.motion->record && !is_built_in_record(*value.motion->record)) change(*value.motion->record);
   }
+  for (cases::StonesSpec& spec : value.stones) change(spec.file);
   for (cases::BlockSpec& block : value.blocks) {
     if (block.motion && block.motion->file) change(*block.motion->file);
   }

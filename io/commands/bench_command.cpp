@@ -190,7 +190,10 @@ int bench_checkpoint(const std::string& path, const BenchOptions& o) {
     options.gather = gather;
     return restore_run(path, std::move(checkpoint), std::move(value), options);
   };
-  const cases::Model model = cases::build_model(read_case({path, read_checkpoint(path).facts.case_toml, "."}).value);
+  CheckpointFacts facts = read_checkpoint(path).facts;
+  cases::Case value = read_case({path, facts.case_toml, "."}).value;
+  for (std::size_t i = 0; i < std::min(facts.stones.size(), value.stones.size()); ++i) value.stones[i].stones = std::move(facts.stones[i]);
+  const cases::Model model = cases::build_model(value);
   bench(build, model, o);
   return kDone;
 }

@@ -60,6 +60,7 @@ void print_parts(const cases::Census& n) {
 }
 
 std::string dimensions(const cases::BillLine& line) {
+  if (line.faces > 0) return "polyhedron of " + std::to_string(line.faces) + " faces";
   if (line.edges[0] == 0.0) return line.corners == 4 ? "hexahedron" : "prism of " + std::to_string(line.corners) + " corners";
   std::string text;
   for (const double edge : line.edges) text += (text.empty() ? "" : " x ") + cases::text(edge);
@@ -131,6 +132,21 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   std::printf("memory, disk             about %.0f MB, %.0f MB\n", memory / kMegabyte, disk / kMegabyte);
 }
 
+/// What the files of stones gave, and what was done to them.
+void print_stones(const cases::Case& c) {
+  for (const cases::StonesSpec& spec : c.stones) {
+    const auto fixed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return s.fixed; });
+    const auto changed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return !s.change.empty(); });
+    std::printf("\nstones of %s: %s, %s of them fixed, %s changed (in %s)\n", spec.file.c_str(),
+                format_count(static_cast<std::int64_t>(spec.stones.size())).c_str(), format_count(fixed).c_str(),
+                format_count(changed).c_str(), spec.unit.c_str());
+    for (const std::string& note : spec.notes) std::printf("  %s\n", note.c_str());
+    for (const cases::Stone& s : spec.stones) {
+      if (!s.change.empty()) std::printf("  %-22s %s\n", s.name.c_str(), s.change.c_str());
+    }
+  }
+}
+
 }  // namespace
 
 int check_command(const LoadedCase& c, const CheckOptions& o) {
@@ -147,6 +163,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(),
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
+  print_stones(c.value);
   print_levers(c.value, model);
   print_ties(model);
   print_bounded_ties(sim.world().ties, model);

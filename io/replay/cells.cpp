@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/replay/cells.h"
 
+#include <algorithm>
 #include <array>
-#include <stdexcept>
-#include <string>
+
+#include "geometry/prism.h"
 
 namespace voussoir::io {
 namespace {
@@ -35,21 +36,16 @@ void add_prism(const geometry::Polyhedron& p, std::int32_t first, std::int32_t e
   }
 }
 
-// Sides only of corners i, i + 1 and those above them; then the halves of the vertices are bottom and top.
-bool is_prism(const geometry::Polyhedron& p) {
-  const int k = static_cast<int>(p.vertices.size()) / 2;
-  if (k < 3 || p.vertices.size() % 2 != 0 || p.faces.size() != static_cast<std::size_t>(k + 2)) return false;
-  int ends = 0;
+void add_tetrahedra(const geometry::Polyhedron& p, std::int32_t first, std::int32_t element, Cells& cells) {
   for (const auto& face : p.faces) {
-    int below = 0;
-    for (const std::int32_t v : face) below += v < k ? 1 : 0;
-    const int size = static_cast<int>(face.size());
-    if (size == k && (below == 0 || below == k))
-      ++ends;
-    else if (size != 4 || below != 2)
-      return false;
+    if (std::find(face.begin(), face.end(), 0) != face.end()) continue;
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {  // a face is counter-clockwise from outside, VTK's bottom from the fourth corner
+      for (const std::int32_t v : {face[0], face[i + 1], face[i], 0}) cells.corners.push_back(first + v);
+      cells.corners.insert(cells.corners.end(), 4, -1);
+      cells.type.push_back(kTetrahedron);
+      cells.element.push_back(element);
+    }
   }
-  return ends == 2;
 }
 
 }  // namespace
@@ -59,15 +55,17 @@ Cells cells_of(const cases::Model& model) {
   std::int32_t first = 0, element = 0;
   for (const cases::Block& b : model.blocks) {
     const std::size_t corners = b.shape.vertices.size();
-    if (!is_prism(b.shape))
-      throw std::invalid_argument("element " + std::to_string(element) + " \"" + (b.name.empty() ? b.tag : b.name) + "\" has " +
-                                  std::to_string(corners) + " vertices and " + std::to_string(b.shape.faces.size()) +
-                                  " faces: results can hold hexahedra and prisms only");
-    corners == 8 ? add_hexahedron(b.shape, first, element, cells) : add_prism(b.shape, first, element, cells);
+    if (!geometry::is_prism(b.shape)) {
+      add_tetrahedra(b.shape, first, element, cells);
+    } else {
+      corners == 8 ? add_hexahedron(b.shape, first, element, cells) : add_prism(b.shape, first, element, cells);
+    }
     first += static_cast<std::int32_t>(corners);
     ++element;
   }
   return cells;
 }
+
+int corners_of(std::uint8_t type) noexcept { return type == kTetrahedron ? 4 : type == kWedge ? 6 : 8; }
 
 }  // namespace voussoir::io

@@ -10,16 +10,19 @@
 /// Elements as cells of VTK, for files that ParaView opens.
 namespace voussoir::io {
 
-inline constexpr std::uint8_t kHexahedron = 12, kWedge = 13;  // VTK's numbers
+inline constexpr std::uint8_t kTetrahedron = 10, kHexahedron = 12, kWedge = 13;  // VTK's numbers
 
-/// A box or hexahedron is one cell; a prism over k corners is k - 2 wedges, so elements and cells are counted apart.
+/// Corners that a cell of a type has.
+int corners_of(std::uint8_t type) noexcept;
+
+/// A box or hexahedron is one cell; a prism over k corners is k - 2 wedges; any other polyhedron is tetrahedra from its first vertex, one
+/// to each triangle of the faces that do not have it. So elements and cells are counted apart.
 struct Cells {
-  std::vector<std::int32_t> corners;  // 8 a cell, rows of all vertices in the order of the elements; -1 where a wedge has no more
+  std::vector<std::int32_t> corners;  // 8 a cell, rows of all vertices in the order of the elements; -1 where a cell has no more
   std::vector<std::int32_t> element;  // of the cell
   std::vector<std::uint8_t> type;     // VTK's
 };
 
-/// \throw std::invalid_argument for an element that is neither hexahedron nor prism
 Cells cells_of(const cases::Model& model);
 
 }  // namespace voussoir::io

@@ -21,7 +21,7 @@ namespace voussoir::io {
 namespace {
 
 constexpr const char* kData = "paraview.h5";
-constexpr std::int32_t kXdmfWedge = 8, kXdmfHexahedron = 9;
+constexpr std::int32_t kXdmfTetrahedron = 6, kXdmfWedge = 8, kXdmfHexahedron = 9;
 constexpr int kDeflate = 1;
 
 /// What stands still, checked: whatever counts something is in its range.
@@ -43,10 +43,9 @@ std::vector<std::int32_t> mixed_topology(const Hdf5File& run, std::size_t vertic
   if (corners.size() != 8 * types.size()) throw FileError(run.path(), "/model/cells does not fit /model/cell_type");
   std::vector<std::int32_t> all;
   for (std::size_t c = 0; c < types.size(); ++c) {
-    const bool wedge = types[c] == kWedge;
-    const std::span<const std::int32_t> row(corners.data() + 8 * c, wedge ? 6 : 8);
+    const std::span<const std::int32_t> row(corners.data() + 8 * c, static_cast<std::size_t>(corners_of(types[c])));
     if (!in_range(row, vertices)) throw FileError(run.path(), "/model/cells: row " + std::to_string(c) + " refers to no vertex");
-    all.push_back(wedge ? kXdmfWedge : kXdmfHexahedron);
+    all.push_back(types[c] == kTetrahedron ? kXdmfTetrahedron : types[c] == kWedge ? kXdmfWedge : kXdmfHexahedron);
     all.insert(all.end(), row.begin(), row.end());
   }
   return all;

@@ -19,6 +19,7 @@
 #include "io/report/report_facts.h"
 #include "io/report/report_frames.h"
 #include "io/report/report_modes.h"
+#include "io/report/report_model.h"
 #include "io/report/report_page.h"
 
 namespace voussoir::io {
@@ -97,11 +98,23 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   out.put("crack-edges", cracks.edges);
   out.put("crack-ends", cracks.ends);
   out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
+  if (const std::vector<std::int32_t> loops = polyhedron_loops(file); !loops.empty()) out.put("loops", loops);
   put_bodies(out, file, reader);
   put_modes(out, file, reader, modes);
   out.put("turn-shifts", frames.shift);
   out.put("text/plain", "frames", frames.text);
   return out.text;
+}
+
+std::string model_html(const std::string& run, const std::string& fault, const std::vector<std::int32_t>& faults) {
+  const ReportPage page = report_page();
+  const ReportModel model = report_model(Hdf5File::open(run), fault, faults);
+  Scripts out("");
+  out.put("application/json", "model", safe_json(model.json));
+  out.put("fixed", model.fixed);
+  out.put("joint-laws", model.edge_law);
+  out.put("joint-ends", model.joint_ends);
+  return std::string(page.head).append(report_data(run)).append(out.text).append(page.tail);
 }
 
 std::string report_html(const std::vector<std::string>& runs, const std::vector<solver::Mode>& modes) {

@@ -279,6 +279,11 @@ std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
     if (is_new) facts["parts"].push_back(at->first);
     part.push_back(at->second);
   }
+  constexpr std::size_t kMostParts = 40;  // a legend of all names of many stones tells nothing
+  if (facts["parts"].size() > kMostParts) {
+    facts["parts"] = Json::array({"all elements"});
+    part.assign(part.size(), 0);
+  }
   return part;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "io/files/hdf5_file.h"
@@ -67,6 +68,14 @@ void write_supports(Hdf5File& file, const std::vector<cases::SupportHistory>& su
   }
 }
 
+void write_stones(Hdf5File& file, const StoneTables& stones) {
+  const PackedStones packed = packed_stones(stones);
+  file.write_dataset("/stones/numbers", Hdf5Type::i32, {packed.numbers.size()}, packed.numbers.data(), {},
+                     {"1", "see checkpoint_stones.h"});
+  file.write_dataset("/stones/vertices", Hdf5Type::f64, {packed.vertices.size()}, packed.vertices.data(), {}, {"m", "three each"});
+  file.write_strings("/stones/texts", packed.texts, {"1", "names and groups"});
+}
+
 void write_state(Hdf5File& file, std::span<const solver::Field> state) {
   for (const solver::Field& f : state) {
     const Shape shape = f.columns == 1 ? Shape{f.count} : Shape{f.count, f.columns};
@@ -99,6 +108,7 @@ class Reader {
     f.case_toml = toml();
     f.motion = motion();
     f.supports = supports();
+    if (file_.exists("/stones")) f.stones = stones();
     return f;
   }
 
@@ -140,6 +150,20 @@ class Reader {
     if (!values.empty()) std::memcpy(values.data(), f.bytes.data(), f.bytes.size());
     if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) fault(name + " holds what is no finite number");
     return values;
+  }
+
+  [[nodiscard]] StoneTables stones() {
+    PackedStones packed;
+    const solver::SavedField numbers_field = field("/stones/numbers");
+    if (numbers_field.type != solver::FieldType::i32 || numbers_field.columns != 1) fault("/stones/numbers is no list of whole numbers");
+    packed.numbers.resize(numbers_field.bytes.size() / sizeof(std::int32_t));
+    if (!packed.numbers.empty()) std::memcpy(packed.numbers.data(), numbers_field.bytes.data(), numbers_field.bytes.size());
+    packed.vertices = numbers("/stones/vertices", 1);
+    claim("/stones/texts", file_.describe("/stones/texts").claimed);
+    packed.texts = file_.read_strings("/stones/texts");
+    std::optional<StoneTables> tables = unpacked_stones(packed);
+    if (!tables) fault("/stones does not fit together");
+    return *std::move(tables);
   }
 
   [[nodiscard]] std::string toml() {
@@ -186,6 +210,7 @@ void write_checkpoint(const std::string& path, const CheckpointFacts& facts, std
   write_facts(file, facts);
   write_motion(file, facts.motion);
   write_supports(file, facts.supports);
+  if (!facts.stones.empty()) write_stones(file, facts.stones);
   write_state(file, state);
   write_sealed(path, kWhat, kCheckpointSchema, file.image());
 }

@@ -10,6 +10,7 @@
 #include "cases/model.h"
 #include "cases/motion.h"
 #include "io/files/sealed_file.h"
+#include "io/results/checkpoint_stones.h"
 #include "io/results/results_schema.h"
 #include "solver/state/saved_state.h"
 
@@ -19,13 +20,14 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 4;
+inline constexpr std::int64_t kCheckpointSchema = 5;
 
 /// Everything but the state.
 struct CheckpointFacts {
   std::string case_toml;                        // resolved
   cases::GroundMotion motion;                   // as used: turned and scaled
   std::vector<cases::SupportHistory> supports;  // of the model, in order
+  StoneTables stones;                           // of the files that the case names
   double step = 0.0;                            // s, Δt
   bool reference_kernels = false;
   std::string program;           // version, compiler and flags of the program that wrote it

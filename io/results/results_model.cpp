@@ -106,7 +106,7 @@ void add_shapes(const cases::Model& model, Datasets& out) {
   const Cells cells = cells_of(model);
   out.push_back(dataset("/model/vertex", vertices, 3, "m", "vertices of all elements in the reference configuration; global axes"));
   out.push_back(dataset("/model/cells", cells.corners, 8, "1", "corners of cells in VTK's order, rows of /model/vertex; -1: none"));
-  out.push_back(dataset("/model/cell_type", cells.type, 1, "1", "VTK's cell type: 12 hexahedron, 13 wedge"));
+  out.push_back(dataset("/model/cell_type", cells.type, 1, "1", "VTK's cell type: 10 tetrahedron, 12 hexahedron, 13 wedge"));
   out.push_back(dataset("/model/cell_element", cells.element, 1, "1", "element of the cell"));
 }
 
@@ -122,6 +122,18 @@ void add_faces(const cases::Model& model, Datasets& out) {
   out.push_back(
       dataset("/model/face/normal", each_vector(faces, &Face::normal), 3, "1", "outward unit normal in the reference configuration"));
   out.push_back(dataset("/model/face/distance", each<double>(faces, &Face::distance), 1, "m", "from the element's centroid to the face"));
+  std::vector<std::int32_t> first_corner, corners;
+  std::int32_t vertex = 0;
+  for (const cases::Block& b : model.blocks) {
+    for (const auto& loop : b.shape.faces) {
+      first_corner.push_back(static_cast<std::int32_t>(corners.size()));
+      for (const std::int32_t v : loop) corners.push_back(vertex + v);
+    }
+    vertex += static_cast<std::int32_t>(b.shape.vertices.size());
+  }
+  out.push_back(dataset("/model/face/first_corner", first_corner, 1, "1", "first of the face's entries of /model/face/corners"));
+  out.push_back(dataset("/model/face/corners", corners, 1, "1",
+                        "rows of /model/vertex, face by face, counter-clockwise seen from outside; a face's end where the next begins"));
   out.push_back(dataset("/model/face/area", each<double>(faces, &Face::area), 1, "m2", "area of the face"));
 }
 

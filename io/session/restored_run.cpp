@@ -22,6 +22,11 @@ void fill_supports(RestoredRun& r) {
   }
 }
 
+void fill_stones(RestoredRun& r) {
+  if (r.facts.stones.size() != r.value.stones.size()) throw FileError(r.path, "has other tables of stones than its case");
+  for (std::size_t i = 0; i < r.facts.stones.size(); ++i) r.value.stones[i].stones = r.facts.stones[i];
+}
+
 void bring_back(RestoredRun& r, const solver::SavedState& state) {
   const CheckpointFacts now = facts_of(*r.sim, "", {}, false);
   const CheckpointFacts& then = r.facts;
@@ -49,6 +54,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->path = path;
   r->facts = std::move(checkpoint.facts);
   r->value = std::move(value);
+  fill_stones(*r);
   r->model = cases::build_model(r->value);
   fill_supports(*r);
   options.reference_kernels = r->facts.reference_kernels;

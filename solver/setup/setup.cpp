@@ -51,27 +51,18 @@ void set_up_patches(World& w) {
 }
 
 void set_up_loads(World& w, const cases::Case& c) {
-  const auto element = [&](const std::string& name, const std::string& key) {
-    for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
-      if (w.model.blocks[i].name == name) return static_cast<std::int32_t>(i);
-    }
-    throw cases::InputError(key, "= \"" + name + "\" is the name of no block");
-  };
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
-    PointLoad p{element(l.block, "load[" + std::to_string(i) + "].block"),
-                l.force,
-                l.moment,
-                {},
-                l.ramp[0],
-                l.ramp[1],
-                nullptr,
-                l.follows,
-                l.grows};
-    if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
-      p.history = &w.model.support_motions[static_cast<std::size_t>(h)];
-    if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(p.element)].mass.centroid;
-    w.loads.push_back(p);
+    const std::vector<std::int32_t> elements = cases::elements_named(w.model, l.block);
+    if (elements.empty()) throw cases::InputError("load[" + std::to_string(i) + "].block", "= \"" + l.block + "\" is the name of no block");
+    for (const std::int32_t e : elements) {
+      if (w.model.blocks[static_cast<std::size_t>(e)].fixed) continue;  // of a group
+      PointLoad p{e, l.force, l.moment, {}, l.ramp[0], l.ramp[1], nullptr, l.follows, l.grows};
+      if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
+        p.history = &w.model.support_motions[static_cast<std::size_t>(h)];
+      if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(e)].mass.centroid;
+      w.loads.push_back(p);
+    }
   }
   for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
     const std::int32_t history = w.model.blocks[i].support_motion;

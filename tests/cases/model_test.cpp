@@ -222,7 +222,7 @@ TEST_CASE("free blocks: shapes, segment size, state") {
   wedge.velocity = {1, 2, 3};
   BlockSpec hexahedron;
   hexahedron.name = "hexahedron", hexahedron.material = "adobe", hexahedron.free = true;
-  hexahedron.vertices = {{{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}, {5, 0, 1}, {6, 0, 1}, {6, 1, 1}, {5, 1, 1}}};
+  hexahedron.vertices = {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}, {5, 0, 1}, {6, 0, 1}, {6, 1, 1}, {5, 1, 1}};
   BlockSpec tilted = box("tilted", {10.2, 0.1, 0.1}, {10, 0, 0});  // corners in any order
   tilted.free = true;
   tilted.rotate = Rotation{{0, 2, 0}, 90.0, {10, 0, 0}};

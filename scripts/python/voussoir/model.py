@@ -96,9 +96,16 @@ class Model:
     def block(self, name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | None = None, *, material: str, **keys: Any) -> None:
         """A convex block from a mesh: n x 3 vertices in m and the corners of each face; without faces, the 8 of a hexahedron in VTK's order.
 
-        What is neither a hexahedron nor a prism along x is an InputError. keys: fixed, free, velocity, angular_velocity, rotate, motion.
+        keys: fixed, free, velocity, angular_velocity, rotate, motion.
         """
         self._add_block(name, material, shape_of(name, vertices, faces), keys)
+
+    def add_stones(self, file: Path, *, unit: str, **keys: Any) -> None:
+        """All stones of a file (OBJ, PLY, STL, VTU, COMPAS JSON) or folder. unit: m, cm, mm, in, ft.
+
+        keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, supports). `place` in m, `turn` in degrees about z or a dict.
+        """
+        self.case.setdefault("stones", []).append({"file": absolute_if_file(file), "unit": unit, **keys})
 
     def box(self, name: str, low: ArrayLike, high: ArrayLike, *, material: str, **keys: Any) -> None:
         """A block between two opposite corners, m. keys: as for `block`."""

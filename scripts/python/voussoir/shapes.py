@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""From vertices and faces, as meshes have them, to what a case file takes: hexahedra and prisms along x."""
+"""From vertices and faces, as meshes have them, to what a case file takes."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -18,7 +18,7 @@ def shape_of(name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | No
 
     vertices: n x 3, m. Without faces: the eight corners of a hexahedron in VTK's order (four of one face, then those above them).
     faces: corners of each face, rows of `vertices`, in order around it, in either sense; triangles of one plane need not be merged.
-    Raises InputError for what the case format cannot take yet: anything but hexahedra and prisms along x.
+    Raises InputError for a mesh that is damaged; whether it is convex and closed the program finds out.
     """
     points = np.asarray(vertices, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3:
@@ -36,8 +36,9 @@ def shape_of(name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | No
     prism = _prism(points, sides)
     if prism is not None:
         return prism
-    raise InputError(f"block \"{name}\": {len(sides)} faces of {sorted(map(len, sides))} corners; a case takes hexahedra, and prisms whose two "
-                     "ends are planes of constant x")
+    used = sorted({k for side in sides for k in side})
+    number = {k: i for i, k in enumerate(used)}
+    return {"vertices": points[used].tolist(), "faces": [[number[k] for k in side] for side in sides]}
 
 
 def _normal(loop: NDArray[Any]) -> NDArray[Any]:

@@ -20,6 +20,11 @@ const kOthers = [0xbfb8a5, 0x9fb0ba, 0xa8b59a, 0xb9a8b5];
 const kNamed = 6; // bodies in the legend
 const kLongest = 1; // m; displacements beyond have the last colour
 
+const kLaws = [0x777777, 0x1f77b4, 0xd95f02, 0x1b9e77, 0x7570b3, 0xc51b7d, 0x66a61e, 0xa6761d];
+const kFixed = 0x55585c, kFree = 0xe4dcc8, kFault = kBroken;
+/** Red, green and blue of a row of /model/law; 0 is dry. */
+export const lawColour = (law) => rgb(kLaws[law % kLaws.length]);
+
 /** Of cracks, and of faces on which a joint has come open. */
 export const kRed = rgb(kBroken);
 const colourOf = (name, i) => (kMaterials.find(([known]) => known.test(name)) ?? [0, kOthers[i % kOthers.length]])[1];
@@ -32,7 +37,7 @@ const bar = (from, to, low, high) => ({ from: css(from), to: css(to), low, high 
 
 /** By the name of the choice: {opened: whether faces that have come open are red, lines: whether cracks are drawn, edges: how dark bricks are
  *  outlined, steady: whether colours are the same in all frames, paint: writes the colours of all elements at a frame into the state of brick.js, legend: entries for legend.js}. */
-export function colourings({ frames, parts, materials, facts }) {
+export function colourings({ frames, parts, materials, facts, model, fixed }) {
   const damage = ramp(rgb(kIntact), rgb(kBroken)), way = ramp(rgb(kStill), rgb(kFar)), of = kParts.map(rgb), body = kBodies.map(rgb);
   const stuff = facts.materials.map((name, i) => rgb(colourOf(name, i))), pale = rgb(kPale), grey = rgb(kIntact);
   const paint = (state, e, colours, i) => {
@@ -65,6 +70,14 @@ export function colourings({ frames, parts, materials, facts }) {
     },
     part: { edges: 0.35, lines: true, steady: true, paint: (at, state) => parts.forEach((part, e) => paint(state, e, of[part % of.length], 0)), legend: () => facts.parts.map((name, i) => chip(kParts[i % kParts.length], name)) },
   };
+  if (model) {
+    const faults = new Set(model.faults ?? []), at_fault = rgb(kFault), held = rgb(kFixed), free = rgb(kFree);
+    const marked = (entries) => (faults.size > 0 ? [chip(kFault, "at fault"), ...entries] : entries);
+    const laws = model.laws.map(({ name, joints }, i) => ({ line: 2, strength: 1, colour: css(kLaws[i % kLaws.length]), text: `${name}: ${joints}`, joints })).filter(({ joints }) => joints > 0);
+    all.material = { steady: true, edges: 0.3, paint: (at, state) => materials.forEach((m, e) => (faults.has(e) ? paint(state, e, at_fault, 0) : paint(state, e, stuff[m], 0))), legend: () => marked(used.map((m) => chip(colourOf(facts.materials[m], m), facts.materials[m]))) };
+    all.law = { steady: true, edges: 0.05, laws: true, paint: (at, state) => materials.forEach((_, e) => paint(state, e, faults.has(e) ? at_fault : pale, 0)), legend: () => marked([{ head: "joints by law" }, ...laws]) };
+    all.support = { steady: true, edges: 0.3, paint: (at, state) => materials.forEach((_, e) => paint(state, e, faults.has(e) ? at_fault : fixed[e] ? held : free, 0)), legend: () => marked([chip(kFixed, "fixed"), chip(kFree, "free to move")]) };
+  }
   if (frames.bodies) {
     all.bodies = {
       edges: 0.2, lines: true,

@@ -107,6 +107,16 @@ class Bodies {
   }
 }
 
+/** Faces of elements that no cell of the page is the shape of: rows of element, number of corners, corners. */
+function loopsOf(rows) {
+  const loops = new Map();
+  for (let i = 0; i < rows.length; i += 2 + rows[i + 1]) {
+    if (!loops.has(rows[i])) loops.set(rows[i], []);
+    loops.get(rows[i]).push([...rows.subarray(i + 2, i + 2 + rows[i + 1])]);
+  }
+  return loops;
+}
+
 /** @param prefix  of the ids of its elements: "" the first run, "second-" the one beside it */
 export async function loadRun(prefix = "") {
   const element = document.getElementById(`${prefix}facts`);
@@ -130,12 +140,15 @@ export async function loadRun(prefix = "") {
     openedNormals: new Float32Array(await get("opened-normals")),
     openedTimes: new Float32Array(await get("opened-times")),
   };
+  if (document.getElementById(`${prefix}loops`)) run.loops = loopsOf(new Int32Array(await get("loops")));
   const centroids = new Float32Array(await get("centroids"));
   run.frames = new Frames(await get("frames"), facts.times.length, centroids, facts.quantum, new Uint8Array(await get("turn-shifts")));
   const edges = new Uint8Array(await get("crack-edges"));
   run.cracks = new Cracks(new Int32Array(await get("crack-elements")), edges, new Float32Array(await get("crack-ends")), facts.model ? new Uint8Array(edges.length) : new Uint8Array(await get("crack-levels")), facts.times.length);
   const modes = document.getElementById(`${prefix}modes`);
   if (modes) run.modes = new Modes(JSON.parse(modes.textContent), new Int16Array(await get("mode-shapes")), centroids);
+  const model = document.getElementById(`${prefix}model`);
+  if (model) Object.assign(run, { model: JSON.parse(model.textContent), fixed: new Uint8Array(await get("fixed")), lawOf: new Uint8Array(await get("joint-laws")), lawEnds: new Float32Array(await get("joint-ends")) });
   const bodies = document.getElementById(`${prefix}bodies`);
   if (bodies && !facts.model) run.frames.bodies = new Bodies(JSON.parse(bodies.textContent), new Uint8Array(await get("body-ids")), run.frames.n);
   return run;

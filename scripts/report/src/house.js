@@ -6,6 +6,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { brickMaterial, kBefore, kStride, shadowMaterial, stateTexture } from "./brick.js";
 import { kRed } from "./colours.js";
 import { CrackLines } from "./cracks.js";
+import { JointLines } from "./joints.js";
 import { FaceOrder } from "./order.js";
 import { allShapes } from "./shapes.js";
 import { Surroundings } from "./surroundings.js";
@@ -65,6 +66,11 @@ export class House {
     mesh.frustumCulled = false; // the geometry does not know where its elements are
     this.lines = new CrackLines(run, this.texture, kRed, faces);
     this.scene.add(mesh, this.lines.mesh);
+    if (run.model) {
+      this.joints = new JointLines(run);
+      Object.assign(this.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }); // lines lie on faces
+      this.scene.add(this.joints.mesh);
+    }
     if (run.facts.base === null) return;
     this.shadow = new Mesh(geometry, shadowMaterial(this.texture, run.facts.base, kLight.shadow));
     this.shadow.frustumCulled = false;
@@ -199,6 +205,7 @@ export class House {
     this.material.uniforms.now.value = colouring.opened ? now : kBefore;
     this.material.uniforms.edges.value = colouring.edges;
     this.lines.mesh.visible = Boolean(colouring.lines);
+    if (this.joints) this.joints.mesh.visible = Boolean(colouring.laws);
     this.draw();
   }
 

@@ -81,6 +81,11 @@ class Report {
       by("mode").parentElement.hidden = !this.modes;
       by("shake").parentElement.hidden = !this.runs.some((run) => run.facts.ground?.length > 0);
       if (this.run.frames.bodies) by("colour").add(new Option("bodies that move as one", "bodies"));
+      if (this.run.model) {
+        document.body.classList.add("model"); // a model that does not run has no clock
+        by("colour").replaceChildren(new Option("material", "material"), new Option("joints by law", "law"), new Option("supports", "support"), new Option("part", "part"));
+        if (this.run.model.fault) by("fault").textContent = this.run.model.fault;
+      }
       this.#dress(still);
       for (const { house } of this.panes) house.resize();
     } catch (error) {

@@ -13,6 +13,8 @@ const kFaces = {
 
 /** Outer faces of an element as lists of corners from its centroid. */
 function outline(run, cells, e) {
+  const at = (v) => [0, 1, 2].map((k) => run.vertices[3 * v + k] - run.frames.centroids[3 * e + k]);
+  if (run.loops?.has(e)) return run.loops.get(e).map((loop) => loop.map(at)); // neither a hexahedron nor a prism: its faces as they are
   const faces = new Map(); // a face that two cells share is inside
   for (const c of cells) {
     for (const face of kFaces[run.cellTypes[c]]) {
@@ -21,8 +23,7 @@ function outline(run, cells, e) {
       if (!faces.delete(key)) faces.set(key, corners);
     }
   }
-  const corner = (v) => [0, 1, 2].map((k) => run.vertices[3 * v + k] - run.frames.centroids[3 * e + k]);
-  return [...faces.values()].map((face) => face.map(corner));
+  return [...faces.values()].map((face) => face.map(at));
 }
 
 /** Writes value(i) for each face that is the i-th of those named by their element and their normal. */

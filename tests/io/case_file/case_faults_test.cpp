@@ -179,7 +179,29 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal("[materials.base]\ndensity = 1\nyoung = 1\npoisson = 0\n").starts_with("test.toml:1: materials.base is a reserved name"));
 }
 
+TEST_CASE("faults: rules of stones") {
+  const std::string stones = "[[stones]]\nfile = \"a.obj\"\n", good = stones + "unit = \"m\"\n";
+  CHECK(refusal(stones).starts_with("test.toml:1: stones[0].unit is missing"));
+  CHECK(refusal("[[stones]]\nunit = \"m\"").starts_with("test.toml:1: stones[0].file is missing"));
+  CHECK(refusal(stones + "unit = \"yd\"").find("test.toml:3: stones[0].unit = \"yd\": must be \"m\" | \"cm\" | \"mm\" | \"in\" | \"ft\"") ==
+        0);
+  CHECK(refusal(good + "snap = 0.2").starts_with("test.toml:4: stones[0].snap = 0.2 m: "));
+  CHECK(refusal(good + "snap = -1.0").starts_with("test.toml:4: stones[0].snap = -1 m: "));
+  CHECK(refusal(good + "gap = 0.5").starts_with("test.toml:4: stones[0].gap = 0.5 m: "));
+  CHECK(refusal(good + "gap = 0.002").find("must be above twice snap") != std::string::npos);
+  CHECK(refusal(good + "name = \"a/b\"").find("cannot hold '/'") != std::string::npos);
+  CHECK(refusal(good + "supports = \"roof\"").starts_with("test.toml:4: stones[0].supports = \"roof\": "));
+  CHECK(refusal(good + "supports = [1, 2]").starts_with("test.toml:4: stones[0].supports[0] = 1: "));
+  CHECK(refusal(good + "turn = \"left\"").starts_with("test.toml:4: stones[0].turn = \"left\": "));
+  CHECK(refusal(good + "turn = { axis = [0, 0, 0] }").find("stones[0].turn.axis") != std::string::npos);
+  CHECK(refusal(good + "sanp = 0.1").find("stones[0].sanp: unknown key") != std::string::npos);
+}
+
 TEST_CASE("faults: rules of blocks and loads") {
+  CHECK(refusal(kBlock + "vertices = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]").find("has 4 points, wanted 8, or faces beside them") !=
+        std::string::npos);
+  CHECK(refusal(kBlock + "faces = [[0,1,2]]").find("block[0] has no shape") != std::string::npos);
+  CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nfaces = [[0,1,2]]").find("needs vertices") != std::string::npos);
   CHECK(refusal(kBlock) == "test.toml:1: block[0] has no shape; give box, or vertices, or polygon and extrude");
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\npolygon = [[0,0],[1,0],[0,1]]\nextrude = [0,1]")
             .starts_with("test.toml:5: block[0].polygon = "));

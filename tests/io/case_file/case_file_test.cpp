@@ -166,7 +166,7 @@ TEST_CASE("case file: every key of a house is read") {
 
 TEST_CASE("case file: every key of blocks and loads is read") {
   const cases::Case c = load_case(kEveryKey).value;
-  REQUIRE(c.blocks.size() == 3);
+  REQUIRE(c.blocks.size() == 4);
   const cases::BlockSpec &box = c.blocks[0], &hexahedron = c.blocks[1], &prism = c.blocks[2];
   CHECK(box.name == "box");
   CHECK(box.material == "adobe");
@@ -181,8 +181,11 @@ TEST_CASE("case file: every key of blocks and loads is read") {
   CHECK(box.rotate->angle == 10.0);
   CHECK(box.rotate->about == Vec3{0.1, 0.2, 0.3});
   CHECK(!box.motion);
-  REQUIRE(hexahedron.vertices);
-  CHECK((*hexahedron.vertices)[7] == Vec3{0.0, 1.0, 1.5});
+  REQUIRE(hexahedron.vertices.size() == 8);
+  CHECK(hexahedron.vertices[7] == Vec3{0.0, 1.0, 1.5});
+  CHECK(hexahedron.faces.empty());
+  CHECK(c.blocks[3].vertices.size() == 5);
+  CHECK(c.blocks[3].faces == std::vector<std::vector<int>>{{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
   CHECK(hexahedron.fixed);
   REQUIRE(hexahedron.motion);
   CHECK(hexahedron.motion->velocity == Vec3{0.001, 0.002, 0.003});
@@ -198,6 +201,39 @@ TEST_CASE("case file: every key of blocks and loads is read") {
   CHECK(c.loads[0].at == Vec3{0.1, 0.05, 0.15});
   CHECK(c.loads[0].ramp == std::array{0.25, 0.5});
   CHECK(c.loads[0].follows);
+}
+
+TEST_CASE("case file: every key of stones is read") {
+  const cases::Case c = load_case(kEveryKey).value;
+  CHECK(c.materials.at("old wood").inside == "normal");
+  CHECK(!c.materials.at("adobe").inside);
+  REQUIRE(c.stones.size() == 2);
+  const cases::StonesSpec &dome = c.stones[0], &wall = c.stones[1];
+  CHECK(dome.file == "dome.obj");
+  CHECK(dome.unit == "mm");
+  CHECK(dome.name == "east");
+  CHECK(dome.only == std::vector<std::string>{"lantern", "Mesh_12"});
+  CHECK(dome.place == Vec3{1.0, 2.0, 3.0});
+  CHECK(dome.turn.axis == Vec3{0.0, 1.0, 0.5});
+  CHECK(dome.turn.angle == 12.0);
+  CHECK(dome.turn.about == Vec3{0.1, 0.2, 0.3});
+  CHECK(dome.material == "adobe");
+  CHECK(dome.joint == "normal");
+  CHECK(dome.snap == 0.002);
+  CHECK(dome.gap == 0.01);
+  CHECK(dome.supports.kind == cases::StoneSupports::Kind::named);
+  CHECK(dome.supports.names == std::vector<std::string>{"Mesh_1", "drum"});
+  CHECK(wall.turn.axis == Vec3{0.0, 0.0, 1.0});
+  CHECK(wall.turn.angle == 90.0);
+  CHECK(wall.snap == 1e-3);
+  CHECK(!wall.gap);
+  CHECK(wall.supports.kind == cases::StoneSupports::Kind::below);
+  CHECK(wall.supports.level == 0.25);
+  const auto kind = [](const std::string& word) {
+    return read("[[stones]]\nfile = \"a.obj\"\nunit = \"m\"\nsupports = \"" + word + "\"\n").stones[0].supports.kind;
+  };
+  CHECK(kind("ground") == cases::StoneSupports::Kind::ground);
+  CHECK(kind("none") == cases::StoneSupports::Kind::none);
 }
 
 TEST_CASE("case file: the example of the manual is read") {

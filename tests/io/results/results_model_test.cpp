@@ -135,14 +135,27 @@ TEST_CASE("cells have the orientation that VTK asks for, whichever way the corne
     }
 }
 
-TEST_CASE("a shape that is no cell is refused by name") {
+TEST_CASE("any other polyhedron is tetrahedra that fill it, each the right way round; its faces are loops") {
   geometry::Polyhedron pyramid = prism(4, true);
   pyramid.vertices.resize(5);
-  pyramid.faces = {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  CHECK_THROWS_WITH_AS(model_datasets(one_block(pyramid)), doctest::Contains("\"odd\" has 5 vertices"), std::invalid_argument);
-  geometry::Polyhedron cut = prism(4, true);  // as many vertices and faces as a hexahedron, but another shape
-  cut.faces = {{0, 1, 2, 3, 4}, {0, 1, 5}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 7}, {0, 5, 6, 7, 4}};
-  CHECK_THROWS_AS(model_datasets(one_block(cut)), std::invalid_argument);
+  pyramid.vertices[4] = {0.1, 0.2, 1.5};
+  pyramid.faces = {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  const cases::Model m = one_block(pyramid);
+  const auto all = model_datasets(m);
+  const auto types = values<std::uint8_t>(all, "/model/cell_type");
+  const auto cells = values<std::int32_t>(all, "/model/cells");
+  double volume = 0.0;
+  for (std::size_t c = 0; c < types.size(); ++c) {
+    CHECK(types[c] == 10);
+    const Vec3 o = corner(m, cells, 8 * c);
+    const double six = dot(cross(corner(m, cells, 8 * c + 1) - o, corner(m, cells, 8 * c + 2) - o), corner(m, cells, 8 * c + 3) - o);
+    CHECK(six > 0.0);
+    volume += six / 6.0;
+    for (std::size_t k = 4; k < 8; ++k) CHECK(cells[8 * c + k] == -1);
+  }
+  CHECK(volume == doctest::Approx(geometry::mass_properties(pyramid).volume).epsilon(1e-12));
+  CHECK(values<std::int32_t>(all, "/model/face/first_corner") == std::vector<std::int32_t>{0, 4, 7, 10, 13});
+  CHECK(values<std::int32_t>(all, "/model/face/corners") == std::vector<std::int32_t>{3, 2, 1, 0, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
 }
 
 TEST_CASE("an assembly that is not of the blocks is refused") {

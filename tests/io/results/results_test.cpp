@@ -39,6 +39,8 @@ std::vector<Promise> promises() {
                          {"/model/face/normal", "1", {12, 3}},
                          {"/model/face/distance", "m", {12}},
                          {"/model/face/area", "m2", {12}},
+                         {"/model/face/first_corner", "1", {12}},
+                         {"/model/face/corners", "1", {48}},
                          {"/model/joint/element_a", "1", {1}},
                          {"/model/joint/element_b", "1", {1}},
                          {"/model/joint/face_a", "1", {1}},

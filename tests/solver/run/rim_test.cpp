@@ -48,7 +48,7 @@ cases::BlockSpec rod(bool along_y, double z) {
     v[k] = along_y ? Vec3{across, 0.1, up} : Vec3{-0.1, across, up};
     v[k + 4] = along_y ? Vec3{across, -0.1, up} : Vec3{0.1, across, up};
   }
-  b.vertices = v;
+  b.vertices.assign(v.begin(), v.end());
   return b;
 }
 

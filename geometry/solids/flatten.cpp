@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/solids/flatten.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/message.h"
+#include "geometry/solids/face_groups.h"
+
+namespace voussoir::geometry {
+
+namespace {
+
+constexpr double kPlane = 9e-10;      // of the size: validate() takes 1e-9
+constexpr double kConverged = 1e-13;  // of the size
+constexpr int kMostRounds = 60;
+
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * metres);
+  return text.data();
+}
+
+/// A plane by a point of it, so that stones far from the origin keep their digits.
+struct Plane {
+  Vec3 normal, point;
+  bool fixed = false;  // it belongs to others, too
+};
+
+/// The common plane of a group: the mean of its two sides.
+Plane plane_of(const FaceGroup& group, const RoughFaces& faces, std::optional<double> base_z) {
+  const LoopPlane& first = faces.face[group.faces.front()].plane;
+  if (group.on_base) return {{0, 0, 1}, {first.centre.x, first.centre.y, *base_z}, true};
+  const auto side = [&](std::size_t f) { return dot(faces.face[f].plane.normal, first.normal) > 0.0 ? 1.0 : -1.0; };
+  Vec3 sum;
+  for (const std::size_t f : group.faces) sum += side(f) * faces.face[f].plane.area * faces.face[f].plane.normal;
+  const Vec3 normal = normalised(sum);
+  double height[2] = {0.0, 0.0}, area[2] = {0.0, 0.0};  // of both sides over the first face
+  for (const std::size_t f : group.faces) {
+    const LoopPlane& p = faces.face[f].plane;
+    const int s = side(f) > 0.0 ? 0 : 1;
+    height[s] += p.area * dot(p.centre - first.centre, normal);
+    area[s] += p.area;
+  }
+  const double mean = area[1] > 0.0 ? 0.5 * (height[0] / area[0] + height[1] / area[1]) : height[0] / area[0];
+  return {normal, first.centre + mean * normal, true};
+}
+
+/// The least move that brings a point onto planes, as far as they meet in a point, a line or at all.
+Vec3 step_onto(Vec3 x, const std::vector<const Plane*>& planes) {
+  constexpr double kParallel = 1e-6;  // of the largest eigenvalue: such planes are one
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  for (const Plane* p : planes) {
+    const Eigen::Vector3d n(p->normal.x, p->normal.y, p->normal.z);
+    a += n * n.transpose();
+    b += dot(p->point - x, p->normal) * n;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+  Vec3 step;
+  for (int k = 0; k < 3; ++k) {
+    const double value = solver.eigenvalues()(k);
+    if (value <= kParallel * solver.eigenvalues()(2)) continue;
+    const Eigen::Vector3d v = solver.eigenvectors().col(k);
+    const double along = v.dot(b) / value;
+    step += along * Vec3{v(0), v(1), v(2)};
+  }
+  return step;
+}
+
+/// Moves the vertices of one solid onto the planes of its faces.
+class Solid {
+ public:
+  Solid(Mesh& mesh, std::vector<Plane> planes) : mesh_(mesh), planes_(std::move(planes)), start_(mesh.vertices), size_(diagonal(mesh)) {
+    of_vertex_.resize(mesh.vertices.size());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      for (const std::int32_t v : mesh.faces[f]) of_vertex_[static_cast<std::size_t>(v)].push_back(&planes_[f]);
+    }
+    round_off_ = 4e-16 * norm(mesh.vertices.front());
+  }
+
+  /// \return the largest distance of a vertex from a plane of its own that is left [m]
+  double settle() {
+    double left = 0.0;
+    for (int round = 0; round < kMostRounds; ++round) {
+      for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) move(v);
+      left = distance();
+      if (left <= kConverged * size_ + round_off_) break;
+      for (std::size_t f = 0; f < planes_.size(); ++f) {
+        if (planes_[f].fixed) continue;
+        const LoopPlane p = loop_plane(mesh_, f);
+        planes_[f] = {p.normal, p.centre, false};
+      }
+    }
+    return left;
+  }
+
+  [[nodiscard]] double moved() const {
+    double most = 0.0;
+    for (std::size_t v = 0; v < start_.size(); ++v) most = std::max(most, norm(mesh_.vertices[v] - start_[v]));
+    return most;
+  }
+  [[nodiscard]] double size() const { return size_; }
+
+ private:
+  void move(std::size_t v) {
+    Vec3& x = mesh_.vertices[v];
+    for (int pass = 0; pass < 3; ++pass) {
+      double off = 0.0;
+      for (const Plane* p : of_vertex_[v]) off = std::max(off, std::abs(dot(x - p->point, p->normal)));
+      if (off <= 0.5 * kConverged * size_ + round_off_) return;
+      x += step_onto(x, of_vertex_[v]);
+    }
+  }
+  [[nodiscard]] double distance() const {
+    double most = 0.0;
+    for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+      for (const Plane* p : of_vertex_[v]) most = std::max(most, std::abs(dot(mesh_.vertices[v] - p->point, p->normal)));
+    }
+    return most;
+  }
+
+  Mesh& mesh_;
+  std::vector<Plane> planes_;  // by face
+  std::vector<std::vector<const Plane*>> of_vertex_;
+  std::vector<Vec3> start_;
+  double size_, round_off_;
+};
+
+/// The worst warp of a solid, checked.
+double checked_warp(const RoughSolid& s, int subject) {
+  double most = 0.0;
+  for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
+    const double w = warp(s.mesh, f);
+    if (w > std::max(s.snap, kPlane * diagonal(s.mesh))) {
+      throw ModelError(block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " +
+                           place_text(loop_plane(s.mesh, f).centre) + " m (allowed " + millimetres(s.snap) +
+                           ", stones.snap); part it into triangles or make it plane where it was drawn",
+                       subject);
+    }
+    most = std::max(most, w);
+  }
+  return most;
+}
+
+/// What each face of all solids is to lie in; own planes where nothing says otherwise.
+std::vector<Plane> planes_of(const RoughFaces& faces, const std::vector<FaceGroup>& groups, std::optional<double> base_z) {
+  std::vector<Plane> planes;
+  for (const FlatFace& f : faces.face) planes.push_back({f.plane.normal, f.plane.centre, false});
+  for (const FaceGroup& g : groups) {
+    const Plane common = plane_of(g, faces, base_z);
+    for (const std::size_t f : g.faces) {
+      planes[f].fixed = true;
+      if (!g.exact) planes[f] = common;
+    }
+  }
+  return planes;
+}
+
+}  // namespace
+
+std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<double> base_z) {
+  std::vector<Flattened> out(solids.size());
+  std::vector<std::uint8_t> active(solids.size(), 0);
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    out[i].warped = checked_warp(solids[i], static_cast<int>(i));
+    active[i] = out[i].warped > kPlane * diagonal(solids[i].mesh) ? 1 : 0;
+  }
+  const RoughFaces faces = faces_of(solids);
+  const std::vector<FaceGroup> groups = face_groups(solids, faces, base_z);
+  const std::vector<Plane> planes = planes_of(faces, groups, base_z);
+  for (const FaceGroup& g : groups) {
+    for (const std::size_t f : g.faces) {
+      const auto i = static_cast<std::size_t>(faces.solid[f]);
+      if (!g.exact) active[i] = 1;
+      if (!g.bed) continue;
+      const double sign = dot(planes[f].normal, faces.face[f].plane.normal) > 0.0 ? 1.0 : -1.0;
+      out[i].beds.push_back({sign * planes[f].normal, sign * dot(planes[f].normal, planes[f].point)});
+    }
+  }
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (active[i] == 0) continue;
+    const auto first = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i]),
+               end = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i + 1]);
+    Solid solid(solids[i].mesh, {first, end});
+    const double left = solid.settle();
+    out[i].moved = solid.moved();
+    const int subject = static_cast<int>(i);
+    const double allowed = 2.0 * (solids[i].snap + (out[i].beds.empty() ? 0.0 : solids[i].gap.value_or(0.0)));
+    if (out[i].moved > allowed) {
+      throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(out[i].moved) +
+                           " to lie against its neighbours (allowed " + millimetres(allowed) + " with this stones.snap), at " +
+                           place_text(solids[i].mesh.vertices.front()) + " m; draw the faces that touch in one plane, or lower snap",
+                       subject);
+    }
+    if (left > kPlane * solid.size()) {
+      throw ModelError(block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(left) + " are left, at " +
+                           place_text(solids[i].mesh.vertices.front()) +
+                           " m; part them into triangles, or make them plane where it was drawn",
+                       subject);
+    }
+  }
+  return out;
+}
+
+}  // namespace voussoir::geometry

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/solids/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "geometry/message.h"
+
+namespace voussoir::geometry {
+
+namespace {
+
+constexpr double kNoVolume = 1e-9;  // of the diagonal cubed
+
+using Edge = std::array<std::int32_t, 2>;
+
+template <class Visit>
+void for_each_edge(const std::vector<std::int32_t>& loop, Visit visit) {
+  for (std::size_t i = 0; i < loop.size(); ++i) visit(Edge{loop[i], loop[(i + 1) % loop.size()]});
+}
+
+Vec3 at(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size_t>(v)]; }
+
+std::string edge_text(const Mesh& m, Edge e) { return "from " + place_text(at(m, e[0])) + " to " + place_text(at(m, e[1])) + " m"; }
+
+Box3 box_of(const Mesh& m) { return bounds(Polyhedron{m.vertices, {}}); }
+
+/// The mesh without vertices that no face uses; the others keep their order.
+Mesh compacted(const Mesh& m) {
+  std::vector<std::int32_t> number(m.vertices.size(), -1);
+  for (const auto& loop : m.faces) {
+    for (const std::int32_t v : loop) number[static_cast<std::size_t>(v)] = 0;
+  }
+  Mesh out;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<std::int32_t>(out.vertices.size());
+    out.vertices.push_back(m.vertices[v]);
+  }
+  out.faces = m.faces;
+  for (auto& loop : out.faces) {
+    for (std::int32_t& v : loop) v = number[static_cast<std::size_t>(v)];
+  }
+  return out;
+}
+
+/// For each vertex the first one within the tolerance of it.
+std::vector<std::int32_t> first_of_equals(const Mesh& m, double tolerance) {
+  std::vector<std::int32_t> order(m.vertices.size()), first(m.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::iota(first.begin(), first.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return at(m, a).x < at(m, b).x; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t k = i + 1; k < order.size() && at(m, order[k]).x - at(m, order[i]).x <= tolerance; ++k) {
+      if (norm(at(m, order[k]) - at(m, order[i])) > tolerance) continue;
+      std::int32_t a = first[static_cast<std::size_t>(order[i])], b = first[static_cast<std::size_t>(order[k])];
+      if (a > b) std::swap(a, b);
+      first[static_cast<std::size_t>(order[i])] = first[static_cast<std::size_t>(order[k])] = a;
+      first[static_cast<std::size_t>(b)] = a;
+    }
+  }
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    while (first[static_cast<std::size_t>(first[v])] != first[v]) first[v] = first[static_cast<std::size_t>(first[v])];
+  }
+  return first;
+}
+
+/// Sorted, with the face of each.
+std::vector<std::pair<Edge, std::int32_t>> edges_of(const Mesh& m) {
+  std::vector<std::pair<Edge, std::int32_t>> edges;
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    for_each_edge(m.faces[f], [&](Edge e) { edges.emplace_back(e, static_cast<std::int32_t>(f)); });
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The face that has an edge, or -1. \param edges  of edges_of
+std::int32_t face_with(const std::vector<std::pair<Edge, std::int32_t>>& edges, Edge e) {
+  const auto found = std::lower_bound(edges.begin(), edges.end(), std::pair(e, std::int32_t{-1}));
+  return found != edges.end() && found->first == e ? found->second : -1;
+}
+
+/// Grows regions of faces in one plane.
+class Regions {
+ public:
+  Regions(const Mesh& m, double tolerance, double angle)
+      : mesh_(m), tolerance_(tolerance), cosine_(std::cos(angle)), edges_(edges_of(m)), of_(m.faces.size(), -1) {
+    for (std::size_t f = 0; f < m.faces.size(); ++f) plane_.push_back(loop_plane(m, f));
+    least_area_ = 1e-12 * diagonal(m) * diagonal(m);
+  }
+
+  /// By face, the number of its region.
+  const std::vector<std::int32_t>& grow() {
+    std::vector<std::int32_t> seeds(mesh_.faces.size());
+    std::iota(seeds.begin(), seeds.end(), 0);
+    const auto area = [&](std::int32_t f) { return plane_[static_cast<std::size_t>(f)].area; };
+    std::stable_sort(seeds.begin(), seeds.end(), [&](auto a, auto b) { return area(a) > area(b) * (1.0 + 1e-9); });
+    for (const std::int32_t seed : seeds) {
+      if (of_[static_cast<std::size_t>(seed)] < 0) grow_from(seed);
+    }
+    return of_;
+  }
+
+ private:
+  void grow_from(std::int32_t seed) {
+    std::vector<std::int32_t> front{seed};
+    of_[static_cast<std::size_t>(seed)] = seed;
+    while (!front.empty()) {
+      const std::int32_t f = front.back();
+      front.pop_back();
+      for_each_edge(mesh_.faces[static_cast<std::size_t>(f)], [&](Edge e) {
+        const std::int32_t other = face_with(edges_, {e[1], e[0]});
+        if (other < 0 || of_[static_cast<std::size_t>(other)] >= 0 || !lies_in(other, plane_[static_cast<std::size_t>(seed)])) return;
+        of_[static_cast<std::size_t>(other)] = seed;
+        front.push_back(other);
+      });
+    }
+  }
+  [[nodiscard]] bool lies_in(std::int32_t face, const LoopPlane& plane) const {
+    const LoopPlane& own = plane_[static_cast<std::size_t>(face)];
+    if (own.area > least_area_ && dot(own.normal, plane.normal) < cosine_) return false;
+    const auto& loop = mesh_.faces[static_cast<std::size_t>(face)];
+    return std::all_of(loop.begin(), loop.end(),
+                       [&](std::int32_t v) { return std::abs(dot(at(mesh_, v) - plane.centre, plane.normal)) <= tolerance_; });
+  }
+
+  const Mesh& mesh_;
+  double tolerance_, cosine_, least_area_ = 0.0;
+  std::vector<std::pair<Edge, std::int32_t>> edges_;
+  std::vector<LoopPlane> plane_;
+  std::vector<std::int32_t> of_;
+};
+
+/// The rim of a region as one loop; empty if it is not one simple loop.
+std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& faces) {
+  std::vector<Edge> edges;
+  for (const std::int32_t f : faces) for_each_edge(m.faces[static_cast<std::size_t>(f)], [&](Edge e) { edges.push_back(e); });
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> outer;
+  for (const Edge e : edges) {
+    if (!std::binary_search(edges.begin(), edges.end(), Edge{e[1], e[0]})) outer.push_back(e);
+  }
+  for (std::size_t i = 1; i < outer.size(); ++i) {
+    if (outer[i][0] == outer[i - 1][0]) return {};
+  }
+  std::vector<std::int32_t> loop;
+  if (outer.empty()) return loop;
+  std::int32_t v =
+      m.faces[static_cast<std::size_t>(faces.front())].front();  // begin where the first face does, if its corner is on the rim
+  if (!std::binary_search(outer.begin(), outer.end(), Edge{v, -1}, [](Edge a, Edge b) { return a[0] < b[0]; })) v = outer.front()[0];
+  const std::int32_t first = v;
+  do {
+    loop.push_back(v);
+    const auto next = std::lower_bound(outer.begin(), outer.end(), Edge{v, -1});
+    if (next == outer.end() || (*next)[0] != v || loop.size() > outer.size()) return {};
+    v = (*next)[1];
+  } while (v != first);
+  return loop.size() == outer.size() ? loop : std::vector<std::int32_t>{};
+}
+
+/// Takes vertices that only two faces have out of both: they lie within an edge.
+void drop_vertices_within_edges(Mesh& m) {
+  std::vector<int> faces(m.vertices.size(), 0);
+  for (const auto& loop : m.faces) {
+    for (const std::int32_t v : loop) ++faces[static_cast<std::size_t>(v)];
+  }
+  for (auto& loop : m.faces) {
+    const auto kept = std::count_if(loop.begin(), loop.end(), [&](std::int32_t v) { return faces[static_cast<std::size_t>(v)] > 2; });
+    if (kept < 3) return;
+  }
+  for (auto& loop : m.faces) std::erase_if(loop, [&](std::int32_t v) { return faces[static_cast<std::size_t>(v)] <= 2; });
+}
+
+}  // namespace
+
+std::string place_text(Vec3 v) {
+  const auto part = [](double x) { return figure(std::abs(x) < 5e-7 ? 0.0 : x); };
+  return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
+}
+
+double diagonal(const Mesh& m) {
+  const Box3 box = box_of(m);
+  return norm(box.high - box.low);
+}
+
+LoopPlane loop_plane(const Mesh& m, std::size_t face) {
+  const auto& loop = m.faces[face];
+  const Vec3 first = at(m, loop.front());
+  Vec3 doubled, sum;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 a = at(m, loop[i]) - first, b = at(m, loop[(i + 1) % loop.size()]) - first;
+    doubled += cross(a, b);
+    sum += a;
+  }
+  const double length = norm(doubled);
+  return {length > 0.0 ? normalised(doubled) : Vec3{}, first + sum / static_cast<double>(loop.size()), 0.5 * length};
+}
+
+double warp(const Mesh& m, std::size_t face) {
+  const LoopPlane plane = loop_plane(m, face);
+  double most = 0.0;
+  for (const std::int32_t v : m.faces[face]) most = std::max(most, std::abs(dot(at(m, v) - plane.centre, plane.normal)));
+  return most;
+}
+
+double volume(const Mesh& m) {
+  const Vec3 origin = m.vertices.front();
+  double six = 0.0;
+  for (const auto& loop : m.faces) {
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+      six += dot(at(m, loop[0]) - origin, cross(at(m, loop[i]) - origin, at(m, loop[i + 1]) - origin));
+  }
+  return six / 6.0;
+}
+
+Mesh welded(const Mesh& m, double tolerance) {
+  const std::vector<std::int32_t> first = first_of_equals(m, tolerance);
+  Mesh out{m.vertices, {}};
+  for (const auto& given : m.faces) {
+    std::vector<std::int32_t> loop;
+    for (const std::int32_t v : given) {
+      if (loop.empty() || loop.back() != first[static_cast<std::size_t>(v)]) loop.push_back(first[static_cast<std::size_t>(v)]);
+    }
+    while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    if (loop.size() >= 3) out.faces.push_back(std::move(loop));
+  }
+  return compacted(out);
+}
+
+std::optional<std::string> fault_of(const Mesh& m) {
+  if (m.faces.empty()) return "has no faces";
+  const auto edges = edges_of(m);
+  std::size_t open = 0, turned = 0;
+  Edge first_open{}, first_turned{};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge e = edges[i].first;
+    if (i > 0 && edges[i - 1].first == e) {
+      if (turned++ == 0) first_turned = e;
+    } else if (face_with(edges, {e[1], e[0]}) < 0 && (i + 1 == edges.size() || edges[i + 1].first != e)) {
+      if (open++ == 0) first_open = e;
+    }
+  }
+  const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " edge" : " edges"); };
+  if (turned > 0)
+    return "has faces that are turned against their neighbours, or more than two at one edge: " + count(turned) + ", the first " +
+           edge_text(m, first_turned) + "; make the normals of its faces agree, and part what touches along an edge only";
+  if (open > 0)
+    return "is open: " + count(open) + " of one face only, the first " + edge_text(m, first_open) + "; close it where it was drawn";
+  const double size = diagonal(m), v = volume(m);
+  if (!(std::abs(v) > kNoVolume * size * size * size))
+    return "has no volume: " + figure(v) + " m3 in a box of " + figure(size) + " m across, at " + place_text(m.vertices.front()) +
+           " m; leave it out, or give it thickness";
+  if (v < 0.0)
+    return "is inside out: its volume is " + figure(v) + " m3, at " + place_text(m.vertices.front()) +
+           " m; turn its faces round (flip the normals)";
+  return std::nullopt;
+}
+
+Mesh with_merged_faces(const Mesh& m, double tolerance, double angle) {
+  const std::vector<std::int32_t> of = Regions(m, tolerance, angle).grow();
+  std::vector<std::vector<std::int32_t>> members(m.faces.size());
+  for (std::size_t f = 0; f < of.size(); ++f) members[static_cast<std::size_t>(of[f])].push_back(static_cast<std::int32_t>(f));
+  Mesh out{m.vertices, {}};
+  std::vector<bool> done(m.faces.size(), false);
+  for (std::size_t f = 0; f < of.size(); ++f) {
+    const auto region = static_cast<std::size_t>(of[f]);
+    const auto& faces = members[region];
+    if (faces.size() == 1) {
+      out.faces.push_back(m.faces[f]);
+      continue;
+    }
+    if (done[region]) continue;
+    done[region] = true;
+    if (auto loop = rim(m, faces); !loop.empty()) {
+      out.faces.push_back(std::move(loop));
+    } else {
+      for (const std::int32_t g : faces) out.faces.push_back(m.faces[static_cast<std::size_t>(g)]);
+    }
+  }
+  if (out.faces.size() == m.faces.size()) return m;
+  drop_vertices_within_edges(out);
+  return compacted(out);
+}
+
+bool is_convex(const Mesh& m, double tolerance) {
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    const LoopPlane plane = loop_plane(m, f);
+    for (const Vec3& v : m.vertices) {
+      if (dot(v - plane.centre, plane.normal) > tolerance) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace voussoir::geometry

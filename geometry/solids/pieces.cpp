@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/solids/pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/mass.h"
+#include "geometry/message.h"
+#include "geometry/solids/triangles.h"
+
+namespace voussoir::geometry {
+
+namespace {
+
+constexpr double kTolerance = 1e-9;  // of the size
+constexpr std::size_t kMostPieces = 500;
+constexpr double kFills = 1e-9;                    // relative, of volumes
+constexpr double kSharp = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
+
+/// A flat part of the surface within a cell.
+struct Patch {
+  std::vector<Vec3> corners;
+  std::int32_t plane = 0;
+};
+
+/// A reflex edge, and the planes that may cut along it, with what speaks against each.
+struct ReflexEdge {
+  Vec3 from, to;
+  struct Cut {
+    HalfSpace plane;
+    int penalty;
+  };
+  std::array<Cut, 3> cuts;
+};
+
+/// A convex cell, and what of the surface is in it.
+struct Cell {
+  Polyhedron shape;
+  std::vector<Patch> surface;
+};
+
+class Cutting {
+ public:
+  explicit Cutting(const Mesh& solid) : solid_(solid), size_(diagonal(solid)), tolerance_(kTolerance * size_) {
+    for (std::size_t f = 0; f < solid.faces.size(); ++f) plane_.push_back(plane_of(f));
+    find_reflex_edges();
+  }
+
+  std::vector<Polyhedron> cut() {
+    const Box3 box = bounds(Polyhedron{solid_.vertices, {}});
+    const Vec3 margin{0.1 * size_, 0.1 * size_, 0.1 * size_};
+    Cell all{make_box(box.low - margin, box.high + margin), {}};
+    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      for (const auto& t : triangles_of(solid_, f)) all.surface.push_back({{t.begin(), t.end()}, number_of_plane(f)});
+    }
+    std::vector<Cell> open{std::move(all)};
+    while (!open.empty()) {
+      Cell cell = std::move(open.back());
+      open.pop_back();
+      divide(std::move(cell), open);
+      if (open.size() + pieces_.size() > kMostPieces)
+        throw ModelError("takes more than " + std::to_string(kMostPieces) + " convex pieces; simplify it, or part it where it was drawn",
+                         -1);
+    }
+    check_volume();
+    return std::move(pieces_);
+  }
+
+ private:
+  [[nodiscard]] HalfSpace plane_of(std::size_t f) const {
+    const LoopPlane p = loop_plane(solid_, f);
+    return {p.normal, dot(p.normal, p.centre)};
+  }
+
+  /// Faces in one plane share the first one's.
+  [[nodiscard]] std::int32_t number_of_plane(std::size_t f) const {
+    for (std::size_t g = 0; g < f; ++g) {
+      if (dot(plane_[g].normal, plane_[f].normal) > 1.0 - 1e-12 && std::abs(plane_[g].offset - plane_[f].offset) <= tolerance_)
+        return static_cast<std::int32_t>(g);
+    }
+    return static_cast<std::int32_t>(f);
+  }
+
+  void find_reflex_edges() {
+    std::vector<std::array<std::int32_t, 3>> edges;  // from, to, face
+    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
+      const auto& loop = solid_.faces[f];
+      for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], static_cast<std::int32_t>(f)});
+    }
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [a, b, f] : edges) {
+      if (a > b) continue;
+      const auto back = std::lower_bound(edges.begin(), edges.end(), std::array{b, a, std::int32_t{-1}});
+      add_if_reflex(solid_.vertices[static_cast<std::size_t>(a)], solid_.vertices[static_cast<std::size_t>(b)],
+                    plane_[static_cast<std::size_t>(f)], plane_[static_cast<std::size_t>((*back)[2])]);
+    }
+  }
+
+  void add_if_reflex(Vec3 from, Vec3 to, const HalfSpace& f, const HalfSpace& g) {
+    const Vec3 along = normalised(to - from);
+    const double sine = -dot(cross(f.normal, g.normal), along);
+    if (sine <= 1e-9) return;
+    const bool sharp = std::atan2(sine, dot(f.normal, g.normal)) < kSharp;
+    const Vec3 between = normalised(cross(along, f.normal + g.normal));
+    edges_.push_back({from, to, {{{f, sharp ? 500 : 0}, {g, sharp ? 500 : 0}, {{between, dot(between, from)}, sharp ? 0 : 500}}}});
+  }
+
+  /// Whether part of an edge lies within the cell.
+  [[nodiscard]] bool is_in(const ReflexEdge& e, const Cell& cell) const {
+    double low = 0.0, high = 1.0;
+    for (std::size_t f = 0; f < cell.shape.faces.size(); ++f) {
+      const FacePlane plane = face_plane(cell.shape, static_cast<int>(f));
+      const double a = dot(e.from - plane.centroid, plane.normal) + 2.0 * tolerance_,
+                   b = dot(e.to - plane.centroid, plane.normal) + 2.0 * tolerance_;
+      if (a > 0.0 && b > 0.0) return false;
+      if (a > 0.0) low = std::max(low, a / (a - b));
+      if (b > 0.0) high = std::min(high, a / (a - b));
+    }
+    return (high - low) * norm(e.to - e.from) > 4.0 * tolerance_;
+  }
+
+  [[nodiscard]] bool lies_on(const ReflexEdge& e, const HalfSpace& h) const {
+    return std::abs(dot(h.normal, e.from) - h.offset) <= tolerance_ && std::abs(dot(h.normal, e.to) - h.offset) <= tolerance_;
+  }
+
+  /// Sides of a patch over a plane: the lowest and the highest corner, m.
+  static std::pair<double, double> span_over(const Patch& p, const HalfSpace& h) {
+    double low = 1e300, high = -1e300;
+    for (const Vec3& v : p.corners) {
+      const double x = dot(h.normal, v) - h.offset;
+      low = std::min(low, x), high = std::max(high, x);
+    }
+    return {low, high};
+  }
+
+  /// The plane of a patch that has others beyond it; nothing: the solid is convex within the cell.
+  [[nodiscard]] const HalfSpace* violated(const Cell& cell) const {
+    for (const Patch& p : cell.surface) {
+      const HalfSpace& h = plane_[static_cast<std::size_t>(p.plane)];
+      for (const Patch& q : cell.surface) {
+        if (q.plane != p.plane && span_over(q, h).second > tolerance_) return &h;
+      }
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] HalfSpace choose(const Cell& cell, const HalfSpace& otherwise) const {
+    std::vector<const ReflexEdge*> in;
+    for (const ReflexEdge& e : edges_) {
+      if (is_in(e, cell)) in.push_back(&e);
+    }
+    const HalfSpace* best = nullptr;
+    int most = 0;
+    for (const ReflexEdge* e : in) {
+      for (const ReflexEdge::Cut& c : e->cuts) {
+        int score = -c.penalty;
+        for (const ReflexEdge* other : in) score += lies_on(*other, c.plane) ? 1000 : 0;
+        for (const Patch& p : cell.surface) {
+          const auto [low, high] = span_over(p, c.plane);
+          if (low < -tolerance_ && high > tolerance_) --score;
+        }
+        if (best == nullptr || score > most) best = &c.plane, most = score;
+      }
+    }
+    return best == nullptr ? otherwise : *best;
+  }
+
+  void divide(Cell cell, std::vector<Cell>& open) {
+    if (cell.shape.faces.empty()) return;
+    if (cell.surface.empty()) {
+      if (winding_number(solid_, mass_properties(cell.shape).centroid) > 0.5) keep(std::move(cell.shape));
+      return;
+    }
+    const HalfSpace* beyond = violated(cell);
+    if (beyond == nullptr) {
+      for (const Patch& p : cell.surface) {
+        cell.shape = clipped(cell.shape, plane_[static_cast<std::size_t>(p.plane)], tolerance_);
+        if (cell.shape.faces.empty()) return;
+      }
+      keep(std::move(cell.shape));
+      return;
+    }
+    const HalfSpace h = choose(cell, *beyond);
+    const HalfSpace turned{-h.normal, -h.offset};
+    Cell below{clipped(cell.shape, h, tolerance_), {}}, above{clipped(cell.shape, turned, tolerance_), {}};
+    for (const Patch& p : cell.surface) share_out(p, h, below, above);
+    open.push_back(std::move(above));
+    open.push_back(std::move(below));
+  }
+
+  void share_out(const Patch& p, const HalfSpace& h, Cell& below, Cell& above) const {
+    const auto [low, high] = span_over(p, h);
+    if (low >= -tolerance_ && high <= tolerance_) {  // on the cut: it bounds the side that is behind it
+      (dot(plane_[static_cast<std::size_t>(p.plane)].normal, h.normal) > 0.0 ? below : above).surface.push_back(p);
+      return;
+    }
+    if (low < -tolerance_) below.surface.push_back(high > tolerance_ ? part(p, h, 1.0) : p);
+    if (high > tolerance_) above.surface.push_back(low < -tolerance_ ? part(p, h, -1.0) : p);
+  }
+
+  /// What of a patch lies on one side.
+  [[nodiscard]] Patch part(const Patch& p, const HalfSpace& h, double sign) const {
+    Patch out{{}, p.plane};
+    for (std::size_t i = 0; i < p.corners.size(); ++i) {
+      const Vec3 a = p.corners[i], b = p.corners[(i + 1) % p.corners.size()];
+      const double ha = sign * (dot(h.normal, a) - h.offset), hb = sign * (dot(h.normal, b) - h.offset);
+      if (ha <= tolerance_) out.corners.push_back(a);
+      if ((ha < -tolerance_ && hb > tolerance_) || (ha > tolerance_ && hb < -tolerance_))
+        out.corners.push_back(a + (ha / (ha - hb)) * (b - a));
+    }
+    return out;
+  }
+
+  void keep(Polyhedron shape) {
+    if (signed_volume(shape) > 1e-12 * size_ * size_ * size_) pieces_.push_back(std::move(shape));
+  }
+
+  void check_volume() const {
+    double sum = 0.0;
+    for (const Polyhedron& p : pieces_) sum += signed_volume(p);
+    const double whole = volume(solid_);
+    if (std::abs(sum - whole) <= kFills * whole) return;
+    throw ModelError("cannot be cut into convex pieces: they hold " + figure(sum) + " m3 of " + figure(whole) +
+                         " m3; its surface goes through itself, mend it where it was drawn",
+                     -1);
+  }
+
+  const Mesh& solid_;
+  double size_, tolerance_;
+  std::vector<HalfSpace> plane_;  // by face
+  std::vector<ReflexEdge> edges_;
+  std::vector<Polyhedron> pieces_;
+};
+
+}  // namespace
+
+std::vector<Polyhedron> convex_pieces(const Mesh& solid) { return Cutting(solid).cut(); }
+
+}  // namespace voussoir::geometry

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/solids/mesh.h"
+
+namespace voussoir::geometry {
+
+/// The closed surfaces that a mesh consists of, in the order of their first faces. Faces hang together across edges; where more than two
+/// faces meet at an edge (stones side by side in one heap of triangles), each goes with the one that comes next on its inner side. So two
+/// boxes with a common face, edge or corner are two shells. What is open hangs together as far as it goes.
+std::vector<Mesh> shells(const Mesh& m);
+
+}  // namespace voussoir::geometry

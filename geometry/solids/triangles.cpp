@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/solids/triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace voussoir::geometry {
+
+namespace {
+
+/// Twice the area of a triangle as seen against a normal.
+double turn(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - a), normal); }
+
+bool is_in(Vec3 p, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+  return turn(a, b, p, normal) > 0.0 && turn(b, c, p, normal) > 0.0 && turn(c, a, p, normal) > 0.0;
+}
+
+/// The corner that makes the fattest ear.
+std::size_t best_ear(const std::vector<Vec3>& loop, Vec3 normal) {
+  std::size_t best = 0;
+  double most = -1e300;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 a = loop[(i + loop.size() - 1) % loop.size()], b = loop[i], c = loop[(i + 1) % loop.size()];
+    const double size = turn(a, b, c, normal), longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
+    bool empty = size > 0.0;
+    for (std::size_t k = 0; empty && k < loop.size(); ++k) empty = !is_in(loop[k], a, b, c, normal);
+    const double fat = empty ? size / longest : -1.0;
+    if (fat > most) most = fat, best = i;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<std::array<Vec3, 3>> triangles_of(const Mesh& m, std::size_t face) {
+  const Vec3 normal = loop_plane(m, face).normal;
+  std::vector<Vec3> loop;
+  for (const std::int32_t v : m.faces[face]) loop.push_back(m.vertices[static_cast<std::size_t>(v)]);
+  std::vector<std::array<Vec3, 3>> out;
+  while (loop.size() > 3) {
+    const std::size_t i = best_ear(loop, normal);
+    out.push_back({loop[(i + loop.size() - 1) % loop.size()], loop[i], loop[(i + 1) % loop.size()]});
+    loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  out.push_back({loop[0], loop[1], loop[2]});
+  return out;
+}
+
+double winding_number(const Mesh& m, Vec3 point) {
+  double angle = 0.0;
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    for (const auto& t : triangles_of(m, f)) {
+      const Vec3 a = t[0] - point, b = t[1] - point, c = t[2] - point;
+      const double la = norm(a), lb = norm(b), lc = norm(c);
+      angle += 2.0 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    }
+  }
+  return angle / (4.0 * std::numbers::pi);
+}
+
+}  // namespace voussoir::geometry

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "io/case_file/case_file.h"
+
+namespace voussoir::io {
+
+struct ViewOptions {
+  std::string output;  // file of the page; empty: CASE.html in the working folder
+  bool overwrite = false;
+};
+
+/// `voussoir view`: one HTML page of the model before any run: stones by material, joints by law, supports, a section. A model that is
+/// refused once its elements are there (they overlap, touch nothing, ...) is shown without joints, what is at fault in red.
+/// \throw FileError, cases::InputError of a case whose elements cannot be shown
+int view_command(const LoadedCase& c, const ViewOptions& o);
+
+}  // namespace voussoir::io

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/stones/stones.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/prism.h"
+#include "geometry/solids/flatten.h"
+#include "geometry/solids/pieces.h"
+#include "io/stones/raw_stones.h"
+#include "io/stones/supports.h"
+
+namespace voussoir::io {
+namespace {
+
+using geometry::Mesh;
+using geometry::Polyhedron;
+
+constexpr double kConvex = 1e-9;      // of the size, as geometry::validate
+constexpr double kNearlyFlat = 0.05;  // rad: faces of a surface that was meant to be plane, as drawn in millimetres
+
+std::string millimetres(double metres) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * metres);
+  return text.data();
+}
+
+std::string table_key(std::size_t table) { return "stones[" + std::to_string(table) + "]"; }
+
+/// Without the number that geometry knows it by.
+std::string without_subject(const geometry::ModelError& e) {
+  const std::string message = e.what(), prefix = "block " + std::to_string(e.subject()) + ": ";
+  return e.subject() >= 0 && message.starts_with(prefix) ? message.substr(prefix.size()) : message;
+}
+
+/// One stone on its way through.
+struct Item {
+  std::size_t table = 0;
+  RawStone raw;
+  std::size_t nearly_flat = 0;  // faces that were merged though they were not quite in one plane
+};
+
+class Import {
+ public:
+  explicit Import(cases::Case& c) : case_(c) {}
+
+  void load() {
+    for (std::size_t t = 0; t < case_.stones.size(); ++t) {
+      cases::StonesSpec& spec = case_.stones[t];
+      if (!spec.stones.empty()) continue;
+      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) items_.push_back({t, std::move(raw), 0});
+    }
+    if (items_.empty()) return;
+    for (Item& item : items_) straighten(item);
+    put_together();
+    for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
+    choose_supports(case_);
+  }
+
+ private:
+  [[nodiscard]] const cases::StonesSpec& spec_of(const Item& item) const { return case_.stones[item.table]; }
+
+  [[noreturn]] void refuse(const Item& item, const geometry::ModelError& e) const {
+    throw cases::InputError(table_key(item.table) + ".file", stone_words(spec_of(item), item.raw.name) + " " + without_subject(e));
+  }
+
+  /// A stone that is convex but for the rounding of its corners: triangles of what was meant to be one face become that face.
+  void straighten(Item& item) const {
+    const double size = geometry::diagonal(item.raw.mesh), snap = spec_of(item).snap;
+    if (snap == 0.0 || geometry::is_convex(item.raw.mesh, kConvex * size)) return;
+    // A fourth corner lies up to four times as far off the plane of the other three as all four off the plane between them.
+    Mesh merged = geometry::with_merged_faces(item.raw.mesh, 4.0 * std::min(snap, 0.005 * size), kNearlyFlat);
+    if (!geometry::is_convex(merged, 2.0 * snap)) return;
+    for (std::size_t f = 0; f < merged.faces.size(); ++f) {
+      if (geometry::warp(merged, f) > snap) return;
+    }
+    item.nearly_flat = item.raw.mesh.faces.size() - merged.faces.size();
+    item.raw.mesh = std::move(merged);
+  }
+
+  void put_together() {
+    std::vector<geometry::RoughSolid> solids;
+    for (const Item& item : items_) solids.push_back({item.raw.mesh, spec_of(item).snap, spec_of(item).gap});
+    try {
+      flattened_ = geometry::flatten(solids, case_.base ? std::optional(case_.base->z) : std::nullopt);
+    } catch (const geometry::ModelError& e) {
+      refuse(items_.at(static_cast<std::size_t>(std::max(0, e.subject()))), e);
+    }
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      Mesh& mesh = solids[i].mesh;
+      if (flattened_[i].moved > 0.0) {
+        const std::size_t before = mesh.faces.size();
+        mesh = geometry::with_merged_faces(mesh, kConvex * geometry::diagonal(mesh), 1e-3);
+        items_[i].nearly_flat += before - mesh.faces.size();
+      }
+      items_[i].raw.mesh = std::move(mesh);
+    }
+  }
+
+  /// \return nothing if it is not convex
+  std::optional<Polyhedron> convex_shape(const Item& item) const {
+    Polyhedron shape = geometry::in_prism_order({item.raw.mesh.vertices, item.raw.mesh.faces});
+    try {
+      geometry::validate(shape);
+    } catch (const geometry::ModelError& e) {
+      if (std::string(e.what()).find("not convex") != std::string::npos) return std::nullopt;
+      throw;
+    }
+    return shape;
+  }
+
+  void finish(std::size_t i) {
+    Item& item = items_[i];
+    cases::Stone stone;
+    stone.name = item.raw.name;
+    stone.groups = std::move(item.raw.groups);
+    stone.fixed = item.raw.support;
+    try {
+      if (auto shape = convex_shape(item)) {
+        stone.pieces.push_back({*std::move(shape), {}});
+      } else {
+        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh)) {
+          stone.pieces.push_back({geometry::in_prism_order(piece), {}});
+          geometry::validate(stone.pieces.back().shape);
+        }
+      }
+    } catch (const geometry::ModelError& e) {
+      refuse(item, e);
+    }
+    for (cases::StonePiece& piece : stone.pieces) piece.beds = beds_of(piece.shape, flattened_[i].beds);
+    stone.change = change_of(item, flattened_[i], stone);
+    case_.stones[item.table].stones.push_back(std::move(stone));
+    item.raw.mesh = {};
+  }
+
+  static std::vector<std::int32_t> beds_of(const Polyhedron& shape, const std::vector<geometry::HalfSpace>& beds) {
+    std::vector<std::int32_t> out;
+    for (std::size_t f = 0; !beds.empty() && f < shape.faces.size(); ++f) {
+      const geometry::FacePlane plane = geometry::face_plane(shape, static_cast<int>(f));
+      const auto is_on = [&](const geometry::HalfSpace& h) {
+        return dot(h.normal, plane.normal) > 1.0 - 1e-9 && std::abs(dot(h.normal, plane.centroid) - h.offset) < 1e-7;
+      };
+      if (std::any_of(beds.begin(), beds.end(), is_on)) out.push_back(static_cast<std::int32_t>(f));
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string change_of(const Item& item, const geometry::Flattened& done, const cases::Stone& stone) const {
+    std::string text;
+    const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+    if (item.raw.merged > 0) add(counted(item.raw.merged, "face") + " merged into others in the same plane");
+    if (item.nearly_flat > 0) add(counted(item.nearly_flat, "face") + " merged into others nearly in the same plane");
+    if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
+    if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + millimetres(done.warped) + " made plane");
+    if (done.moved > 0.0) add("corners moved by up to " + millimetres(done.moved));
+    if (stone.pieces.size() > 1) {
+      const auto& materials = case_.materials;
+      const std::string& name = spec_of(item).material;
+      const auto material = name.empty() ? materials.begin() : materials.find(name);
+      const bool law = material != materials.end() && material->second.inside;
+      add("not convex, cut into " + std::to_string(stone.pieces.size()) + " pieces " +
+          (law ? "joined by the law \"" + *material->second.inside + "\"" : "that never part"));
+    }
+    return text;
+  }
+
+  cases::Case& case_;
+  std::vector<Item> items_;
+  std::vector<geometry::Flattened> flattened_;
+};
+
+}  // namespace
+
+void load_stones(cases::Case& c) { Import(c).load(); }
+
+}  // namespace voussoir::io

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/case.h"
+
+namespace voussoir::io {
+
+/// Decides Stone::fixed of all tables by StonesSpec::supports. Before, `fixed` says what the file marks.
+/// \throw cases::InputError for a name that no stone or group has
+void choose_supports(cases::Case& c);
+
+}  // namespace voussoir::io

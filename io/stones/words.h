@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace voussoir::io {
+
+/// Words of a text, parted by blanks and ends of lines.
+class Words {
+ public:
+  explicit Words(std::string_view text) : rest_(text) {}
+  /// The next word; empty after the last.
+  std::string_view next() {
+    const std::size_t first = rest_.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) {
+      rest_ = {};
+      return {};
+    }
+    rest_.remove_prefix(first);
+    const std::size_t length = std::min(rest_.find_first_of(kBlank), rest_.size());
+    const std::string_view word = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return word;
+  }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  static constexpr std::string_view kBlank = " \t\r\n\v\f";
+  std::string_view rest_;
+};
+
+inline std::string quoted_word(std::string_view name) { return '"' + std::string(name) + '"'; }
+
+}  // namespace voussoir::io
