@@ -9,7 +9,7 @@
 #include <span>
 
 #include "cases/names.h"
-#include "cases/stone_blocks.h"
+#include "cases/solids/stone_blocks.h"
 #include "geometry/prism.h"
 
 namespace voussoir::cases {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cases/analysis.h"
-#include "cases/stones.h"
+#include "cases/solids/stones.h"
 #include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
 

@@ -12,7 +12,7 @@
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"
-#include "cases/stone_blocks.h"
+#include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
 
 namespace voussoir::cases {

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <map>
 
 #include "io/case_file/case_file.h"
 #include "io/commands/assess/assess_command.h"
@@ -17,7 +16,7 @@
 #include "io/commands/bench_command.h"
 #include "io/commands/compare_command.h"
 #include "io/commands/modes_command.h"
-#include "io/commands/motion_command.h"
+#include "io/commands/motion_options.h"
 #include "io/commands/report_command.h"
 #include "io/commands/resume_command.h"
 #include "io/commands/run_command.h"
@@ -242,47 +241,6 @@ void add_modes(CLI::App& app, Words& w) {
   modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
 }
 
-/// The keys of [motion] of the same names.
-void add_treatment(CLI::App* command, cases::MotionTreatment& t) {
-  command->add_option("--from", t.from, "s: begin there, and call it time zero")->check(CLI::NonNegativeNumber);
-  command->add_option("--to", t.to, "s, of the record: end there")->check(CLI::PositiveNumber);
-  const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
-                                                         {"mean", cases::Baseline::mean},
-                                                         {"linear", cases::Baseline::linear},
-                                                         {"parabolic", cases::Baseline::parabolic}};
-  command->add_option("--baseline", t.baseline, "take off what is left of the baseline: none, mean, linear or parabolic")
-      ->transform(CLI::CheckedTransformer(baselines));
-  command
-      ->add_option_function<double>(
-          "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
-      ->check(CLI::NonNegativeNumber);
-}
-
-void add_motion(CLI::App& app, Words& w) {
-  CLI::App* motion = app.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
-  motion
-      ->add_option("FILE", w.files,
-                   "files of any format that is read (FILE#COMPONENT: one of several), folders with a record.toml, bam-like, or "
-                   "bam-like#N: realisation N of its family")
-      ->required();
-  motion->add_option("--spectra", w.motion_options.spectra, "write response spectra to this CSV file");
-  motion->add_option("--damping", w.motion_options.damping, "damping ratios of the spectra (default 0.02)");
-  motion->add_option("--until", w.motion_options.until, "use the first seconds only");
-  motion->add_option("--unit", w.motion_options.unit, "g, m/s2 or cm/s2, where a format does not say");
-  motion->add_option("--dt", w.motion_options.dt, "s between samples, where a format does not say (one column)");
-  add_treatment(motion, w.motion_options.treatment);
-  motion->add_flag("--combine", w.motion_options.combine,
-                   "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
-  motion->add_option("--target", w.motion_options.target,
-                     "compare with a spectrum, and print the factor that fits: a file of period [s] and acceleration, or Eurocode 8 as "
-                     "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");
-  motion->add_option("--fit", w.motion_options.fit, "two periods between which it is compared, s (default 0.05 1)")
-      ->allow_extra_args(false);
-  motion->add_option("--write", w.motion_options.write, "write the record as CSV files into this folder");
-  motion->add_flag("--overwrite", w.motion_options.overwrite, "replace existing files");
-  motion->footer("example: voussoir motion bam-like --spectra spectra.csv");
-}
-
 void add_manual(CLI::App& app, Words& w) {
   CLI::App* completion = app.add_subcommand("completion", "print a script that lets the Tab key complete the words of this program");
   completion->add_option("SHELL", w.shell, "bash, zsh or fish")->required()->check(CLI::IsMember(io::kShells));
@@ -377,7 +335,7 @@ int main(int argc, char** argv) {
   CLI::App* limit = app.add_subcommand("limit", io::kLimit);
   add_case(limit, w);
   io::add_limit_options(*limit, w.limit);
-  add_motion(app, w);
+  io::add_motion_options(*app.add_subcommand("motion", io::kMotion), w.files, w.motion_options);
   add_bench(app, w);
   app.add_subcommand("cases", "the catalogue, one line a case");
   app.add_subcommand("keys", "all keys of the case file")->add_flag("--markdown", w.markdown, "as tables, for a page");

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "io/replay/joint_cracks.h"
-#include "io/report/svg.h"
+#include "io/drawing/svg.h"
 
 namespace voussoir::io {
 namespace {

@@ -15,7 +15,7 @@
 #include "io/commands/run_command.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
-#include "io/report/drawing.h"
+#include "io/drawing/drawing.h"
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
 #include "io/session/tie_lines.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/stones.h"
+#include "cases/solids/stones.h"
 
 /// The stones of files within a checkpoint: the files may be gone when the run goes on.
 namespace voussoir::io {

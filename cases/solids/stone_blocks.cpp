@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/stone_blocks.h"
+#include "cases/solids/stone_blocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/report/drawing.h"
+#include "io/drawing/drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <map>
 #include <vector>
 
-#include "io/report/dimensions.h"
-#include "io/report/svg.h"
+#include "io/drawing/dimensions.h"
+#include "io/drawing/svg.h"
 
 namespace voussoir::io {
 namespace {

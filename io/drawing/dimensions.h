@@ -8,7 +8,7 @@
 
 #include "cases/case.h"
 #include "geometry/polyhedron.h"
-#include "io/report/svg.h"
+#include "io/drawing/svg.h"
 
 /// What a drawing says about lengths and directions. Points of the sheet in user units, y downwards.
 namespace voussoir::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/report/dimensions.h"
+#include "io/drawing/dimensions.h"
 
 #include <algorithm>
 #include <array>
