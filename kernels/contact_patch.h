@@ -23,7 +23,7 @@ namespace voussoir::kernels {
 inline constexpr double kSlight = 1e-3;    // m, deeper than this under a face no point is that just came through it or slid along it
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
-inline constexpr int kMostFaces = 254;     // of one element
+inline constexpr int kMostFaces = 128;     // of one element
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 inline constexpr std::int32_t kSeveralFaces = -2;
