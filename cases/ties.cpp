@@ -66,9 +66,9 @@ std::int32_t element_at(const Model& model, Vec3 point) {
 }
 
 std::vector<TieHold> hold_at_point(const Case& c, const Model& model, const End& end) {
+  if (on_base(c, end.point)) return {{geometry::kBase, 1.0, end.point}};
   const std::int32_t found = element_at(model, end.point);
   if (found >= 0) return {{found, 1.0, end.point}};
-  if (on_base(c, end.point)) return {{geometry::kBase, 1.0, end.point}};
   refuse_point(c, model, end);
 }
 
@@ -95,26 +95,33 @@ std::vector<TieHold> covered(const Model& model, const End& end, const std::arra
   return holds;
 }
 
-/// Of the planes through the point in which a plate covers faces, that which looks away from the other end most.
+double area_of(const std::vector<TieHold>& holds) {
+  double area = 0.0;
+  for (const TieHold& h : holds) area += h.share;
+  return area;
+}
+
+/// In the plane through the point, of those that look away from the other end (within 60 degrees), in which a plate covers most. (A point on
+/// the edge of a brick lies in the plane of its joint, too.)
 std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std::array<double, 2>& plate) {
   const geometry::Assembly& a = model.assembly;
-  double most = 0.5;  // within 60 degrees
   std::vector<TieHold> holds;
+  double area = 0.0;
+  std::vector<Vec3> seen;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
     for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
       const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
-      const double away = -dot(face.normal, end.inwards);
-      if (away < most + 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      if (-dot(face.normal, end.inwards) < 0.5 - 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      if (std::ranges::any_of(seen, [&](Vec3 n) { return dot(n, face.normal) > 1.0 - 1e-6; })) continue;
+      seen.push_back(face.normal);
       std::vector<TieHold> found = covered(model, end, plate, face.normal);
-      if (!found.empty()) most = away, holds = std::move(found);
+      if (area_of(found) > area * (1.0 + 1e-9)) area = area_of(found), holds = std::move(found);
     }
   }
   if (holds.empty())
     throw InputError(end.key,
                      point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
-  double area = 0.0;
-  for (const TieHold& h : holds) area += h.share;
   for (TieHold& h : holds) h.share /= area;
   if (area < kCovered * plate[0] * plate[1])
     throw InputError(end.key, "only " + text(std::round(100.0 * area / (plate[0] * plate[1]))) + " % of the plate at " +

@@ -36,14 +36,13 @@ void check_bar(const Tie& s, const RuleCheck& check) {
 void check_house_tie(const HouseTie& s, const RuleCheck& check) {
   check_bar(s.bar, check);
   if (s.heights.empty()) check.fault("heights", "has no height");
-  const auto belongs = [&](const char* key, HouseTieKind kind, const char* word) {
-    if (s.kind != kind && check.given(key)) check.fault(key, std::string("belongs to kind = \"") + word + "\"");
-    if (s.kind == kind && !check.given(key)) check.fault("", std::string("needs ") + key + " (kind = \"" + word + "\")");
+  const auto only_with = [&](const char* key, bool given, HouseTieKind kind, const char* word) {
+    if (s.kind != kind && given) check.fault(key, std::string("does not go with this kind, but with kind = \"") + word + "\"");
+    if (s.kind == kind && !given) check.fault("", std::string("needs ") + key + " (kind = \"" + word + "\")");
   };
-  belongs("at", HouseTieKind::across, "across");
-  belongs("reach", HouseTieKind::corner, "corner");
-  if (s.kind != HouseTieKind::along && s.depth) check.fault("depth", "belongs to kind = \"along\"");
-  if (s.kind == HouseTieKind::across && check.given("at") && s.at.empty()) check.fault("at", "has no place");
+  only_with("at", !s.at.empty(), HouseTieKind::across, "across");
+  only_with("reach", s.reach > 0.0, HouseTieKind::corner, "corner");
+  if (s.kind != HouseTieKind::along && s.depth) check.fault("depth", "does not go with this kind, but with kind = \"along\"");
 }
 
 Table<MeshConnectors> connectors_table() {
@@ -87,7 +86,7 @@ Table<HouseTie> house_tie_table() {
        required(value<S>("heights", &S::heights, "m", at_least(0.0), "above the foot of the walls, a rod at each")),
        value<S>("at", &S::at, "m", at_least(0.0), "across: where along the wall, x or y from the outer corner of the house, a rod at each"),
        value<S>("depth", &S::depth, "m", at_least(0.0), "along: from the outer face of the wall; none: half its thickness"),
-       value<S>("reach", &S::reach, "m", above(0.0), "corner: from the outer corner to either end, along the walls")},
+       value<S>("reach", &S::reach, "m", at_least(0.0), "corner: from the outer corner to either end, along the walls")},
       check_house_tie};
   add_bar_keys(table.keys, [](auto& s) -> auto& { return s.bar; });
   return table;

@@ -61,9 +61,7 @@ TEST_CASE("ties: a point holds the element that it lies in or on, or the base") 
   CHECK(t.ends[1][0].share == 1.0);
   CHECK(t.length == doctest::Approx(0.6).epsilon(1e-15));
   CHECK(t.stiffness == doctest::Approx(2e11 * 1e-4 / 0.6).epsilon(1e-15));
-  c.ties[0].from = {0.3, 0.05, 0.0};  // where a brick stands on the base: the brick
-  CHECK(bar(c).ends[0][0].element == 1);
-  c.ties[0].from = {0.3, 0.5, 0.0};  // beside the wall
+  c.ties[0].from = {0.3, 0.05, 0.0};  // on the base, under a brick
   CHECK(bar(c).ends[0][0].element == geometry::kBase);
   c.ties[0].from = {0.2, 0.05, 0.1};  // four bricks meet: the first of them
   CHECK(bar(c).ends[0][0].element == 0);
@@ -90,6 +88,16 @@ TEST_CASE("ties: a plate presses on the faces that it covers, by their area, at 
     CHECK(sum == doctest::Approx(1.0).epsilon(1e-15));
   }
   CHECK(t.length == doctest::Approx(0.1).epsilon(1e-12));
+}
+
+TEST_CASE("ties: a plate on the edge between two bricks presses on the wall's face, not into the joint") {
+  Case c = tied_wall();
+  Tie& tie = c.ties[0];
+  tie.from = {0.4, 0.0, 0.15}, tie.to = {0.6, 0.1, 0.15}, tie.plate = {{0.2, 0.1}};
+  check_refused([](Case& other) { other.ties[0].from = {0.4, 0.0, 0.15}, other.ties[0].to = {0.6, 0.05, 0.15}, other.ties[0].plate = {{0.2, 0.1}}; },
+                "tie[0].from", "only ");  // the front looks away by 76 degrees
+  tie.to = {0.55, 0.1, 0.15}, tie.from = {0.4, 0.0, 0.15};
+  for (const TieHold& h : bar(c).ends[0]) CHECK(h.point.y == doctest::Approx(0.0).scale(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("ties: a plate that hangs over an edge presses on what is there; a rod from the base needs none there") {
