@@ -229,22 +229,22 @@ struct HouseTie {
 };
 /// Bars through the wall from node to node of a mesh.
 struct MeshConnectors {
-  int every = 2;                             // nodes, along and up
-  double area = 0.0, young = 2.1e11;         // m2, Pa
+  int every = 2;                            // nodes, along and up
+  double area = 0.0, young = 2.1e11;        // m2, Pa
   std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
 };
 /// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
 enum class MeshFaces { both, outside, inside };
 struct HouseMesh {
   std::string name;
-  std::vector<std::string> walls;              // empty: all that are built
-  double from = 0.0;                           // m, above the foot of the walls
-  std::optional<double> to;                    // m; none: the top of the walls
-  std::array<double, 2> spacing{0.2, 0.2};     // m, of the nodes along and up
+  std::vector<std::string> walls;           // empty: all that are built
+  double from = 0.0;                        // m, above the foot of the walls
+  std::optional<double> to;                 // m; none: the top of the walls
+  std::array<double, 2> spacing{0.2, 0.2};  // m, of the nodes along and up
   MeshFaces faces = MeshFaces::both;
-  double stiffness = 0.0;                      // N per m of width, force over strain
-  std::optional<double> strength;              // N per m of width, at which it yields; none: elastic
-  std::optional<double> elongation;            // strain at which it breaks; none: never
+  double stiffness = 0.0;            // N per m of width, force over strain
+  std::optional<double> strength;    // N per m of width, at which it yields; none: elastic
+  std::optional<double> elongation;  // strain at which it breaks; none: never
   std::optional<MeshConnectors> connectors;
 };
 

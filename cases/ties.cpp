@@ -101,8 +101,8 @@ double area_of(const std::vector<TieHold>& holds) {
   return area;
 }
 
-/// In the plane through the point, of those that look away from the other end (within 60 degrees), in which a plate covers most. (A point on
-/// the edge of a brick lies in the plane of its joint, too.)
+/// In the plane through the point, of those that look away from the other end (within 60 degrees), in which a plate covers most. (A point
+/// on the edge of a brick lies in the plane of its joint, too.)
 std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std::array<double, 2>& plate) {
   const geometry::Assembly& a = model.assembly;
   std::vector<TieHold> holds;
@@ -174,8 +174,7 @@ std::int64_t anchors(const TieBar& bar) {
 void add_ties(const Case& c, Model& model) {
   for (std::size_t i = 0; i < c.ties.size(); ++i) {
     const Tie& tie = c.ties[i];
-    model.ties.push_back(
-        place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
+    model.ties.push_back(place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
     model.tie_bill.push_back({tie.name, 1, anchors(model.ties.back()), norm(tie.to - tie.from), 0.0});
   }
 }
@@ -194,7 +193,8 @@ void add_house_ties(const Case& c, double foot, Model& model) {
 }
 
 /// A bar from node to node, if they stand on two elements.
-void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar, Model& model) {
+void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar,
+             Model& model) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto node = static_cast<std::size_t>(nodes[k]);
     if (element[node] < 0) return;

@@ -29,8 +29,8 @@ struct Options {
   bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
   std::size_t out_of_cache_from =
-      25'000;       // elements from which a model is out of cache, see World::out_of_cache; a number of its own, or bits would depend on caches
-  int threads = 0;  // 0: OpenMP's default
+      25'000;  // elements from which a model is out of cache, see World::out_of_cache; a number of its own, or bits would depend on caches
+  int threads = 0;             // 0: OpenMP's default
   std::optional<double> step;  // s; overrides the case
 };
 

@@ -140,11 +140,13 @@ TEST_CASE("faults: ties of houses") {
   CHECK(refusal(kAcross) == "test.toml:1: house.tie[0] needs at (kind = \"across\")");
   CHECK(refusal(kAcross + "at = []") == "test.toml:1: house.tie[0] needs at (kind = \"across\")");
   CHECK(refusal(kAcross + "at = [1.0, -1.0]") == "test.toml:6: house.tie[0].at[1] = -1 m: must be >= 0");
-  CHECK(refusal(kAcross + "at = [1.0]\nreach = 1.0") == "test.toml:7: house.tie[0].reach = 1 m does not go with this kind, but with kind = \"corner\"");
+  CHECK(refusal(kAcross + "at = [1.0]\nreach = 1.0") ==
+        "test.toml:7: house.tie[0].reach = 1 m does not go with this kind, but with kind = \"corner\"");
   CHECK(refusal(corner) == "test.toml:1: house.tie[0] needs reach (kind = \"corner\")");
   CHECK(refusal(corner + "reach = 0.0") == "test.toml:1: house.tie[0] needs reach (kind = \"corner\")");
   CHECK(refusal(corner + "reach = -1.0") == "test.toml:6: house.tie[0].reach = -1 m: must be >= 0");
-  CHECK(refusal(corner + "reach = 1.0\ndepth = 0.1") == "test.toml:7: house.tie[0].depth = 0.1 m does not go with this kind, but with kind = \"along\"");
+  CHECK(refusal(corner + "reach = 1.0\ndepth = 0.1") ==
+        "test.toml:7: house.tie[0].depth = 0.1 m does not go with this kind, but with kind = \"along\"");
   CHECK(refusal(along + "at = [1.0]") == "test.toml:6: house.tie[0].at = [1] m does not go with this kind, but with kind = \"across\"");
   CHECK(refusal(along + "depth = -0.1") == "test.toml:6: house.tie[0].depth = -0.1 m: must be >= 0");
   CHECK(refusal("[[house.tie]]\nkind = \"along\"\nname = \"t\"\nheights = []\narea = 1e-4") ==
