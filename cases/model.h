@@ -105,7 +105,7 @@ struct Model {
   std::vector<double> contact_friction;         // degrees, see cases/contact_rules.h
   std::vector<TieBar> ties;                     // those by themselves before those of meshes
   std::vector<TieBill> tie_bill;
-  std::vector<double> joint_strength;           // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
+  std::vector<double> joint_strength;  // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)
 };
 
 /// Builds blocks (house first, numbered along its plan, then free blocks, then stones), assembles them and picks the law of every joint.

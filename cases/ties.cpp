@@ -66,9 +66,9 @@ std::int32_t element_at(const Model& model, Vec3 point) {
 }
 
 std::vector<TieHold> hold_at_point(const Case& c, const Model& model, const End& end) {
+  if (on_base(c, end.point)) return {{geometry::kBase, 1.0, end.point}};
   const std::int32_t found = element_at(model, end.point);
   if (found >= 0) return {{found, 1.0, end.point}};
-  if (on_base(c, end.point)) return {{geometry::kBase, 1.0, end.point}};
   refuse_point(c, model, end);
 }
 
@@ -95,26 +95,33 @@ std::vector<TieHold> covered(const Model& model, const End& end, const std::arra
   return holds;
 }
 
-/// Of the planes through the point in which a plate covers faces, that which looks away from the other end most.
+double area_of(const std::vector<TieHold>& holds) {
+  double area = 0.0;
+  for (const TieHold& h : holds) area += h.share;
+  return area;
+}
+
+/// In the plane through the point, of those that look away from the other end (within 60 degrees), in which a plate covers most. (A point
+/// on the edge of a brick lies in the plane of its joint, too.)
 std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std::array<double, 2>& plate) {
   const geometry::Assembly& a = model.assembly;
-  double most = 0.5;  // within 60 degrees
   std::vector<TieHold> holds;
+  double area = 0.0;
+  std::vector<Vec3> seen;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
     for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
       const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
-      const double away = -dot(face.normal, end.inwards);
-      if (away < most + 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      if (-dot(face.normal, end.inwards) < 0.5 - 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
+      if (std::ranges::any_of(seen, [&](Vec3 n) { return dot(n, face.normal) > 1.0 - 1e-6; })) continue;
+      seen.push_back(face.normal);
       std::vector<TieHold> found = covered(model, end, plate, face.normal);
-      if (!found.empty()) most = away, holds = std::move(found);
+      if (area_of(found) > area * (1.0 + 1e-9)) area = area_of(found), holds = std::move(found);
     }
   }
   if (holds.empty())
     throw InputError(end.key,
                      point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
-  double area = 0.0;
-  for (const TieHold& h : holds) area += h.share;
   for (TieHold& h : holds) h.share /= area;
   if (area < kCovered * plate[0] * plate[1])
     throw InputError(end.key, "only " + text(std::round(100.0 * area / (plate[0] * plate[1]))) + " % of the plate at " +
@@ -167,8 +174,7 @@ std::int64_t anchors(const TieBar& bar) {
 void add_ties(const Case& c, Model& model) {
   for (std::size_t i = 0; i < c.ties.size(); ++i) {
     const Tie& tie = c.ties[i];
-    model.ties.push_back(
-        place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
+    model.ties.push_back(place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
     model.tie_bill.push_back({tie.name, 1, anchors(model.ties.back()), norm(tie.to - tie.from), 0.0});
   }
 }
@@ -187,7 +193,8 @@ void add_house_ties(const Case& c, double foot, Model& model) {
 }
 
 /// A bar from node to node, if they stand on two elements.
-void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar, Model& model) {
+void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar,
+             Model& model) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto node = static_cast<std::size_t>(nodes[k]);
     if (element[node] < 0) return;

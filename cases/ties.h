@@ -11,12 +11,12 @@ namespace voussoir::cases {
 
 /// Sets model.ties, those of `c.ties`, of the house, and of its meshes, in this order, and model.tie_bill.
 ///
-/// Without a plate an end holds the element that has the point in it or on it (within 1 mm; the one it lies deepest in, the lowest number
-/// of equals), or the base. With plates each end must lie in the plane of a face that looks away from the other end (within 60 degrees), or
-/// on the base with the other end above. The plate presses on all faces in that plane that it covers, each by its share of the area
-/// covered, at the centroid of that share; at least half of it must lie on faces. Its width is horizontal (along x if the plate is level),
-/// its height across. A node of a mesh holds the element whose face it stands on; straps between nodes of one element hold nothing and are
-/// left out, as are those to nodes in openings.
+/// Without a plate an end holds the base if it lies on it (within 1 mm), else the element that has the point in it or on it (within 1 mm;
+/// the one it lies deepest in, the lowest number of equals). With plates each end must lie in the plane of a face that looks away from the
+/// other end (within 60 degrees), or on the base with the other end above. The plate presses on all faces in that plane that it covers,
+/// each by its share of the area covered, at the centroid of that share; at least half of it must lie on faces. Its width is horizontal
+/// (along x if the plate is level), its height across. A node of a mesh holds the element whose face it stands on; straps between nodes of
+/// one element hold nothing and are left out, as are those to nodes in openings.
 ///
 /// \pre the model is assembled \throw InputError with the key at fault
 void place_ties(const Case& c, Model& model);

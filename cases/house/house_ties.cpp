@@ -56,8 +56,8 @@ class Rods {
         throw InputError(key_, "runs across from the " + std::string(name(side)) + " wall, but the " + name(other) + " wall is not built");
       for (std::size_t i = 0; i < tie_.at.size(); ++i) {
         if (tie_.at[i] > length(side))
-          throw InputError(key_ + ".at[" + std::to_string(i) + "]", text(tie_.at[i]) + " m is beyond the end of the " + name(side) +
-                                                                        " wall (" + text(length(side)) + " m)");
+          throw InputError(key_ + ".at[" + std::to_string(i) + "]",
+                           text(tie_.at[i]) + " m is beyond the end of the " + name(side) + " wall (" + text(length(side)) + " m)");
         rods_.push_back({point(side, tie_.at[i], 0.0, height), point(other, tie_.at[i], 0.0, height)});
       }
     }
@@ -69,10 +69,11 @@ class Rods {
         if (!has(a) || !has(b)) continue;
         for (const Side side : {a, b}) {
           if (tie_.reach > length(side))
-            throw InputError(key_ + ".reach", text(tie_.reach) + " m is beyond the end of the " + name(side) + " wall (" +
-                                                  text(length(side)) + " m)");
+            throw InputError(key_ + ".reach",
+                             text(tie_.reach) + " m is beyond the end of the " + name(side) + " wall (" + text(length(side)) + " m)");
         }
-        const double on_a = b == Side::left ? tie_.reach : length(a) - tie_.reach, on_b = a == Side::front ? tie_.reach : length(b) - tie_.reach;
+        const double on_a = b == Side::left ? tie_.reach : length(a) - tie_.reach,
+                     on_b = a == Side::front ? tie_.reach : length(b) - tie_.reach;
         rods_.push_back({point(a, on_a, 0.0, height), point(b, on_b, 0.0, height)});
       }
     }

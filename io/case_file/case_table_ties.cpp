@@ -10,7 +10,9 @@ using namespace cases;
 /// Appends the keys of a bar's section, which `bar` finds in S.
 template <class S, class Bar>
 void add_bar_keys(std::vector<Key<S>>& keys, Bar bar) {
-  const auto member = [bar](auto Tie::*m) { return [bar, m](auto& s) -> auto& { return bar(s).*m; }; };
+  const auto member = [bar](auto Tie::*m) {
+    return [ bar, m ](auto& s) -> auto& { return bar(s).*m; };
+  };
   keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0), "of its section")));
   keys.push_back(value<S>("young", member(&Tie::young), "Pa", above(0.0), "modulus; the default is that of steel"));
   keys.push_back(value<S>("yield", member(&Tie::yield), "Pa", above(0.0), "stress at which it yields; none: elastic"));
@@ -18,8 +20,8 @@ void add_bar_keys(std::vector<Key<S>>& keys, Bar bar) {
   keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0), "strain at which it breaks; none: never"));
   keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0),
                           "force that it would have if its ends did not move; put on with gravity, or at once without settling"));
-  keys.push_back(value<S>("compression", member(&Tie::compression), "", any(),
-                          "bears compression, too, without buckling; else it goes slack"));
+  keys.push_back(
+      value<S>("compression", member(&Tie::compression), "", any(), "bears compression, too, without buckling; else it goes slack"));
   keys.push_back(value<S>("plate", member(&Tie::plate), "m", above(0.0),
                           "width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one "
                           "element"));
@@ -36,14 +38,13 @@ void check_bar(const Tie& s, const RuleCheck& check) {
 void check_house_tie(const HouseTie& s, const RuleCheck& check) {
   check_bar(s.bar, check);
   if (s.heights.empty()) check.fault("heights", "has no height");
-  const auto belongs = [&](const char* key, HouseTieKind kind, const char* word) {
-    if (s.kind != kind && check.given(key)) check.fault(key, std::string("belongs to kind = \"") + word + "\"");
-    if (s.kind == kind && !check.given(key)) check.fault("", std::string("needs ") + key + " (kind = \"" + word + "\")");
+  const auto only_with = [&](const char* key, bool given, HouseTieKind kind, const char* word) {
+    if (s.kind != kind && given) check.fault(key, std::string("does not go with this kind, but with kind = \"") + word + "\"");
+    if (s.kind == kind && !given) check.fault("", std::string("needs ") + key + " (kind = \"" + word + "\")");
   };
-  belongs("at", HouseTieKind::across, "across");
-  belongs("reach", HouseTieKind::corner, "corner");
-  if (s.kind != HouseTieKind::along && s.depth) check.fault("depth", "belongs to kind = \"along\"");
-  if (s.kind == HouseTieKind::across && check.given("at") && s.at.empty()) check.fault("at", "has no place");
+  only_with("at", !s.at.empty(), HouseTieKind::across, "across");
+  only_with("reach", s.reach > 0.0, HouseTieKind::corner, "corner");
+  if (s.kind != HouseTieKind::along && s.depth) check.fault("depth", "does not go with this kind, but with kind = \"along\"");
 }
 
 Table<MeshConnectors> connectors_table() {
@@ -69,7 +70,8 @@ Table<Tie> tie_table() {
        required(value<S>("from", &S::from, "m", any(), "a point in or on an element, or on the base; with a plate, on an outer face")),
        required(value<S>("to", &S::to, "m", any(), "its other end, likewise"))},
       check_bar};
-  add_bar_keys(table.keys, [](auto& s) -> auto& { return s; });
+  add_bar_keys(
+      table.keys, [](auto& s) -> auto& { return s; });
   return table;
 }
 
@@ -80,16 +82,17 @@ Table<HouseTie> house_tie_table() {
       "rods of the house by wall and height: through walls from end to end, across the house, or across its corners",
       {required(value<S>("name", name, "", filled(), "begins the names of its ties")),
        required(choice<S, HouseTieKind S::*, HouseTieKind>(
-           "kind", &S::kind, "",
-           {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}, {"corner", HouseTieKind::corner}},
-           "along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the next")),
+           "kind", &S::kind, "", {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}, {"corner", HouseTieKind::corner}},
+           "along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the "
+           "next")),
        value<S>("walls", &S::walls, "", filled(), kWalls),
        required(value<S>("heights", &S::heights, "m", at_least(0.0), "above the foot of the walls, a rod at each")),
        value<S>("at", &S::at, "m", at_least(0.0), "across: where along the wall, x or y from the outer corner of the house, a rod at each"),
        value<S>("depth", &S::depth, "m", at_least(0.0), "along: from the outer face of the wall; none: half its thickness"),
-       value<S>("reach", &S::reach, "m", above(0.0), "corner: from the outer corner to either end, along the walls")},
+       value<S>("reach", &S::reach, "m", at_least(0.0), "corner: from the outer corner to either end, along the walls")},
       check_house_tie};
-  add_bar_keys(table.keys, [](auto& s) -> auto& { return s.bar; });
+  add_bar_keys(
+      table.keys, [](auto& s) -> auto& { return s.bar; });
   return table;
 }
 
@@ -101,9 +104,9 @@ Table<HouseMesh> house_mesh_table() {
            value<S>("from", &S::from, "m", at_least(0.0), "lower edge, above the foot of the walls"),
            value<S>("to", &S::to, "m", above(0.0), "upper edge; none: the top of the walls"),
            value<S>("spacing", &S::spacing, "m", above(0.0), "of the nodes, along and up; every brick should have one"),
-           choice<S, MeshFaces S::*, MeshFaces>(
-               "faces", &S::faces, "", {{"both", MeshFaces::both}, {"outside", MeshFaces::outside}, {"inside", MeshFaces::inside}},
-               "of the walls that it covers"),
+           choice<S, MeshFaces S::*, MeshFaces>("faces", &S::faces, "",
+                                                {{"both", MeshFaces::both}, {"outside", MeshFaces::outside}, {"inside", MeshFaces::inside}},
+                                                "of the walls that it covers"),
            required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide")),
            value<S>("strength", &S::strength, "N/m", above(0.0), "force at which a strip one metre wide yields; none: elastic"),
            value<S>("elongation", &S::elongation, "", above(0.0), "strain at which it breaks; none: never"),

@@ -131,7 +131,8 @@ void add_ties(const Hdf5File& file, Json& plots) {
   std::ranges::sort(order);
   Json curves = Json::array();
   for (const std::size_t k : order) curves.push_back(curve(names[k], thinned(force, k, names.size(), 1e-3)));
-  plots.push_back(plot(order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)));
+  plots.push_back(
+      plot(order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)));
 }
 
 /// \param prefix  of the datasets' names in /damage
@@ -153,8 +154,13 @@ void add_tables(const Hdf5File& file, Json& plots) {
   if (given.size() != time.size() || gravity.size() != time.size()) throw FileError(file.path(), "/energy does not fit together");
   for (std::size_t i = 0; i < given.size(); ++i) given[i] -= gravity[i];
   const std::vector<std::pair<const char*, const char*>> kinds{
-      {"kinetic", "kinetic"},   {"strain", file.exists("/ties/force") ? "strain of joints and ties" : "strain of joints"}, {"contact", "strain of contacts"}, {"dashpot", "lost in impact"},
-      {"friction", "friction"}, {"fracture", "fracture"},       {"damping", "mass damping"}};
+      {"kinetic", "kinetic"},
+      {"strain", file.exists("/ties/force") ? "strain of joints and ties" : "strain of joints"},
+      {"contact", "strain of contacts"},
+      {"dashpot", "lost in impact"},
+      {"friction", "friction"},
+      {"fracture", "fracture"},
+      {"damping", "mass damping"}};
   for (const auto& [column, name] : kinds)
     energy.push_back(curve(name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)));
   energy.push_back(curve("from ground and gravity", thinned(given, 0, 1, 1e-3)));

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/ties.h"
 #include "io/results/results.h"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cases/ties.h"
 #include "io/files/errors.h"
 #include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"

@@ -148,8 +148,14 @@ RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t e
                      std::uint64_t ties) {
   check_names("history", history_names);
   check_names("cut", cut_names);
-  return {history_columns(history_names, ties), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
-          frames_columns(elements),       cuts_columns(cut_names), assessment_columns()};
+  return {history_columns(history_names, ties),
+          energy_columns(),
+          forces_columns(),
+          damage_columns(),
+          cracks_columns(),
+          frames_columns(elements),
+          cuts_columns(cut_names),
+          assessment_columns()};
 }
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}

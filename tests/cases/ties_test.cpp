@@ -61,9 +61,7 @@ TEST_CASE("ties: a point holds the element that it lies in or on, or the base") 
   CHECK(t.ends[1][0].share == 1.0);
   CHECK(t.length == doctest::Approx(0.6).epsilon(1e-15));
   CHECK(t.stiffness == doctest::Approx(2e11 * 1e-4 / 0.6).epsilon(1e-15));
-  c.ties[0].from = {0.3, 0.05, 0.0};  // where a brick stands on the base: the brick
-  CHECK(bar(c).ends[0][0].element == 1);
-  c.ties[0].from = {0.3, 0.5, 0.0};  // beside the wall
+  c.ties[0].from = {0.3, 0.05, 0.0};  // on the base, under a brick
   CHECK(bar(c).ends[0][0].element == geometry::kBase);
   c.ties[0].from = {0.2, 0.05, 0.1};  // four bricks meet: the first of them
   CHECK(bar(c).ends[0][0].element == 0);
@@ -92,12 +90,23 @@ TEST_CASE("ties: a plate presses on the faces that it covers, by their area, at 
   CHECK(t.length == doctest::Approx(0.1).epsilon(1e-12));
 }
 
+TEST_CASE("ties: a plate on the edge between two bricks presses on the wall's face, not into the joint") {
+  Case c = tied_wall();
+  Tie& tie = c.ties[0];
+  tie.plate = {{0.2, 0.1}};
+  tie.to = {0.55, 0.1, 0.15}, tie.from = {0.4, 0.0, 0.15};
+  for (const TieHold& h : bar(c).ends[0]) CHECK(h.point.y == doctest::Approx(0.0).scale(1.0).epsilon(1e-12));
+}
+
 TEST_CASE("ties: a plate that hangs over an edge presses on what is there; a rod from the base needs none there") {
   Case c = tied_wall();
   Tie& tie = c.ties[0];
   tie.from = {0.25, 0.05, 0.2}, tie.to = {0.25, 0.5, 0.0}, tie.plate = {{0.2, 0.15}};
-  check_refused([](Case& c) { c.ties[0].from = {0.25, 0.05, 0.2}, c.ties[0].to = {0.25, 0.5, 0.0}, c.ties[0].plate = {{0.2, 0.15}}; },
-                "tie[0].from", "lies on no face that looks away");
+  check_refused(
+      [](Case& c) {
+        c.ties[0].from = {0.25, 0.05, 0.2}, c.ties[0].to = {0.25, 0.5, 0.0}, c.ties[0].plate = {{0.2, 0.15}};
+      },
+      "tie[0].from", "lies on no face that looks away");
   tie.to = {0.25, 0.15, 0.0};
   const TieBar t = bar(c);
   CHECK(t.ends[1].size() == 1);
@@ -118,15 +127,25 @@ TEST_CASE("ties: law of the whole bar") {
 }
 
 TEST_CASE("ties: what is refused") {
-  check_refused([](Case& c) { c.ties[0].from = {0.3, 0.05, 0.25}; }, "tie[0].from",
-                "[0.3, 0.05, 0.25] m lies in no element, nor on the base (z = 0 m); the nearest, ");
+  check_refused(
+      [](Case& c) {
+        c.ties[0].from = {0.3, 0.05, 0.25};
+      },
+      "tie[0].from", "[0.3, 0.05, 0.25] m lies in no element, nor on the base (z = 0 m); the nearest, ");
   check_refused([](Case& c) { c.ties[0].from = {0.3, 0.05, 0.25}; }, "tie[0].from", "is 0.05 m away");
-  check_refused([](Case& c) { c.ties[0].to = c.ties[0].from + Vec3{0.005, 0, 0}; }, "tie[0].to",
-                "is 0.005 m from tie.from; a tie has a length of 0.01 m or more");
+  check_refused(
+      [](Case& c) {
+        c.ties[0].to = c.ties[0].from + Vec3{0.005, 0, 0};
+      },
+      "tie[0].to", "is 0.005 m from tie.from; a tie has a length of 0.01 m or more");
   check_refused([](Case& c) { c.ties[0].to = c.ties[0].from + Vec3{0.05, 0, 0}; }, "tie[0]", "holds one element alone");
   check_refused([](Case& c) { c.ties.push_back(c.ties[0]); }, "tie[1].name", "\"rod\" is the name of another tie, too");
   check_refused([](Case& c) { c.ties[0].from.x = 0.1, c.ties[0].plate = {{0.1, 0.1}}; }, "tie[0].from", "lies on no face that looks away");
-  check_refused([](Case& c) { c.ties[0].plate = {{0.5, 0.4}}; }, "tie[0].from", "only 10 % of the plate at [0, 0.05, 0.15] m lies on faces");
+  check_refused(
+      [](Case& c) {
+        c.ties[0].plate = {{0.5, 0.4}};
+      },
+      "tie[0].from", "only 10 % of the plate at [0, 0.05, 0.15] m lies on faces");
 }
 
 }  // namespace voussoir

@@ -184,12 +184,19 @@ TEST_CASE("house ties: what is refused") {
     change(t);
     return [t](Case& c) { c.house->ties = {t}; };
   };
-  const HouseTie along = rods(HouseTieKind::along, 0.25), across = rods(HouseTieKind::across, 0.25), corner = rods(HouseTieKind::corner, 0.25);
-  check_refused(with(along, [](HouseTie& t) { t.walls = {"front", "north"}; }), "house.tie[0].walls[1]",
-                "\"north\" is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
+  const HouseTie along = rods(HouseTieKind::along, 0.25), across = rods(HouseTieKind::across, 0.25),
+                 corner = rods(HouseTieKind::corner, 0.25);
+  check_refused(with(along,
+                     [](HouseTie& t) {
+                       t.walls = {"front", "north"};
+                     }),
+                "house.tie[0].walls[1]", "\"north\" is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
   check_refused(with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0]", "lies on no face that looks away");
-  check_refused(with(across, [](HouseTie& t) { t.at = {0.3, 1.5}, t.walls = {"front"}; }), "house.tie[0].at[1]",
-                "1.5 m is beyond the end of the front wall (1.2 m)");
+  check_refused(with(across,
+                     [](HouseTie& t) {
+                       t.at = {0.3, 1.5}, t.walls = {"front"};
+                     }),
+                "house.tie[0].at[1]", "1.5 m is beyond the end of the front wall (1.2 m)");
   check_refused(with(across, [](HouseTie& t) { t.at = {0.6}, t.heights = {0.1}, t.walls = {"front"}; }), "house.tie[0]",
                 "[0.6, 0, 0.1] m lies on no face");
   check_refused(with(corner, [](HouseTie& t) { t.reach = 1.1; }), "house.tie[0].reach", "1.1 m is beyond the end of the left wall (1 m)");
@@ -211,8 +218,10 @@ TEST_CASE("house ties: what is refused") {
   check_refused(net([](HouseMesh& m) { m.to = 0.5; }), "house.mesh[0].to", "0.5 m is above the top of the walls (0.4 m)");
   check_refused(net([](HouseMesh& m) { m.from = 0.4; }), "house.mesh[0].from", "0.4 m is not below the upper edge of the mesh (0.4 m)");
   check_refused(net([](HouseMesh& m) { m.spacing = {1e-5, 1e-5}; }), "house.mesh[0].spacing", "nodes (allowed: 1000000)");
-  check_refused(net([](HouseMesh& m) { m.spacing = {5.0, 5.0}, m.walls = {"front"}, m.faces = MeshFaces::outside; }), "house.mesh[0]",
-                "holds no two elements");
+  check_refused(net([](HouseMesh& m) {
+                  m.spacing = {5.0, 5.0}, m.walls = {"front"}, m.faces = MeshFaces::outside;
+                }),
+                "house.mesh[0]", "holds no two elements");
 }
 
 }  // namespace voussoir

@@ -57,8 +57,8 @@ TEST_CASE("faults: syntax names file, line, column and reason") {
 TEST_CASE("faults: unknown keys come with the nearest one and the list") {
   CHECK(refusal("[house]\nhieght = 2.0\n")
             .starts_with("test.toml:2: house.hieght: unknown key; did you mean \"height\"? Keys of [house]: inner_size, height,"));
-  CHECK(refusal("\n[tiem]\nstep = 1")
-            .starts_with("test.toml:2: tiem: unknown key; did you mean \"time\"? Keys of the case file: title, source, gravity,"));
+  CHECK(refusal("\n[timee]\nstep = 1")
+            .starts_with("test.toml:2: timee: unknown key; did you mean \"time\"? Keys of the case file: title, source, gravity,"));
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nqqqqqqqq = 1")
             .starts_with("test.toml:5: block[0].qqqqqqqq: unknown key; Keys of [block[0]]: name, "));
   CHECK(refusal("[materials.m]\ndensty = 1.0\nyoung = 1\npoisson = 0\n").find("did you mean \"density\"") != std::string::npos);

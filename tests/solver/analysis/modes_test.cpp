@@ -60,7 +60,9 @@ TEST_CASE("ties count in modes if they bear compression or are under pretension"
       if (m.mass_share.z > 0.5) frequency = m.frequency;
     return frequency;
   };
-  const auto expected = [&](double stiffness) { return doctest::Approx(std::sqrt(stiffness / mass) / (2.0 * std::numbers::pi)).epsilon(1e-9); };
+  const auto expected = [&](double stiffness) {
+    return doctest::Approx(std::sqrt(stiffness / mass) / (2.0 * std::numbers::pi)).epsilon(1e-9);
+  };
   c.ties.push_back({.name = "strap", .from = {0.1, 0.1, 0.0}, .to = {0.1, 0.1, 0.2}, .area = 1e-4, .young = 1e10});
   CHECK(vertical() == expected(joint));
   c.ties[0].compression = true;
