@@ -148,7 +148,8 @@ std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frame
   const double mass = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
   for (const Body& b : found.bodies) {
     std::array<char, 80> size{};
-    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id), 100.0 * b.mass / mass);
+    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id),
+                  100.0 * b.mass / mass);
     names.push_back(body_name(b, building) + size.data());
   }
   return names;

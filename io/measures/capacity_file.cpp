@@ -109,10 +109,11 @@ std::string capacity_text(const Capacity& c) {
                                             : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
     return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
-  text += line(c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor", "%.4f; borne at rest %.4f, at %.3f mm of the control point",
-               c.multiplier, c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
-  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share,
-               c.kinetic_share, is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
+  text +=
+      line(c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor", "%.4f; borne at rest %.4f, at %.3f mm of the control point",
+           c.multiplier, c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
+  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share, c.kinetic_share,
+               is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
   if (c.kind == AnalysisKind::cyclic) {
     text += line("the other way", "%.4f", c.least_factor);
     text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);

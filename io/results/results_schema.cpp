@@ -139,7 +139,7 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names) {
   check_names("history", history_names);
   check_names("cut", cut_names);
-  return {history_columns(history_names), energy_columns(),       forces_columns(), damage_columns(), cracks_columns(),
+  return {history_columns(history_names), energy_columns(),        forces_columns(),    damage_columns(), cracks_columns(),
           frames_columns(elements),       cuts_columns(cut_names), assessment_columns()};
 }
 
