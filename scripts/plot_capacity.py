@@ -9,7 +9,22 @@ usage: scripts/plot_capacity.py [LABEL=]DIR... [--bilinear] [-o capacity.png]
 
 import math
 
+import numpy as np
+
 import run_file
+
+
+def base_shear(run):
+    """N along the push, mean over a first period about each row (io/MEASURES.md, Capacity)."""
+    time, push = run.assessment.time, run.case["analysis"]["direction"]
+    k = np.searchsorted(run.forces.time, np.asarray(time) - 1e-9)
+    shear = -(np.asarray(run.forces.base_shear)[k, :2] @ push) / np.hypot(*push)
+    step = time[1] - time[0] if len(time) > 1 else 1.0
+    half = int(0.5 / run.file["assessment"].attrs["frequency"] / step + 1e-9)
+    sums = np.concatenate([[0.0], np.cumsum(shear)])
+    widths = np.minimum(half, np.minimum(np.arange(len(shear)), np.arange(len(shear))[::-1]))
+    rows = np.arange(len(shear))
+    return (sums[rows + widths + 1] - sums[rows - widths]) / (2 * widths + 1)
 
 
 def bilinear(axes, capacity, code, dashes, colour):
@@ -29,14 +44,13 @@ def main():
         run = run_file.Run(name)
         if "assessment" not in run.file or not len(run.file["assessment/time"]):
             raise SystemExit(f"{run.label}: is no quasi-static analysis; it has no rows of assessment")
-        rows = run.table("assessment")
-        capacity = dict(run.file["capacity"].attrs) if "capacity" in run.file else {}
+        rows, capacity = run.assessment, run.capacity
         style = run_file.style(number)
         if capacity.get("kind") == "cyclic":
-            axes.plot(1e3 * rows["moved"], rows["factor"], label=run.label, **style)
+            axes.plot(1e3 * rows.moved, rows.factor, label=run.label, **style)
             axes.set(xlabel="displacement of the forces, mm", ylabel="load factor")
             continue
-        axes.plot(1e3 * rows["displacement"], 1e-3 * rows["base_shear"], label=run.label, **style)
+        axes.plot(1e3 * rows.displacement, 1e-3 * base_shear(run), label=run.label, **style)
         axes.set(xlabel="displacement of the control point, mm", ylabel="base shear, kN")
         if a.bilinear and capacity:
             bilinear(axes, capacity, "ec8", "--", style["color"])

@@ -126,6 +126,9 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
     const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
     std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
                 sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
+    if (is_assessment(c.analysis))
+      std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
+                  cases::text(c.end()).c_str());
   } catch (const solver::NumericalError& e) {
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
   }

@@ -3,6 +3,7 @@
 #include "io/measures/capacity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -148,7 +149,8 @@ std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frame
   const double mass = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
   for (const Body& b : found.bodies) {
     std::array<char, 80> size{};
-    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id), 100.0 * b.mass / mass);
+    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id),
+                  100.0 * b.mass / mass);
     names.push_back(body_name(b, building) + size.data());
   }
   return names;
@@ -175,8 +177,34 @@ const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapse
   return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
 }
 
-/// Rows of /assessment; those of /energy at the same times, which both have from time zero on.
-CapacityCurve curve_of(const Hdf5File& run) {
+/// The mean over a period about each row, of rows at equal distances; less of it at the ends. A vibration is not in it, and it does not
+/// lag.
+Values smoothed(const Values& time, const Values& y, double period) {
+  Values out(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    std::size_t half = 0;
+    while (half < i && i + half + 1 < y.size() && time[i + half + 1] - time[i] <= 0.5 * period) ++half;
+    double sum = 0.0;
+    for (std::size_t k = i - half; k <= i + half; ++k) sum += y[k];
+    out[i] = sum / static_cast<double>(2 * half + 1);
+  }
+  return out;
+}
+
+/// Base shear along the push at the rows of /assessment, from those of /forces, which have the same times.
+Values base_shear(const Hdf5File& run, const Values& time, const std::array<double, 2>& direction, double period) {
+  const auto at = run.read<double>("/forces/time"), force = run.read<double>("/forces/base_shear");
+  const double length = std::hypot(direction[0], direction[1]);
+  Values out;
+  for (std::size_t k = 0; k < at.size() && out.size() < time.size(); ++k) {
+    if (at[k] < time[out.size()]) continue;
+    out.push_back(-(force[3 * k] * direction[0] + force[3 * k + 1] * direction[1]) / length);
+  }
+  return smoothed({time.begin(), time.begin() + static_cast<std::ptrdiff_t>(out.size())}, out, period);
+}
+
+/// Rows of /assessment; those of /energy and /forces at the same times, which all have from time zero on.
+CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period) {
   const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
   CapacityCurve c{of("time"),
                   of("factor"),
@@ -204,7 +232,11 @@ CapacityCurve curve_of(const Hdf5File& run) {
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
   }
-  for (Values* v : {&c.time, &c.factor, &c.displacement, &c.drift, &c.moved, &c.base_shear, &c.support_moved, &c.over}) v->resize(kept);
+  c.base_shear = base_shear(run, c.time, direction, period);
+  kept = std::min(kept, c.base_shear.size());
+  for (Values* v : {&c.time, &c.factor, &c.displacement, &c.drift, &c.moved, &c.base_shear, &c.support_moved, &c.over, &c.input, &c.kinetic,
+                    &c.damping, &c.losses, &c.stored})
+    v->resize(kept);
   return c;
 }
 
@@ -226,10 +258,10 @@ Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double 
 
 std::optional<Capacity> capacity_of(const Hdf5File& run) {
   if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
-  CapacityCurve curve = curve_of(run);
-  if (curve.time.empty()) return {};
   const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
   const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
+  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"));
+  if (curve.time.empty()) return {};
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
   c.ended = why_ended(c, a, collapsed);

@@ -64,9 +64,11 @@ std::vector<Figure> figures_of(const Capacity& c) {
     return f;
   }
   f.push_back({"multiplier", c.multiplier, "1"});
-  f.push_back({"multiplier_at_rest", c.multiplier_at_rest, "1"});
-  f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
-  f.push_back({"multiplier_time", c.multiplier_time, "s"});
+  if (c.kind != AnalysisKind::cyclic) {  // a cycle turns within the stretch that this is a mean over
+    f.push_back({"multiplier_at_rest", c.multiplier_at_rest, "1"});
+    f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
+    f.push_back({"multiplier_time", c.multiplier_time, "s"});
+  }
   f.push_back({"motion_share", c.motion_share, "1"});
   f.push_back({"kinetic_share", c.kinetic_share, "1"});
   f.push_back({"slow", std::int64_t{is_slow(c)}, "0: the result depends on the rate"});
@@ -109,10 +111,12 @@ std::string capacity_text(const Capacity& c) {
                                             : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
     return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
-  text += line(c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor", "%.4f; borne at rest %.4f, at %.3f mm of the control point",
-               c.multiplier, c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
-  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share,
-               c.kinetic_share, is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
+  const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
+  text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)
+                                         : line(name, "%.4f; borne at rest %.4f, at %.3f mm of the control point", c.multiplier,
+                                                c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
+  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share, c.kinetic_share,
+               is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
   if (c.kind == AnalysisKind::cyclic) {
     text += line("the other way", "%.4f", c.least_factor);
     text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);

@@ -259,6 +259,16 @@ class Results:
         return self._table("measures")
 
     @property
+    def assessment(self) -> Table:
+        """The rows of a quasi-static analysis; a time history has none."""
+        return self._table("assessment")
+
+    @property
+    def capacity(self) -> dict[str, Any]:
+        """What a quasi-static analysis has found (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
+        return _plain(self.file["capacity"].attrs) if "capacity" in self.file else {}
+
+    @property
     def elements(self) -> Table:
         """What stands still: material, tag, mass, position0, ... of each element."""
         return self._table("model/element")

@@ -82,7 +82,7 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(analysis("kind = \"tilt\"\ndirection = [0, 0]")).find("analysis.direction") != std::string::npos);
   CHECK(refusal(analysis("kind = \"tilt\"\ndirection = [0, 0]")).find("has no direction") != std::string::npos);
   CHECK(refusal(analysis("kind = \"tilt\"\n[gravity]\nacceleration = [0, 0, 0]")).find("needs gravity") != std::string::npos);
-  CHECK(refusal(kPushed + analysis("kind = \"cyclic\"")).find("analysis.amplitudes: is missing") != std::string::npos);
+  CHECK(refusal(kPushed + analysis("kind = \"cyclic\"")).find("analysis.amplitudes is missing") != std::string::npos);
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"\namplitudes = [0.001, 0.0]")).find("must all be > 0 (m)") != std::string::npos);
   CHECK(refusal(analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("needs a [[load]] with grows = true") != std::string::npos);
   CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a fixed block with [block.motion]") != std::string::npos);

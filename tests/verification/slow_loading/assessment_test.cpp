@@ -118,7 +118,7 @@ namespace {
 /// A barrel vault on two buttresses of four blocks each, in the plane (y, z); the buttresses are wider than the vault is thick.
 cases::Case buttressed_vault() {
   const Arch vault{.radius = 1.5, .thickness = 0.3, .voussoirs = 13, .points = 4};
-  constexpr double kCourse = 0.4, kWidth = 0.8;
+  constexpr double kCourse = 0.4, kWidth = 0.75;  // ten segments, four of them under the vault
   constexpr int kCourses = 4;
   cases::Case c = load("tilt").value;
   c.blocks.clear();
@@ -150,7 +150,7 @@ cases::Case buttressed_vault() {
 
 TEST_CASE("V15: a buttressed vault" * doctest::skip()) {
   cases::Case c = buttressed_vault();
-  c.materials.at("stone").young *= 10.0;  // rigid blocks have no second order: at 9.8e9 N/m2 the peak is 1.2 % lower
+  c.materials.at("stone").young *= 10.0;  // rigid blocks have no second order
   const double expected = collapse_factors(c, 60.0, {0.0, 1.0, 0.0}).associated;
   for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover})
     compare("a buttressed vault", short_of(analysed(c, kind, 0.0, 1.0)), expected);
