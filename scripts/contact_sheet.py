@@ -12,6 +12,7 @@ the run are used as they are. Their titles are cut off: the sheet has its own. N
 
 import argparse
 import os
+import pathlib
 import subprocess
 import sys
 

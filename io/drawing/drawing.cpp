@@ -19,11 +19,11 @@ using cases::PartKind;
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 52.0, kLegend = 40.0;  // user units
+constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 64.0, kLegend = 40.0;  // user units
 constexpr double kSheet = 760.0;                                                  // widest view
 constexpr double kLargestScale = 140.0;                                           // units per metre
 constexpr double kBehind = 0.55;                 // m; a wall deeper than this behind the nearest face is drawn darker
-constexpr double kWords = 46.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
+constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
 constexpr const char* kNamed = "#1f5fa8";        // red is for cracks alone, as in all pictures
 constexpr const char* kTie = "#1b7f5c";
 

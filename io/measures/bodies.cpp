@@ -16,10 +16,10 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kMostBodies = 99;  // at a time; a hundredth of the mass each
-constexpr double kTurns = 2e-3;          // rad: two bodies that turn less against each other have no hinge
-constexpr double kShort = 0.3;           // m
-constexpr double kNear = 0.5;            // m: a hinge lies at the joints between its bodies
+constexpr std::size_t kMostBodies = 99;       // at a time; a hundredth of the mass each
+constexpr double kTurns = 2e-3;               // rad: two bodies that turn less against each other have no hinge
+constexpr double kShort = 0.3;                // m
+constexpr double kNear = 0.5, kBeside = 0.1;  // m: a hinge lies among the joints between its bodies, or half a brick beside them
 
 /// Disjoint sets.
 class Sets {
@@ -184,7 +184,9 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
     const double share = 1.0 / static_cast<double>(joints.size());
     middle = share * middle, moved = share * moved;
     const Vec3 axis = (1 / angle) * turn, aside = (1 / (angle * angle)) * cross(turn, moved);  // moved = turn × (middle − hinge)
-    if (norm(aside) > kNear) continue;
+    double reach = 0;
+    for (const Joint* j : joints) reach = std::max(reach, dot(j->centre - middle, aside) / std::max(norm(aside), 1e-12));
+    if (norm(aside) > std::min(kNear, kBeside + reach)) continue;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Joint* j : joints) {
       const double s = dot(axis, j->centre - middle);

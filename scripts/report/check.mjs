@@ -42,7 +42,7 @@ async function opened(options, fragment = "") {
 }
 
 const megabytes = statSync(page_file).size / 1e6;
-const most = run_file === null ? 50 : 25; // two runs, or one
+const most = 25; // of one run or of two
 if (megabytes >= most) faults.push(`the page has ${megabytes.toFixed(1)} MB, more than ${most}`);
 const start = performance.now();
 const page = await opened({}, "#motion=1");

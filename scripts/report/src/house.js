@@ -214,8 +214,8 @@ export class House {
     modes.place(mode, largest, this.state, kStride);
     colouring.paint(0, this.state);
     this.colouring = null;
-    this.whole ??= new Uint8Array(this.run.frames.n);
-    Object.assign(this, { at: 0, now: kBefore, broken: this.whole });
+    this.loose ??= new Uint8Array(this.run.frames.n).fill(1); // all faces are drawn: bricks that lean part a little
+    Object.assign(this, { at: 0, now: Infinity, broken: this.loose });
     this.texture.needsUpdate = true;
     this.material.uniforms.now.value = kBefore;
     this.material.uniforms.edges.value = colouring.edges;

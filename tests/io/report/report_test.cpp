@@ -113,7 +113,7 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   for (std::size_t f = 0; f < rows; ++f) {
     CHECK(std::abs(quantum * x[f][0] - (double(f) - 0.05)) <= 0.5001 * quantum);
     CHECK(std::abs(quantum * z[f][1] - (-double(f) - 0.05)) <= 0.5001 * quantum);
-    CHECK(w[f][0] == 512);  // of steps of 64/32767
+    CHECK(w[f][0] == 2048);  // of steps of 16/32767
     CHECK(w[f][1] == 0);
   }
   // A corner, 0.0866 m from the centroid: steps of a quaternion may be quantum / (2 · 0.0866 m), 23 times 1/32767 and so 16 times.
