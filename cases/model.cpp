@@ -9,6 +9,7 @@
 #include "cases/contact_rules.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
+#include "cases/loose_model.h"
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"

@@ -117,10 +117,6 @@ struct Model {
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
 Model build_model(const Case& c);
 
-/// The same elements with no joints: each by itself, whatever it overlaps or does not touch. To look at a model that build_model refuses.
-/// \throw InputError for what keeps an element from being built
-Model build_loose_model(const Case& c);
-
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among those equally near (to 1 nm).
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cases/loose_model.h"
 #include "io/files/errors.h"
 #include "io/files/scratch_folder.h"
 #include "io/files/text_file.h"

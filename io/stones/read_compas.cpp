@@ -81,7 +81,7 @@ class CompasReader {
     if (add_shape(data != nullptr ? *data : j, type, around)) return;
     for (const auto& [key, value] : j.items()) {
       if (key == "interfaces" || key == "contacts") {
-        passed_over_ += value.is_array() ? value.size() : 1;
+        passed_over_ += value.is_array() ? value.size() : 0;
         continue;
       }
       if (key == "node" && value.is_object()) {
