@@ -214,15 +214,15 @@ struct Roof {
 /// A rod, cable, strap or bar between two points of the model (cases/ties.h).
 struct Tie {
   std::string name;
-  Vec3 from, to;                               // m
-  double area = 0.0;                           // m2, of the section
-  double young = 2.1e11;                       // Pa
-  std::optional<double> yield;                 // Pa; none: elastic
-  double hardening = 0.0;                      // Pa, slope of stress over strain beyond yield
-  std::optional<double> elongation;            // strain at which it breaks; none: never
-  double pretension = 0.0;                     // N, if its ends did not move
-  bool compression = false;                    // true: a bar; false: goes slack
-  std::optional<std::array<double, 2>> plate;  // m, width and height of the anchor plates; none: each end holds one element
+  Vec3 from, to;                                 // m
+  double area = 0.0;                             // m2, of the section
+  double young = 2.1e11;                         // Pa
+  std::optional<double> yield{};                 // Pa; none: elastic
+  double hardening = 0.0;                        // Pa, slope of stress over strain beyond yield
+  std::optional<double> elongation{};            // strain at which it breaks; none: never
+  double pretension = 0.0;                       // N, if its ends did not move
+  bool compression = false;                      // true: a bar; false: goes slack
+  std::optional<std::array<double, 2>> plate{};  // m, width and height of the anchor plates; none: each end holds one element
 };
 /// Rods of a house, by wall and height (cases/house/house_ties.h).
 enum class HouseTieKind { along, across, corner };
