@@ -117,7 +117,7 @@ export class Plot {
       legend: { live: true },
       scales: { x: { time: false, range: () => [this.from, this.until] }, y: { range: (u, low, high) => this.#range(low, high) } },
       axes: [{ ...axis, size: 24, gap: 2, values: (u, ticks) => ticks.map((t) => `${+t.toFixed(2)} s`) }, { ...axis, size: 46, gap: 2, values: (u, ticks) => ticks.map(number) }],
-      series: this.series.map((s, i) => (i === 0 ? { label: "Time", value: (u, t) => (t === null ? "–" : `${t.toFixed(2)} s`) } : { label: s.label, stroke: colour(s.tint), width: s.width, dash: s.dash, fill: s.fill ? colour(s.tint) : undefined, value: value(i), points: { show: false } })),
+      series: this.series.map((s, i) => (i === 0 ? { label: "Time", value: (u, t) => (t == null ? "–" : `${t.toFixed(2)} s`) } : { label: s.label, stroke: colour(s.tint), width: s.width, dash: s.dash, fill: s.fill ? colour(s.tint) : undefined, value: value(i), points: { show: false } })),
       hooks: { draw: [(u) => this.#drawMarks(u)], ready: [() => this.#again()], setSize: [() => this.#again()] },
     };
     this.plot = onProcessor(() => new uPlot(options, this.data, this.holder));

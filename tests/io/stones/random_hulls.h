@@ -39,7 +39,7 @@ inline std::vector<int> round_order(const std::vector<Vec3>& points, std::vector
 }
 
 /// Every plane through three points that has all others on one side is a face.
-inline Hull hull_of(const std::vector<Vec3>& points, double tolerance = 1e-12) {
+inline Hull hull_of(const std::vector<Vec3>& points, double tolerance = 1e-9) {
   Hull h;
   const int n = static_cast<int>(points.size());
   std::vector<std::vector<int>> known;
@@ -48,7 +48,7 @@ inline Hull hull_of(const std::vector<Vec3>& points, double tolerance = 1e-12) {
     for (int j = i + 1; j < n; ++j) {
       for (int k = j + 1; k < n; ++k) {
         Vec3 normal = cross(at(j) - at(i), at(k) - at(i));
-        if (norm(normal) < 1e-9) continue;
+        if (norm(normal) < 1e-7) continue;
         normal = normalised(normal);
         double low = 0.0, high = 0.0;
         std::vector<int> on;
@@ -75,6 +75,12 @@ inline Hull hull_of(const std::vector<Vec3>& points, double tolerance = 1e-12) {
       v = m;
     }
   }
+  return h;
+}
+
+/// The same elsewhere. Hulls are found at the origin, where coordinates have all their digits.
+inline Hull moved(Hull h, Vec3 by) {
+  for (Vec3& v : h.vertices) v += by;
   return h;
 }
 

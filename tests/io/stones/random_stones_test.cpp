@@ -42,19 +42,20 @@ TEST_CASE("5,000 random convex stones: volume, inertia, areas and joints as brut
   std::vector<Hull> hull;
   std::map<std::pair<std::size_t, std::size_t>, double> joints;  // area of the section
   for (int i = 0; all.size() < 5000; ++i) {
-    const Hull whole = hull_of(random_points(random, {2.0 * (i % 60), 2.0 * (i / 60), 0.0}, 5 + i % 8));
+    const Hull whole = hull_of(random_points(random, {}, 5 + i % 8));
+    const Vec3 place{2.0 * (i % 60), 2.0 * (i / 60), 0.0};
     if (i % 4 == 0) {
-      all.push_back(named("whole " + std::to_string(i), whole));
-      hull.push_back(whole);
+      hull.push_back(moved(whole, place));
+      all.push_back(named("whole " + std::to_string(i), hull.back()));
       continue;
     }
     const Vec3 n = normalised({unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5});
     const Halves halves = halves_of(whole, n, dot(n, integrals_of(whole).centroid));
     joints[{all.size(), all.size() + 1}] = halves.section;
-    all.push_back(named("below " + std::to_string(i), halves.below));
-    all.push_back(named("above " + std::to_string(i), halves.above));
-    hull.push_back(halves.below);
-    hull.push_back(halves.above);
+    hull.push_back(moved(halves.below, place));
+    all.push_back(named("below " + std::to_string(i), hull.back()));
+    hull.push_back(moved(halves.above, place));
+    all.push_back(named("above " + std::to_string(i), hull.back()));
   }
   const TempFolder folder;
   const std::string file = folder.write("many.obj", stones::obj(all));
