@@ -133,9 +133,9 @@ class PlyReader {
   /// The next number of the body.
   double next(Number type) {
     if (ascii_) return next_word();
-    const std::size_t size = bytes_of(type);
-    if (text_.size() - at_ < size) fault("ends within its numbers");
     std::array<char, 8> bytes{};
+    const std::size_t size = std::min(bytes_of(type), bytes.size());
+    if (text_.size() - at_ < size) fault("ends within its numbers");
     std::copy_n(text_.data() + at_, size, bytes.data());
     if (swap_) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     at_ += size;
