@@ -133,6 +133,17 @@ inline Integrals integrals_of(const Hull& h) {
   return r;
 }
 
+inline double shortest_edge(const Hull& h) {
+  double least = 1e300;
+  for (const auto& face : h.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      least = std::min(
+          least, norm(h.vertices[static_cast<std::size_t>(face[(i + 1) % face.size()])] - h.vertices[static_cast<std::size_t>(face[i])]));
+    }
+  }
+  return least;
+}
+
 /// Heron's formula over a fan.
 inline double area_of(const Hull& h, const std::vector<int>& face) {
   double area = 0.0;

@@ -43,6 +43,7 @@ TEST_CASE("5,000 random convex stones: volume, inertia, areas and joints as brut
   std::map<std::pair<std::size_t, std::size_t>, double> joints;  // area of the section
   for (int i = 0; all.size() < 5000; ++i) {
     const Hull whole = hull_of(random_points(random, {}, 5 + i % 8));
+    if (shortest_edge(whole) < 1e-3) continue;
     const Vec3 place{2.0 * (i % 60), 2.0 * (i / 60), 0.0};
     if (i % 4 == 0) {
       hull.push_back(moved(whole, place));
@@ -51,6 +52,8 @@ TEST_CASE("5,000 random convex stones: volume, inertia, areas and joints as brut
     }
     const Vec3 n = normalised({unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5});
     const Halves halves = halves_of(whole, n, dot(n, integrals_of(whole).centroid));
+    // A cut within a millimetre of a corner makes faces that brute force cannot tell from a point.
+    if (std::min(shortest_edge(halves.below), shortest_edge(halves.above)) < 1e-3) continue;
     joints[{all.size(), all.size() + 1}] = halves.section;
     hull.push_back(moved(halves.below, place));
     all.push_back(named("below " + std::to_string(i), hull.back()));
