@@ -310,8 +310,8 @@ TEST_CASE("a block with more faces than a contact can hold is refused") {
   cases::Case c = small_wall(1, 1);
   cases::BlockSpec b;
   b.name = "drum", b.material = "adobe", b.free = true, b.extrude = {{2.0, 2.2}};
-  for (int i = 0; i < 80; ++i)
-    b.polygon.push_back({std::cos(0.025 * 3.141592653589793 * i), 2.0 + std::sin(0.025 * 3.141592653589793 * i)});
+  for (int i = 0; i < 160; ++i)
+    b.polygon.push_back({std::cos(0.0125 * 3.141592653589793 * i), 2.0 + std::sin(0.0125 * 3.141592653589793 * i)});
   c.blocks.push_back(b);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion still;
