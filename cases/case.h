@@ -58,7 +58,7 @@ struct Material {
   double density = 0.0;  // kg/m3
   double young = 0.0;    // Pa
   double poisson = 0.0;
-  std::optional<std::string> inside;  // law between the convex pieces of a stone that is not convex; none: they never part
+  std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex; none: they never part
 };
 
 /// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
