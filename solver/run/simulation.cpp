@@ -274,6 +274,8 @@ void Simulation::step(Due due) {
   place_supports();
   {
     const StageTimer timer(times_, Stage::search);
+    // After a restore all pairs are listed before a search, which lists those of the elements that it searches again and keeps the others.
+    if (w.overlaps.stale && w.travel.is_searched()) list_all_overlap_pairs(w);
     if (w.travel.search_due(moved_)) search_contacts(w);
     if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.gather_stale) build_gather(w);
