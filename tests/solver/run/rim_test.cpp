@@ -11,6 +11,7 @@
 #include "solver/state/field_table.h"
 #include "solver/state/saved_state.h"
 #include "tests/solver/row_hash.h"
+#include "tests/solver/rods.h"
 #include "tests/solver/small_wall.h"
 
 // segments.rule = "rim": what holds by the rule of centres holds with points up to the rim of joints too.
@@ -33,23 +34,6 @@ std::string difference(solver::World& a, solver::World& b) {
     if (solver::packed(p[i]) != solver::packed(q[i])) return p[i].name;
   }
   return {};
-}
-
-constexpr double kHalfDiagonal = 0.0707;  // m
-
-/// A rod of 0.2 m with a square section that stands on an edge, along x or y, its axis through (0, 0, z).
-cases::BlockSpec rod(bool along_y, double z) {
-  cases::BlockSpec b = brick(along_y ? 1 : 0, 0, 0.0, 0.2);
-  b.box.reset();
-  const double corner[4][2] = {{0.0, -kHalfDiagonal}, {kHalfDiagonal, 0.0}, {0.0, kHalfDiagonal}, {-kHalfDiagonal, 0.0}};
-  std::array<Vec3, 8> v{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double across = corner[k][0], up = z + corner[k][1];
-    v[k] = along_y ? Vec3{across, 0.1, up} : Vec3{-0.1, across, up};
-    v[k + 4] = along_y ? Vec3{across, -0.1, up} : Vec3{0.1, across, up};
-  }
-  b.vertices.assign(v.begin(), v.end());
-  return b;
 }
 
 std::ptrdiff_t patches_that_touch(const solver::World& w) {
