@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "cases/motion.h"
+#include "tests/cases/record_checks.h"
 
 using namespace voussoir::cases;
+using voussoir::testing::check_ends_at_rest;
+using voussoir::testing::peak_between;
 
 // The targets are those of catalogue/bam-like.md: figures published for the main shock that the record stands in for.
 namespace {
@@ -34,15 +37,6 @@ Range l_over_t(double from, double to, double t_end) {
     range.high = std::max(range.high, ratio);
   }
   return range;
-}
-
-double peak_between(const Accelerogram& a, double from, double to) {
-  double peak = 0.0;
-  for (std::size_t i = 0; i < a.acceleration.size(); ++i) {
-    const double t = static_cast<double>(i) * a.dt;
-    if (t >= from && t < to) peak = std::max(peak, std::abs(a.acceleration[i]));
-  }
-  return peak;
 }
 
 }  // namespace
@@ -103,15 +97,7 @@ TEST_CASE("bam-like-1: starts quietly, then L peaks before 3.5 s and T between 3
 
 TEST_CASE("bam-like-1: ends at rest where it began, without a correction") {
   for (const Accelerogram& a : bam_like_1()) {
-    double velocity = 0.0, displacement = 0.0;
-    for (std::size_t i = 1; i < a.acceleration.size(); ++i) {
-      const double before = velocity;
-      velocity += 0.5 * a.dt * (a.acceleration[i - 1] + a.acceleration[i]);
-      displacement += 0.5 * a.dt * (before + velocity);
-    }
-    CHECK(std::abs(velocity) < 1e-6);
-    CHECK(std::abs(displacement) < 1e-5);
-    CHECK(a.acceleration.back() == 0.0);
+    check_ends_at_rest(a);
   }
 }
 

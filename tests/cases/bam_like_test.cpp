@@ -8,8 +8,11 @@
 
 #include "cases/case.h"
 #include "cases/motion.h"
+#include "tests/cases/record_checks.h"
 
 using namespace voussoir::cases;
+using voussoir::testing::check_ends_at_rest;
+using voussoir::testing::peak_between;
 
 // The family bam-like#N. The targets are those of catalogue/bam-like.md: figures published for the main shock that it stands in for.
 namespace {
@@ -26,15 +29,6 @@ double share_above(const Accelerogram& a, const Accelerogram& b, double from, do
     above += spectral_displacement(a, f, kDamping, t_end) > spectral_displacement(b, f, kDamping, t_end) ? 1 : 0;
   }
   return above / 200.0;
-}
-
-double peak_between(const Accelerogram& a, double from, double to) {
-  double peak = 0.0;
-  for (std::size_t i = 0; i < a.acceleration.size(); ++i) {
-    const double t = static_cast<double>(i) * a.dt;
-    if (t >= from && t < to) peak = std::max(peak, std::abs(a.acceleration[i]));
-  }
-  return peak;
 }
 
 }  // namespace
@@ -96,15 +90,7 @@ TEST_CASE("bam-like#N: starts quietly and ends at rest where it began") {
       CHECK(peak_between(a, 0.0, 1.2) < 1.6);
       CHECK(peak_between(a, 1.2, 2.0) > peak_between(a, 0.0, 1.2));
       CHECK(peak_between(a, 2.0, 3.5) > peak_between(a, 1.2, 2.0));
-      double velocity = 0.0, displacement = 0.0;
-      for (std::size_t k = 1; k < a.acceleration.size(); ++k) {
-        const double before = velocity;
-        velocity += 0.5 * a.dt * (a.acceleration[k - 1] + a.acceleration[k]);
-        displacement += 0.5 * a.dt * (before + velocity);
-      }
-      CHECK(std::abs(velocity) < 1e-6);
-      CHECK(std::abs(displacement) < 1e-5);
-      CHECK(a.acceleration.back() == 0.0);
+      check_ends_at_rest(a);
     }
   }
 }

@@ -11,9 +11,11 @@
 #include <string>
 
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;
+using voussoir::testing::check_refused;
 
 namespace {
 
@@ -40,22 +42,6 @@ Case small_house() {
   c.house->height = 0.4;
   c.house->openings = {testing::opening("front", 0.4, 0.4, 0.0, 0.2, 0.6)};
   return c;
-}
-
-void check_refused(Case c, const std::function<void(Case&)>& change, const std::string& key, const std::string& says) {
-  CAPTURE(key);
-  CAPTURE(says);
-  change(c);
-  std::string got = "built", problem;
-  try {
-    build_model(c);
-  } catch (const InputError& e) {
-    got = e.key();
-    problem = e.problem();
-  }
-  CHECK(got == key);
-  CAPTURE(problem);
-  CHECK(problem.find(says) != std::string::npos);
 }
 
 const std::string& law_name(const Model& m, std::size_t joint) { return m.laws[static_cast<std::size_t>(m.joint_law[joint])].name; }

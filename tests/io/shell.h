@@ -39,6 +39,8 @@ inline Outcome run(const std::string& command) {
   o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   return o;
 }
+/// The program; both of its streams. \param before  commands of the shell that come first
+inline Outcome voussoir(const std::string& words, const std::string& before = "") { return run(before + kProgram + " " + words + " 2>&1"); }
 inline int code_of(const std::string& command) { return run(command).code; }
 
 inline std::string text_of(const std::string& path) {

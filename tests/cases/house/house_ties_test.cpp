@@ -11,12 +11,14 @@
 
 #include "cases/ties.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 // Rods and meshes of a house: where they run, what they hold, what they take, and what is refused.
 namespace voussoir {
 namespace {
 
 using namespace cases;
+using testing::check_refused;
 
 /// Outer size 1.2 x 1.0 m, walls 0.2 m thick and 0.4 m high, a door in front from x = 0.4 to 0.8 up to 0.2 m.
 Case small_house() {
@@ -52,20 +54,6 @@ void check_run(const TieBar& t, const std::string& name, Vec3 from, Vec3 to) {
   CHECK(t.name == name);
   CHECK(norm(end_of(t, 0) - from) < 1e-12);
   CHECK(norm(end_of(t, 1) - to) < 1e-12);
-}
-
-void check_refused(const std::function<void(Case&)>& change, const std::string& key, const std::string& says) {
-  Case c = small_house();
-  change(c);
-  std::string got = "built", problem;
-  try {
-    build_model(c);
-  } catch (const InputError& e) {
-    got = e.key(), problem = e.problem();
-  }
-  CAPTURE(problem);
-  CHECK(got == key);
-  CHECK(problem.find(says) != std::string::npos);
 }
 
 }  // namespace
@@ -186,39 +174,54 @@ TEST_CASE("house ties: what is refused") {
   };
   const HouseTie along = rods(HouseTieKind::along, 0.25), across = rods(HouseTieKind::across, 0.25),
                  corner = rods(HouseTieKind::corner, 0.25);
-  check_refused(with(along,
+  check_refused(small_house(),
+                with(along,
                      [](HouseTie& t) {
                        t.walls = {"front", "north"};
                      }),
                 "house.tie[0].walls[1]", "\"north\" is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
-  check_refused(with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0]", "lies on no face that looks away");
-  check_refused(with(across,
+  check_refused(small_house(), with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0]", "lies on no face that looks away");
+  check_refused(small_house(),
+                with(across,
                      [](HouseTie& t) {
                        t.at = {0.3, 1.5}, t.walls = {"front"};
                      }),
                 "house.tie[0].at[1]", "1.5 m is beyond the end of the front wall (1.2 m)");
-  check_refused(with(across, [](HouseTie& t) { t.at = {0.6}, t.heights = {0.1}, t.walls = {"front"}; }), "house.tie[0]",
+  check_refused(small_house(), with(across, [](HouseTie& t) { t.at = {0.6}, t.heights = {0.1}, t.walls = {"front"}; }), "house.tie[0]",
                 "[0.6, 0, 0.1] m lies on no face");
-  check_refused(with(corner, [](HouseTie& t) { t.reach = 1.1; }), "house.tie[0].reach", "1.1 m is beyond the end of the left wall (1 m)");
-  check_refused(with(corner, [](HouseTie& t) { t.reach = 0.3, t.walls = {"front", "rear"}; }), "house.tie[0]", "makes no tie");
+  check_refused(small_house(), with(corner, [](HouseTie& t) { t.reach = 1.1; }), "house.tie[0].reach",
+                "1.1 m is beyond the end of the left wall (1 m)");
+  check_refused(small_house(),
+                with(corner,
+                     [](HouseTie& t) {
+                       t.reach = 0.3, t.walls = {"front", "rear"};
+                     }),
+                "house.tie[0]", "makes no tie");
   check_refused(
+      small_house(),
       [&](Case& c) {
         c.house->roof.kind = RoofKind::none, c.house->walls = {"front", "left"};
         c.house->ties = {across};
         c.house->ties[0].at = {0.3};
       },
       "house.tie[0]", "runs across from the front wall, but the rear wall is not built");
-  check_refused([&](Case& c) { c.house->ties = {along, along}; }, "house", "\"rods 1\" is the name of another tie, too");
+  check_refused(
+      small_house(),
+      [&](Case& c) {
+        c.house->ties = {along, along};
+      },
+      "house", "\"rods 1\" is the name of another tie, too");
   const auto net = [](const std::function<void(HouseMesh&)>& change) {
     HouseMesh m = mesh();
     change(m);
     return [m](Case& c) { c.house->meshes = {m}; };
   };
-  check_refused(net([](HouseMesh& m) { m.walls = {"up"}; }), "house.mesh[0].walls[0]", "\"up\" is no wall");
-  check_refused(net([](HouseMesh& m) { m.to = 0.5; }), "house.mesh[0].to", "0.5 m is above the top of the walls (0.4 m)");
-  check_refused(net([](HouseMesh& m) { m.from = 0.4; }), "house.mesh[0].from", "0.4 m is not below the upper edge of the mesh (0.4 m)");
-  check_refused(net([](HouseMesh& m) { m.spacing = {1e-5, 1e-5}; }), "house.mesh[0].spacing", "nodes (allowed: 1000000)");
-  check_refused(net([](HouseMesh& m) {
+  check_refused(small_house(), net([](HouseMesh& m) { m.walls = {"up"}; }), "house.mesh[0].walls[0]", "\"up\" is no wall");
+  check_refused(small_house(), net([](HouseMesh& m) { m.to = 0.5; }), "house.mesh[0].to", "0.5 m is above the top of the walls (0.4 m)");
+  check_refused(small_house(), net([](HouseMesh& m) { m.from = 0.4; }), "house.mesh[0].from",
+                "0.4 m is not below the upper edge of the mesh (0.4 m)");
+  check_refused(small_house(), net([](HouseMesh& m) { m.spacing = {1e-5, 1e-5}; }), "house.mesh[0].spacing", "nodes (allowed: 1000000)");
+  check_refused(small_house(), net([](HouseMesh& m) {
                   m.spacing = {5.0, 5.0}, m.walls = {"front"}, m.faces = MeshFaces::outside;
                 }),
                 "house.mesh[0]", "holds no two elements");

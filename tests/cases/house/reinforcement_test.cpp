@@ -9,7 +9,7 @@
 #include <set>
 
 #include "cases/census.h"
-#include "tests/cases/house/refused.h"
+#include "tests/cases/refused.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

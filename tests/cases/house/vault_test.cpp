@@ -11,7 +11,7 @@
 #include "cases/census.h"
 #include "cases/house/house.h"
 #include "cases/house/house_vault.h"
-#include "tests/cases/house/refused.h"
+#include "tests/cases/refused.h"
 #include "tests/cases/paper_house.h"
 
 using namespace voussoir;

@@ -14,7 +14,7 @@
 
 namespace {
 
-shell::Outcome voussoir(const std::string& words) { return shell::run(shell::kProgram + " " + words + " 2>&1"); }
+using shell::voussoir;
 
 /// A brick upon a brick, bonded, for a hundredth of a second; the folder of its results.
 std::string run_of_two_bricks(const TempFolder& folder) {

@@ -17,10 +17,7 @@ namespace {
 
 using shell::Outcome;
 
-/// The program; both of its streams. \param before  commands of the shell that come first
-Outcome voussoir(const std::string& words, const std::string& before = "") {
-  return shell::run(before + shell::kProgram + " " + words + " 2>&1");
-}
+using shell::voussoir;
 
 bool says(const Outcome& o, std::initializer_list<const char*> parts) {
   for (const char* p : parts) {

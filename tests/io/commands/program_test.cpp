@@ -18,8 +18,7 @@ namespace {
 
 using shell::Outcome;
 
-/// The program; both of its streams.
-Outcome voussoir(const std::string& words) { return shell::run(shell::kProgram + " " + words + " 2>&1"); }
+using shell::voussoir;
 
 constexpr const char* kHead = R"(title = "test"
 [gravity]

@@ -16,8 +16,8 @@ namespace {
 using shell::Outcome;
 using voussoir::io::Hdf5File;
 
-/// The program; both of its streams.
-Outcome voussoir_says(const std::string& words) { return shell::run(shell::kProgram + " " + words + " 2>&1"); }
+/// The program; both of its streams. (`voussoir` is a namespace here.)
+Outcome voussoir_says(const std::string& words) { return shell::voussoir(words); }
 bool says(const Outcome& o, const std::string& words) { return o.text.find(words) != std::string::npos; }
 
 constexpr const char* kStone = R"(materials.stone = { density = 2000.0, young = 1e8, poisson = 0.2 }
