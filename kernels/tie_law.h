@@ -23,17 +23,17 @@ struct TieState {
   double elongation = 0.0;  // e, m, with that of the pretension
   double plastic = 0.0;     // e_p, m
   double worked = 0.0;      // q, m, plastic elongation summed up whatever its sign
-  double force = 0.0;       // N, m; tension is positive
+  double force = 0.0;       // N; tension is positive
   double lost = 0.0;        // J, by yielding, and when it goes slack or taut within a step
   double released = 0.0;    // J, when it broke
   std::int64_t broken = 0;  // 1: it has
 };
 
-/// J
+/// Elastic energy, J.
 inline double stored_energy(const TieLaw& law, const TieState& s) noexcept { return 0.5 * s.force * s.force / law.stiffness; }
 
-/// The force at the elongation `e` [m], by the return to the yield force with linear isotropic hardening; what the mean of two forces does
-/// over a step less what is stored then is lost.
+/// The force at the elongation `e` [m], by the return to the yield force with linear isotropic hardening. What a step loses is the
+/// trapezoidal work less the growth of the elastic energy.
 inline TieState advance_tie(const TieLaw& law, const TieState& last, double e) noexcept {
   TieState s = last;
   s.elongation = e;

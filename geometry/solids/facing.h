@@ -24,11 +24,11 @@ struct Facing {
   double low = 0.0, high = 0.0;  // m; below 0: the planes are inside each other
   double tilt = 0.0;             // rad
   double area = 0.0;             // m2, shared
-  double width = 0.0;            // m, of the shared area across its longest way
+  double width = 0.0;            // m, shared area over its greatest length
 };
 
-/// Nothing if they turn from each other by more than 0.05 rad, share no area, or are farther apart than `most` [m]. Of two faces that are
-/// not convex the hull of the second is taken.
+/// How two faces look at each other. std::nullopt if they are not antiparallel within 0.05 rad, share no area, or are farther apart than
+/// `most` [m]. Where neither face is convex, the hull of the second is taken.
 std::optional<Facing> facing(const FlatFace& a, const FlatFace& b, double most);
 
 }  // namespace voussoir::geometry

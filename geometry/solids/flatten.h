@@ -28,13 +28,13 @@ struct Flattened {
 };
 
 /// Two faces of two solids are in contact where they look at each other and are no farther apart than the larger snap, over all that they
-/// share; a narrower strip than that is round-off, unless they touch exactly. Faces so far apart as the gap (both have the same) stand on a
-/// bed of mortar, unless they touch something. All faces that hang together by contacts get one plane, the mean of both sides; a bed has it
-/// in its middle; faces within snap of `base_z` get the base's. Then each vertex goes to where its planes meet, by the shortest way. Faces
-/// with no contact stay in their planes, or, where a vertex has too many of them, in the plane that fits their vertices. Contacts that are
-/// exact to half a micrometre, and solids without any other, keep their bits.
-/// \throw ModelError with the solid's index: a face is warped by more than snap; a vertex would move by more than twice the snap (and the
-/// gap); faces that share vertices cannot all be made plane
+/// share; a shared strip narrower than the snap is ignored, unless they touch exactly. Faces at the distance of the gap (both have the
+/// same) stand on a bed of mortar, unless they touch something. All faces that hang together by contacts get one plane, the mean of both
+/// sides; a bed has it in its middle; faces within snap of `base_z` get the base's. Then each vertex goes to where its planes meet, by the
+/// shortest way. Faces with no contact stay in their planes, or, where a vertex has too many of them, in the plane that fits their
+/// vertices. Contacts that are exact to half a micrometre, and solids without any other, keep their bits. \throw ModelError with the
+/// solid's index: a face is warped by more than snap; a vertex would move by more than twice the snap (and the gap); faces that share
+/// vertices cannot all be made plane
 std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<double> base_z);
 
 }  // namespace voussoir::geometry

@@ -43,7 +43,7 @@ Mesh welded(const Mesh& m, double tolerance);
 std::optional<std::string> fault_of(const Mesh& m);
 
 /// Neighbouring faces that lie in one plane as one face: all corners within `tolerance` [m] of the plane of the largest of them, and turned
-/// by no more than `angle` [rad] from it. What would not have one simple rim stays as it is; vertices that only two faces have then go.
+/// by no more than `angle` [rad] from it. Faces whose union would have a hole stay separate; vertices left on two faces only are removed.
 /// \pre fault_of(m) is nothing
 Mesh with_merged_faces(const Mesh& m, double tolerance, double angle);
 

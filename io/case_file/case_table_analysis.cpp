@@ -62,9 +62,10 @@ Table<Analysis> analysis_table() {
            "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass"),
        value<S>("drop", &S::drop, "", inside(0.0, 1.0),
                 "the run ends when the base shear (tilt: the multiplier) has lost this share of its largest value"),
-       value<S>("share", &S::share, "", above(0.0),
-                "the load acts through a spring so many times as stiff as the structure at first: one with a smaller tangent is under "
-                "displacement control; none: 0.5, cyclic: 5"),
+       value<S>(
+           "share", &S::share, "", above(0.0),
+           "stiffness of the loading spring over the initial one of the structure: displacement control begins where the tangent of the "
+           "structure falls below that of the spring; none: 0.5, cyclic: 5"),
        value<S>("pace", &S::pace, "s", above(0.0),
                 "time in which the displacement grows e-fold; none: 20 first periods, 2 s at least. Twice the pace is half the rate"),
        value<S>("damping", &S::damping, "1/s", at_least(0.0),

@@ -9,20 +9,21 @@
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
-/// How a quasi-static analysis loads the structure (kernels/THEORY.md, section 11): the step asks once what acts, and that is all it knows.
+/// How a quasi-static analysis loads the structure (kernels/THEORY.md, section 11): each step queries the load once.
 ///
 /// The forces of the pattern, p_i at a load factor of 1 and N in all, act through a spring, as in a testing machine:
 ///
 ///   λ = κ (w − q),   q̇ = Σ p_i·v_i / N,   ẇ = min((w_0 + w) / pace, fastest)
 ///
 /// q is the displacement conjugate to the forces, so the spring has a potential: it takes energy from its moving end alone and cannot make
-/// the structure swing up. It adds one rank of stiffness, by which no squared frequency rises by more than κ Σ p_i²/m_i / N.
+/// the structure swing up. It adds a stiffness matrix of rank one, by which no squared frequency rises by more than κ Σ p_i²/m_i / N.
 namespace voussoir::solver {
 
 class LoadProgram {
  public:
   LoadProgram() = default;
-  /// Also holds level what the case wants level, by an inverse inertia of 0. A drive is needed before time zero: set(), or a saved state.
+  /// With `analysis.level` also keeps the pushed blocks from turning, by an inverse inertia of 0. A drive is needed before time zero:
+  /// set(), or a saved state.
   LoadProgram(const cases::Case& c, World& w);
 
   /// A quasi-static analysis; else nothing here does anything.
@@ -57,8 +58,8 @@ class LoadProgram {
   struct State {
     double factor = 0.0, factor_before = 0.0;       // at this step and the last
     double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: the rate of q over the last interval
-    double looks = 0.0;                             // at base shear and load factor since the last means
-    double shear_sum = 0.0, factor_sum = 0.0;       // N, 1; of these looks
+    double looks = 0.0;                             // samples of base shear and load factor since the last means
+    double shear_sum = 0.0, factor_sum = 0.0;       // N, 1; of these samples
     double shear = 0.0, most_shear = 0.0;           // N, mean over a first period, the largest so far
     double mean_factor = 0.0, most_factor = 0.0;    // the same of the load factor
     double sense = 1.0, half_cycles = 0.0;          // cyclic: where the push goes, reversals so far

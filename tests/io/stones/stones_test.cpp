@@ -136,6 +136,22 @@ TEST_CASE("a stone that is not convex is cut along its reflex edges, and its pie
     CHECK(inside == 1);
     CHECK(says(c.stones[0].stones[0].change, "not convex, cut into 2 pieces that never part"));
   }
+  SUBCASE("a cross needs two cuts, a star with five points three to five") {
+    const Named cross = extruded(
+        "cross",
+        {{0.4, 0}, {0.6, 0}, {0.6, 0.4}, {1, 0.4}, {1, 0.6}, {0.6, 0.6}, {0.6, 1}, {0.4, 1}, {0.4, 0.6}, {0, 0.6}, {0, 0.4}, {0.4, 0.4}},
+        0.5);
+    CHECK(model_of(load(folder.write("a.obj", obj({cross})), "", kBase)).blocks.size() == 3);
+    std::vector<std::array<double, 2>> points;
+    for (int i = 0; i < 10; ++i) {
+      const double angle = 0.2 * 3.141592653589793 * (i - 2.5), r = i % 2 == 0 ? 1.0 : 0.45;
+      points.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    const Model star = model_of(load(folder.write("b.obj", obj({extruded("star", points, 0.5)})), "supports = \"ground\""));
+    CHECK(star.blocks.size() >= 4);
+    CHECK(star.blocks.size() <= 6);
+    CHECK(total_volume(star) == doctest::Approx(0.5 * 10.0 * 0.5 * 0.45 * std::sin(0.2 * 3.141592653589793)).epsilon(1e-12));
+  }
   SUBCASE("with a law for its inside") {
     const std::string law = "[joint_laws.crack]\ntension = 1e6\ncohesion = 1e6\nfriction = 40.0\ncompression = 1e8\n";
     auto c = voussoir::io::read_case({"t", "[materials.stone]\ndensity = 2000.0\nyoung = 1e9\npoisson = 0.2\ninside = \"crack\"\n" + law +

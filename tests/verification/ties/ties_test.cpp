@@ -9,7 +9,7 @@
 #include "io/session/prepared_case.h"
 #include "tests/verification/fixture.h"
 
-// V15: ties against closed forms.
+// V16: ties against closed forms.
 namespace voussoir::testing {
 namespace {
 
@@ -37,7 +37,7 @@ bool overturns(double multiplier) {
 
 }  // namespace
 
-TEST_CASE("V15: force of a tie over its elongation") {
+TEST_CASE("V16: force of a tie over its elongation") {
   const io::LoadedCase pull = load("tie_pull");
   const cases::Model model = io::prepared_model(pull.value);  // with the way of the support
   solver::Options options;
@@ -53,16 +53,16 @@ TEST_CASE("V15: force of a tie over its elongation") {
       {{0.2, envelope(2e-3)}, {0.4, most}, {0.6, most - 3e-3 * k}, {0.8, 0.0}, {1.0, envelope(1e-2)}}};
   for (const auto& [time, force] : at) {
     while (sim.time() < time + 0.5 * sim.dt()) sim.step({false, true});
-    expect_within("V15: force at " + cases::text(time) + " s over the yield force", rod.force / yield, std::max(force, 0.0) / yield, 1e-6);
-    if (time == 0.6) expect_near("V15: plastic elongation [m]", rod.plastic, plastic, 1e-6);
+    expect_within("V16: force at " + cases::text(time) + " s over the yield force", rod.force / yield, std::max(force, 0.0) / yield, 1e-6);
+    if (time == 0.6) expect_near("V16: plastic elongation [m]", rod.plastic, plastic, 1e-6);
   }
   const double stored = 0.5 * std::pow(envelope(1e-2), 2) / k, end = 1e-2 - envelope(1e-2) / k;
-  expect_near("V15: energy lost by yielding [J]", rod.lost, 0.5 * (yield + envelope(1e-2)) * end, 1e-4);
-  expect_near("V15: energy stored [J]", sim.energy().strain, stored, 1e-6);
-  expect_below("V15: residual of the ledger", sim.worst_residual(), 1e-6);
+  expect_near("V16: energy lost by yielding [J]", rod.lost, 0.5 * (yield + envelope(1e-2)) * end, 1e-4);
+  expect_near("V16: energy stored [J]", sim.energy().strain, stored, 1e-6);
+  expect_below("V16: residual of the ledger", sim.worst_residual(), 1e-6);
 }
 
-TEST_CASE("V15: a tie that breaks releases what it stored") {
+TEST_CASE("V16: a tie that breaks releases what it stored") {
   const io::LoadedCase pull = load("tie_pull", {"tie[0].elongation=1.25e-3", "tie[0].yield=1e9"});
   const cases::Model model = io::prepared_model(pull.value);
   solver::Options options;
@@ -78,12 +78,12 @@ TEST_CASE("V15: a tie that breaks releases what it stored") {
   const double k = 2e11 * 2e-4 / 2.0, broken_at = 2.5e-3, step = 0.006 / 0.2 * 1e-4;
   CHECK(rod.broken == 1);
   CHECK(rod.force == 0.0);
-  expect_within("V15: largest force of a tie that breaks, over k e_u", most / (k * broken_at), 1.0, step / broken_at);
-  expect_near("V15: energy released by its break [J]", sim.energy().fracture, 0.5 * k * broken_at * broken_at, 2.0 * step / broken_at);
-  expect_below("V15: residual of the ledger, a tie that breaks", sim.worst_residual(), 1e-6);
+  expect_within("V16: largest force of a tie that breaks, over k e_u", most / (k * broken_at), 1.0, step / broken_at);
+  expect_near("V16: energy released by its break [J]", sim.energy().fracture, 0.5 * k * broken_at * broken_at, 2.0 * step / broken_at);
+  expect_below("V16: residual of the ledger, a tie that breaks", sim.worst_residual(), 1e-6);
 }
 
-TEST_CASE("V15: pretension of a tied column and, by a plate over two bricks, of a tied wall") {
+TEST_CASE("V16: pretension of a tied column and, by a plate over two bricks, of a tied wall") {
   for (const auto& [name, area] : {std::pair{"tie_column", 0.04}, {"tie_plate", 2 * 0.19 * 0.2}}) {
     Run run(name);
     CHECK(run.settle());
@@ -91,12 +91,12 @@ TEST_CASE("V15: pretension of a tied column and, by a plate over two bricks, of 
     const double k = 2.1e11 * 5e-5 / 0.6, weight = 1800.0 * area * 0.2 * kGravity;
     const std::array<double, 3> joint{0.1 / (Adobe::plane * area), 0.2 / (Adobe::plane * area), 0.2 / (Adobe::plane * area)};
     const double all = joint[0] + joint[1] + joint[2], sag = weight * (3 * joint[0] + 2 * joint[1] + joint[2]);
-    expect_near(std::string("V15: force of the tie [N], ") + name, tie(run).force, (4000.0 - k * sag) / (1.0 + k * all), 1e-6);
-    expect_below(std::string("V15: residual of the ledger, ") + name, run.sim().worst_residual(), 1e-6);
+    expect_near(std::string("V16: force of the tie [N], ") + name, tie(run).force, (4000.0 - k * sag) / (1.0 + k * all), 1e-6);
+    expect_below(std::string("V16: residual of the ledger, ") + name, run.sim().worst_residual(), 1e-6);
   }
 }
 
-TEST_CASE("V15: pretension of a tied arch") {
+TEST_CASE("V16: pretension of a tied arch") {
   const std::array<Vec3, 2> end{Vec3{0.1, -1.1, 0.1}, Vec3{0.1, 1.1, 0.1}};
   const std::array<std::size_t, 2> springer{4, 0};
   const auto apart = [&](const Run& run) {
@@ -109,7 +109,7 @@ TEST_CASE("V15: pretension of a tied arch") {
   tied.until(2.0, {false, true}, [] {});
   const double k = 2e11 * 1e-4 / 2.2, force = tie(tied).force;
   CHECK(std::abs(force - 1000.0) > 100.0);  // what the arch gives way by
-  expect_near("V15: force of the tie in an arch [N]", force, 1000.0 + k * apart(tied), 1e-6);
+  expect_near("V16: force of the tie in an arch [N]", force, 1000.0 + k * apart(tied), 1e-6);
 
   cases::Case loaded = load("tie_arch").value;
   loaded.ties.clear();
@@ -121,11 +121,11 @@ TEST_CASE("V15: pretension of a tied arch") {
   Run second(loaded);
   CHECK(second.settle());
   second.until(2.0, {false, true}, [] {});
-  expect_near("V15: how far the springers have moved apart [m]", apart(tied), apart(second), 1e-6);
-  expect_below("V15: residual of the ledger, tied arch", tied.sim().worst_residual(), 1e-6);
+  expect_near("V16: how far the springers have moved apart [m]", apart(tied), apart(second), 1e-6);
+  expect_below("V16: residual of the ledger, tied arch", tied.sim().worst_residual(), 1e-6);
 }
 
-TEST_CASE("V15: a wall held by a tie overturns at the multiplier of the moment balance") {
+TEST_CASE("V16: a wall held by a tie overturns at the multiplier of the moment balance") {
   const double mass = 2000.0 * 0.3 * 0.6 * 1.2, yield = 1e8 * 1e-5;
   const double expected = (mass * kGravity * 0.15 + yield * 1.0) / (mass * kGravity * 0.6);
   double low = 0.9 * expected, high = 1.1 * expected;
@@ -135,10 +135,10 @@ TEST_CASE("V15: a wall held by a tie overturns at the multiplier of the moment b
     const double middle = 0.5 * (low + high);
     (overturns(middle) ? high : low) = middle;
   }
-  expect_near("V15: multiplier at which the tied wall overturns", 0.5 * (low + high), expected, 1e-2);
+  expect_near("V16: multiplier at which the tied wall overturns", 0.5 * (low + high), expected, 1e-2);
 }
 
-TEST_CASE("V15: a tie stiffer than the step bears is bounded, and takes no smaller step") {
+TEST_CASE("V16: a tie stiffer than the step bears is bounded, and takes no smaller step") {
   const std::vector<std::string> stiff{"tie[0].area=0.05", "tie[0].pretension=0.0"};
   Run plain("tie_column"), run("tie_column", stiff);
   CHECK(run.sim().dt() == plain.sim().dt());
@@ -148,8 +148,8 @@ TEST_CASE("V15: a tie stiffer than the step bears is bounded, and takes no small
   CHECK(run.settle());
   for (double* v : {&run.sim().world().elements.vz[2], &run.sim().world().elements.vx[2]}) *v = 0.05;
   run.until(0.2, {false, true}, [] {});
-  expect_below("V15: residual of the ledger, a tie at the bound of its stiffness", run.sim().worst_residual(), 1e-3);
-  expect_below("V15: speed after the swing [m/s]", norm(run.velocity(2)), 0.1);
+  expect_below("V16: residual of the ledger, a tie at the bound of its stiffness", run.sim().worst_residual(), 1e-3);
+  expect_below("V16: speed after the swing [m/s]", norm(run.velocity(2)), 0.1);
 }
 
 }  // namespace voussoir::testing
