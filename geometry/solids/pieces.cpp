@@ -17,8 +17,11 @@ namespace {
 
 constexpr double kTolerance = 1e-9;  // of the size
 constexpr std::size_t kMostPieces = 500;
-constexpr double kFills = 1e-9;                    // relative, of volumes
-constexpr double kSharp = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
+constexpr double kFills = 1e-9;                   // relative, of volumes
+constexpr double kMild = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
+constexpr int kPerEdge = 1000;                    // what speaks for a plane, for each reflex edge that it takes
+constexpr int kSecondChoice = kPerEdge / 2;       // what speaks against a cut between two faces that turn by more
+constexpr int kLastChoice = 1'000'000;            // and against the face of a mild edge, however many edges it takes
 
 /// A flat part of the surface within a cell.
 struct Patch {
@@ -103,9 +106,10 @@ class Cutting {
     const Vec3 along = normalised(to - from);
     const double sine = -dot(cross(f.normal, g.normal), along);
     if (sine <= 1e-9) return;
-    const bool sharp = std::atan2(sine, dot(f.normal, g.normal)) < kSharp;
+    const bool mild = std::atan2(sine, dot(f.normal, g.normal)) < kMild;
+    const int along_face = mild ? kLastChoice : 0;
     const Vec3 between = normalised(cross(along, f.normal + g.normal));
-    edges_.push_back({from, to, {{{f, sharp ? 500 : 0}, {g, sharp ? 500 : 0}, {{between, dot(between, from)}, sharp ? 0 : 500}}}});
+    edges_.push_back({from, to, {{{f, along_face}, {g, along_face}, {{between, dot(between, from)}, mild ? 0 : kSecondChoice}}}});
   }
 
   /// Whether part of an edge lies within the cell.
@@ -157,7 +161,7 @@ class Cutting {
     for (const ReflexEdge* e : in) {
       for (const ReflexEdge::Cut& c : e->cuts) {
         int score = -c.penalty;
-        for (const ReflexEdge* other : in) score += lies_on(*other, c.plane) ? 1000 : 0;
+        for (const ReflexEdge* other : in) score += lies_on(*other, c.plane) ? kPerEdge : 0;
         for (const Patch& p : cell.surface) {
           const auto [low, high] = span_over(p, c.plane);
           if (low < -tolerance_ && high > tolerance_) --score;

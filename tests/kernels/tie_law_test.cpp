@@ -63,6 +63,9 @@ TEST_SUITE("tie law") {
     CHECK(s.force < -after);
     CHECK(s.force == about(-(2e3 + 1e5 * s.worked)));
     CHECK(s.worked > 2.0 * s.plastic);
+    const TieState again = advance_tie(bar, s, 5e-3);  // what it yielded to and fro adds up
+    CHECK(again.force == about(2e3 + 1e5 * again.worked));
+    CHECK(again.worked > s.worked);
   }
 
   TEST_CASE("breaks for good, and what it stored is released") {

@@ -188,6 +188,8 @@ TEST_CASE("a stone that is not convex is cut along its reflex edges, and its pie
     const Model m = model_of(load(folder.write("a.obj", obj({v})), "supports = \"ground\""));
     CHECK(m.blocks.size() == 8);
     CHECK(total_volume(m) == doctest::Approx(whole).epsilon(1e-12));
+    // Cut between the facets, not along one of them: wedges of about one size, no slivers.
+    for (const auto& element : m.assembly.elements) CHECK(element.mass.volume > 0.1 * whole);
   }
   SUBCASE("a plate with a hole") {
     Mesh m = box({0, 0, 0}, {3, 3, 1});
