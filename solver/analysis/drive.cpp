@@ -25,10 +25,10 @@ constexpr double kShortestPace = 2.0;               // s
 constexpr double kFirstFactor = 0.05;               // load factor that the first pace brings, times e − 1, while nothing has cracked
 constexpr double kShare = 0.5, kCyclicShare = 5.0;  // of the first stiffness: see Analysis::share
 constexpr double kStepMargin = 2e-3;                // of the square of the highest frequency that the step bears: what the spring may add
-constexpr double kSupportShare = 0.005;             // of the height, in a pace: how fast supports move
+constexpr double kSupportShare = 0.0025;            // of the height, in a pace: how fast supports move
 constexpr double kEndShare = 0.002;                 // of the height, in a pace: as fast as the moving end goes at most
 constexpr double kDrag = 0.002;           // of the weight: what mass damping may bear of a structure that moves as fast as the moving end
-constexpr double kSupportDrag = 0.0025;   // the same of one that moves as fast as its supports
+constexpr double kSupportDrag = 0.00125;  // the same of one that moves as fast as its supports
 constexpr double kQuiet = 3.0;            // times as fast as its supports a structure may move that stands on them
 constexpr double kLeastMassShare = 1e-3;  // of a mode, in the direction of a push
 
