@@ -6,6 +6,8 @@
 
 #include "geometry/grid.h"
 #include "geometry/message.h"
+#include "geometry/solids/mesh.h"
+#include "geometry/solids/overlaps.h"
 
 namespace voussoir::geometry {
 
@@ -65,12 +67,28 @@ void touch_elements(const Scene& scene, std::int32_t i, std::int32_t j, std::vec
   }
 }
 
-void check_overlap(const Scene& scene, std::int32_t i, std::int32_t j) {
+/// Two elements in each other.
+struct Overlap {
+  std::int32_t a, b;
+  double depth;  // m
+};
+
+void find_overlap(const Scene& scene, std::int32_t i, std::int32_t j, std::vector<Overlap>& out) {
   const double depth = penetration(scene, i, j, kGapTolerance);
-  if (depth <= kGapTolerance) return;
+  if (depth > kGapTolerance) out.push_back({i, j, depth});
+}
+
+/// \throw ModelError for the deepest, if there is any
+void refuse_overlaps(const Scene& scene, const std::vector<Overlap>& all) {
+  if (all.empty()) return;
+  const Overlap& o = *std::max_element(all.begin(), all.end(), [](const Overlap& a, const Overlap& b) { return a.depth < b.depth; });
+  const auto shape = [&](std::int32_t e) -> const Polyhedron& { return *scene.parts[static_cast<std::size_t>(e)].shape; };
+  const std::size_t more = all.size() - 1;
   throw ModelError(
-      block_prefix(i) + "overlaps block " + std::to_string(j) + " by " + figure(depth) + " m (allowed " + figure(kGapTolerance) + " m)", i,
-      j);
+      block_prefix(o.a) + "overlaps block " + std::to_string(o.b) + " by " + figure(o.depth) + " m (allowed " + figure(kGapTolerance) +
+          " m) about " + place_text(middle_of_overlap(shape(o.a), shape(o.b))) + " m" +
+          (more == 0 ? "" : " (" + std::to_string(more) + (more == 1 ? " more pair overlaps" : " more pairs overlap") + " less)"),
+      o.a, o.b);
 }
 
 void touch_base(const Scene& scene, std::int32_t i, double base_z, std::vector<Contact>& out) {
@@ -116,6 +134,7 @@ std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> bas
   UniformGrid grid;
   grid.build(scene.boxes);
   std::vector<Contact> out;
+  std::vector<Overlap> overlaps;
   std::vector<std::int32_t> near;
   const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.elements.size()); ++i) {
@@ -126,11 +145,12 @@ std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> bas
     grid.query({box.low - margin, box.high + margin}, near);
     for (const std::int32_t j : near) {
       if (j <= i) continue;
-      check_overlap(scene, i, j);
+      find_overlap(scene, i, j, overlaps);
       touch_elements(scene, i, j, out);
     }
     std::sort(out.begin() + first, out.end(), in_order);
   }
+  refuse_overlaps(scene, overlaps);
   return out;
 }
 

@@ -85,7 +85,7 @@ Table<StonesSpec> stones_table() {
        value<S>(
            "snap", &S::snap, "m", within(0.0, 0.05),
            "faces nearer than this, or as much inside each other, are put into one plane and are in contact; faces that are warped by no "
-           "more are made plane"),
+           "more are made plane; what else of a stone lies in another one or under the base by no more is cut off"),
        value<S>(
            "gap", &S::gap, "m", within(1e-4, 0.2),
            "faces so far apart (within snap) have a bed of mortar between them: both stones are grown to its middle, and its thickness "

@@ -9,6 +9,7 @@
 
 #include "geometry/prism.h"
 #include "geometry/solids/flatten.h"
+#include "geometry/solids/overlaps.h"
 #include "geometry/solids/pieces.h"
 #include "io/stones/raw_stones.h"
 #include "io/stones/supports.h"
@@ -41,6 +42,8 @@ struct Item {
   std::size_t table = 0;
   RawStone raw;
   std::size_t nearly_flat = 0;  // faces that were merged though they were not quite in one plane
+  std::vector<Polyhedron> pieces = {};
+  double parted = 0.0;  // m, how deep it was cut at most where it lay in another stone
 };
 
 class Import {
@@ -51,11 +54,13 @@ class Import {
     for (std::size_t t = 0; t < case_.stones.size(); ++t) {
       cases::StonesSpec& spec = case_.stones[t];
       if (!spec.stones.empty()) continue;
-      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) items_.push_back({t, std::move(raw), 0});
+      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) items_.push_back({t, std::move(raw)});
     }
     if (items_.empty()) return;
     for (Item& item : items_) straighten(item);
     put_together();
+    for (Item& item : items_) cut_into_pieces(item);
+    part();
     for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
     choose_supports(case_);
   }
@@ -112,28 +117,47 @@ class Import {
     return shape;
   }
 
+  void cut_into_pieces(Item& item) const {
+    try {
+      if (auto shape = convex_shape(item)) {
+        item.pieces.push_back(*std::move(shape));
+      } else {
+        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh)) {
+          item.pieces.push_back(geometry::in_prism_order(piece));
+          geometry::validate(item.pieces.back());
+        }
+      }
+    } catch (const geometry::ModelError& e) {
+      refuse(item, e);
+    }
+    item.raw.mesh = {};
+  }
+
+  /// Stones that are in each other by no more than snap are cut apart.
+  void part() {
+    std::vector<geometry::DrawnPiece> drawn;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      for (Polyhedron& p : items_[i].pieces) drawn.push_back({std::move(p), static_cast<std::int32_t>(i), spec_of(items_[i]).snap});
+      items_[i].pieces.clear();
+    }
+    const auto depth = geometry::part_overlaps(drawn, case_.base ? std::optional(case_.base->z) : std::nullopt);
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      Item& item = items_[static_cast<std::size_t>(drawn[k].solid)];
+      item.pieces.push_back(depth[k] > 0.0 ? geometry::in_prism_order(drawn[k].shape) : std::move(drawn[k].shape));
+      item.parted = std::max(item.parted, depth[k]);
+    }
+  }
+
   void finish(std::size_t i) {
     Item& item = items_[i];
     cases::Stone stone;
     stone.name = item.raw.name;
     stone.groups = std::move(item.raw.groups);
     stone.fixed = item.raw.support;
-    try {
-      if (auto shape = convex_shape(item)) {
-        stone.pieces.push_back({*std::move(shape), {}});
-      } else {
-        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh)) {
-          stone.pieces.push_back({geometry::in_prism_order(piece), {}});
-          geometry::validate(stone.pieces.back().shape);
-        }
-      }
-    } catch (const geometry::ModelError& e) {
-      refuse(item, e);
-    }
+    for (Polyhedron& p : item.pieces) stone.pieces.push_back({std::move(p), {}});
     for (cases::StonePiece& piece : stone.pieces) piece.beds = beds_of(piece.shape, flattened_[i].beds);
     stone.change = change_of(item, flattened_[i], stone);
     case_.stones[item.table].stones.push_back(std::move(stone));
-    item.raw.mesh = {};
   }
 
   static std::vector<std::int32_t> beds_of(const Polyhedron& shape, const std::vector<geometry::HalfSpace>& beds) {
@@ -156,6 +180,7 @@ class Import {
     if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
     if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + millimetres(done.warped) + " made plane");
     if (done.moved > 0.0) add("corners moved by up to " + millimetres(done.moved));
+    if (item.parted > 0.0) add("cut by " + millimetres(item.parted) + " where it lay in another stone or the base");
     if (stone.pieces.size() > 1) {
       const auto& materials = case_.materials;
       const std::string& name = spec_of(item).material;

@@ -42,6 +42,7 @@ TEST_SUITE("faults") {
   TEST_CASE("two blocks that overlap, with the depth") {
     const Complaint c = complaint_of({brick_at({5, 5, 5}), brick_at({0, 0, 0}), brick_at({0.05, 0.02, 0.09})});
     CHECK(c.mentions("block 1: overlaps block 2 by 0.01 m"));
+    CHECK(c.mentions("m) about ("));
     CHECK(c.subject == 1);
     CHECK(c.other == 2);
   }

@@ -52,3 +52,13 @@ TEST_CASE("wall.obj: 38 blocks come to rest") { check_file("wall.obj", "", 38); 
 TEST_CASE("arch_assembly.json: 30 blocks come to rest") { check_file("arch_assembly.json", "", 30); }
 TEST_CASE("wall_assembly.json: 52 blocks come to rest") { check_file("wall_assembly.json", "", 52); }
 TEST_CASE("two-blocks_assembly.json: two blocks come to rest") { check_file("two-blocks_assembly.json", "", 2); }
+TEST_CASE("ursula.obj: stones that lie in each other by centimetres are refused, the deepest first") {
+  const std::string path = stones_folder() + "/ursula.obj";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE("not there, nothing is tested: " << path);
+    return;
+  }
+  const std::string message = ::stones::refusal(path, "supports = \"ground\"");
+  CHECK(message.find("stone \"Mesh 3\" (element 3): overlaps stone \"Mesh 4\" (element 4) by 0.051091 m") != std::string::npos);
+  CHECK(message.find("about (0.825") != std::string::npos);
+}
