@@ -62,6 +62,7 @@ struct Material {
 };
 
 /// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
+enum class SofteningCurve { exponential, linear };
 struct JointLaw {
   double tension = 0.0;      // f_t, Pa
   double cohesion = 0.0;     // c, Pa
@@ -71,6 +72,10 @@ struct JointLaw {
   double thickness = 0.0;    // t_M, m
   double young = 0.0;        // E_M, Pa
   double poisson = 0.0;
+  double fracture_energy_tension = 0.0, fracture_energy_shear = 0.0;  // J/m2; 0: brittle in tension, failure.post_shear in shear
+  SofteningCurve softening = SofteningCurve::exponential;
+  std::optional<double> residual_friction{};  // degrees, of this joint without its bond; none: that of [contact]
+  double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
 };
 
 /// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).

@@ -88,7 +88,7 @@ struct Literal {
 void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf, a.tf + b.tf}; }
 
 /// The literal law for the points from `i` on, at most kWidth.
-[[gnu::noinline]] void advance_literally(const Side& side, const LaneFields& f, int lane, const SideParts& parts, int i, StepClock clock,
+[[gnu::noinline]] void advance_literally(Side side, const LaneFields& f, int lane, const SideParts& parts, int i, StepClock clock,
                                          FailureOptions o, Literal& found, EventSink& sink) noexcept {
   SideFrame frame{};
   frame.d = field(f, 0, lane), frame.ds = field(f, 1, lane), frame.dt = field(f, 2, lane);
@@ -96,6 +96,8 @@ void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf,
   const PointsView& p = parts.points;
   const SegmentsView& q = parts.segments;
   const int live = p.n - i < kWidth ? p.n - i : kWidth, first = sink.count;
+  SoftSide soft;
+  if (side.soft != nullptr) soft = side.soft->from(i), side.soft = &soft;
   const SegmentTotals r =
       advance_segments(side, parts.id, frame, {p.s + i, p.t + i, p.area + i, live}, q.from(i), clock.dt, clock.time, o, sink);
   for (int e = first; e < sink.count; ++e) sink.data[e].point += i;
@@ -118,14 +120,19 @@ struct SumRows {
 };
 
 /// All segments of one side.
-VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts, StepClock clock,
-                                  FailureOptions o, Literal& found, SumRows& rows, DamagedSide& result, EventSink& sink) noexcept {
-  const Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
+VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
+                                  const SoftSide* soft, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
+                                  DamagedSide& result, EventSink& sink) noexcept {
+  Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
+  if (soft != nullptr) law.o.brittle = true;  // what reaches a limit or is worn is for the literal law
   Totals sum;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
-    if (advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
-    advance_literally(side_of(block, l, parts), f, lane, parts, i, clock, o, found, sink);
+    const bool worn = soft != nullptr && is_worn(*soft, i, std::min(i + kWidth, parts.points.n));
+    if (!worn && advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
+    Side side = side_of(block, l, parts);
+    side.soft = soft;
+    advance_literally(side, f, lane, parts, i, clock, o, found, sink);
   }
   write_row(sum.total, sum.friction, sum.impact, rows.total);
   if (sum.touching) {
@@ -187,8 +194,8 @@ void report_facing(const SideBlock& block, int at, const LaneFields& f, unsigned
 
 }  // namespace
 
-unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::int64_t first, const SideParts* parts, Kinematics& k,
-                         const Rows& rows, StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result,
+unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::int64_t first, const SideParts* parts, const SoftSide* soft,
+                         Kinematics& k, const Rows& rows, StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result,
                          EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   LaneFields fields;
@@ -204,7 +211,8 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
       std::fill_n(by_lane[l].dash, 12, 0.0);
       continue;
     }
-    advance_side(block, at + l, fields, l, parts[l], clock, o, found_literally, by_lane[l], result[l], sink);
+    const SoftSide* softens = soft != nullptr && soft[l].wear != nullptr ? soft + l : nullptr;
+    advance_side(block, at + l, fields, l, parts[l], softens, clock, o, found_literally, by_lane[l], result[l], sink);
     touching |= static_cast<unsigned>(result[l].touching) << l;
     mask[l] = -1;
   }

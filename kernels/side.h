@@ -9,6 +9,7 @@
 #include "kernels/law.h"
 #include "kernels/rows.h"
 #include "kernels/segment_law.h"
+#include "kernels/softening.h"
 
 /// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side
 /// that stands for both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that
@@ -52,6 +53,7 @@ struct Side {
   double factor = 0.0;  // of Eq. 11, on the segment areas
   Stiffness k;
   Strength strength;
+  const SoftSide* soft = nullptr;  // its bonds soften
 };
 
 /// Contact points of a side, in its frame; n entries.
@@ -199,6 +201,7 @@ struct BlockState {
   const SideState* side_state = nullptr;  // kLanes
   const SteadySides* steady = nullptr;
   const SideParts* parts = nullptr;  // kLanes
+  const SoftSide* soft = nullptr;    // kLanes; nullptr: no law of the model softens
   std::int64_t first = 0;            // number of the first side
   unsigned live = 0;                 // bit mask of the lanes that take part
   bool look_closely = false;         // look also at open sides, which may have come apart

@@ -88,6 +88,19 @@ Table<Material> material_table() {
           nullptr};
 }
 
+void check_softening(const JointLaw& s, const RuleCheck& check) {
+  if (s.fracture_energy_tension > 0.0 && s.tension <= 0.0)
+    check.fault("fracture_energy_tension", "does not go with tension = 0; allowed: 0, or with a tension above 0 Pa");
+  if (s.fracture_energy_shear > 0.0 && s.cohesion <= 0.0)
+    check.fault("fracture_energy_shear", "does not go with cohesion = 0; allowed: 0, or with a cohesion above 0 Pa");
+  const bool softens = s.fracture_energy_tension > 0.0 || s.fracture_energy_shear > 0.0;
+  if (check.given("softening") && !softens)
+    check.fault("softening", "needs fracture_energy_tension or fracture_energy_shear (J/m2, > 0)");
+  if (s.dilatancy > 0.0 && s.fracture_energy_shear <= 0.0)
+    check.fault("dilatancy", "needs fracture_energy_shear (J/m2, > 0), over which it dies");
+  if (s.dilatancy > s.friction) check.fault("dilatancy", "is more than friction = " + value_text(s.friction) + " degrees; allowed: 0 to friction");
+}
+
 Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
@@ -100,8 +113,21 @@ Table<JointLaw> joint_law_table() {
            value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
            value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
            value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
-           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar")},
+           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
+           value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0),
+                    "mode I, elastic part included: more than f_t^2 / (2 k_n); 0: brittle in tension"),
+           value<S>("fracture_energy_shear", &S::fracture_energy_shear, "J/m2", at_least(0.0),
+                    "mode II, of the cohesion alone, elastic part included: more than c^2 / (2 k_s); 0: by failure.post_shear"),
+           choice<S, SofteningCurve S::*, SofteningCurve>(
+               "softening", &S::softening, "", {{"exponential", SofteningCurve::exponential}, {"linear", SofteningCurve::linear}},
+               "how f_t and c fall over what opens or slides"),
+           value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0),
+                    "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
+           value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
+                    "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
+                    "fracture_energy_shear")},
           [](const S& s, const RuleCheck& check) {
+            check_softening(s, check);
             if (s.thickness <= 0.0) return;
             if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
             if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");

@@ -73,7 +73,9 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
     const Local u = f.d + s * f.ds + t * f.dt;
     const Local rate = f.v + s * f.vs + t * f.vt;
     SegmentState state{q.bond[i], q.slip1(i), q.slip2(i), q.closure(i)};
-    const SegmentStep out = advance_segment(state, u, rate, step, side.k, side.strength, o);
+    const SegmentStep out = side.soft == nullptr ? advance_segment(state, u, rate, step, side.k, side.strength, o)
+                                                 : advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength,
+                                                                        side.soft->law, o);
     q.bond[i] = state.bond;
     q.slip1(i) = state.slip1, q.slip2(i) = state.slip2, q.closure(i) = state.closure;
     record(out, q, i, id, time, sink);
@@ -97,7 +99,9 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
     const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
     const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};
-    (held ? e.bonds : e.contact) += side.factor * p.area[i] * detail::stored_energy(x, side.k);
+    const double stored = held && side.soft != nullptr ? stored_when_worn(x, side.soft->wear[i], side.k, side.soft->law)
+                                                       : detail::stored_energy(x, side.k);
+    (held ? e.bonds : e.contact) += side.factor * p.area[i] * stored;
   }
   return e;
 }
@@ -107,7 +111,8 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
   for (int l = 0; l < kLanes; ++l) {
     if (!(state.live >> l & 1U)) continue;
     const SideParts& parts = state.parts[l];
-    const Side side = side_of(block, l, parts);
+    Side side = side_of(block, l, parts);
+    if (state.soft != nullptr && state.soft[l].wear != nullptr) side.soft = state.soft + l;
     const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;

@@ -39,7 +39,8 @@ void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const 
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
     const kernels::Local x{u.n - q.closure(k), u.s1 - q.slip1(k), u.s2 - q.slip2(k)};
     if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
-    const kernels::Local traction{s.k.kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
+    const double kn = s.soft == nullptr ? s.k.kn : kernels::stiffness_left(x.n, s.soft->wear[k], s.k.kn, s.soft->law);
+    const kernels::Local traction{kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
     const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
     w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + w.dt * dot(traction, rate));
   }

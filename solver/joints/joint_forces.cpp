@@ -56,6 +56,7 @@ void advance_block(const BlockStep& step, std::int32_t number, std::optional<uns
                                      {.side_state = s.side_state.data() + first,
                                       .steady = &s.steady[block],
                                       .parts = s.parts.data() + first,
+                                      .soft = s.soft.empty() ? nullptr : s.soft.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block] & ~whole.value_or(0U),
                                       .look_closely = look.closely,

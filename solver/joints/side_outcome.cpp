@@ -22,6 +22,8 @@ bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) 
 /// A side that has just been looked at, and in which nothing happens, may need no look for a while.
 bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
   if (w.options.reference_kernels || r.held == 0 || r.touching || r.events != 0) return false;
+  const kernels::SoftSide* soft = w.sides.soft_side(static_cast<std::int64_t>(id));
+  if (soft != nullptr && kernels::is_worn(*soft, 0, w.sides.parts[id].points.n)) return false;  // springs of one stiffness alone
   const std::size_t block = id / kernels::kLanes;
   const double left = kSlideShare * w.sides.size[id] - std::sqrt(r.slide2);
   return kernels::make_steady(w.sides.blocks[block], static_cast<int>(id % kernels::kLanes), w.sides.parts[id], r.u, left, w.failure,

@@ -44,7 +44,7 @@ void record_event(World& w, const kernels::SegmentEvent& event, double time, Dam
   const kernels::Side s = w.sides.side(event.side);
   const std::int64_t n = w.sides.faces[static_cast<std::size_t>(event.side)];
   if (event.broke == kernels::Mode::none) {
-    d.slipped += n;
+    if (event.reached == kernels::Mode::shear) d.slipped += n;  // a bond that softens may have reached its limit in tension
     return;
   }
   // A segment that had slipped before it broke leaves that count.

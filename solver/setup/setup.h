@@ -26,6 +26,8 @@ void set_up_patches(World& w);
 void set_up_overlaps(World& w);
 /// Points each side at its points and its segments' history, when all arrays have their size.
 void set_up_side_views(World& w);
+/// How bonds soften, and what each has gone through, where a law asks for it. \pre sides have their views
+void set_up_softening(World& w);
 /// The buffer for pairs, for --scatter gather and for cuts, and the lists of the former.
 void set_up_side_gather(World& w, const cases::Case& c);
 /// Ties, their stiffness no more than the step allows. \pre sides have their views

@@ -112,7 +112,7 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
 }
 
 /// \param factor  of the joint, see cases/scatter.h
-/// \param friction  tan φ of its two materials
+/// \param friction  tan φ of what the bond becomes: of its two materials, unless the law has its own
 kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double friction) {
   if (dry) return {0.0, 0.0, 0.0, 1.0, 0.0, friction};
   const double tan_phi = std::tan(law.friction * std::numbers::pi / 180.0);
@@ -192,7 +192,8 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
     const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
     const cases::JointLaw& law = w.model.laws[law_index].value;
     const auto material = [&](std::int32_t face) { return w.faces[static_cast<std::size_t>(face)].material; };
-    const double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
+    double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
+    if (law.residual_friction) friction = std::tan(*law.residual_friction * std::numbers::pi / 180.0);
     const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, friction); };
     side.k = joint_stiffness(w, side, law, c.contact.damping);
     side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));

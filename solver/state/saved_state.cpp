@@ -177,6 +177,9 @@ std::uint64_t model_hash(const World& w) {
     hash.add(b.constants, sizeof *b.constants);
     hash.add(b.master, sizeof b.master), hash.add(b.slave, sizeof b.slave);
   }
+  for (const kernels::SoftSide& side : w.sides.soft) {
+    for (const double v : {side.law.opening, side.law.slip, side.law.dilatancy, side.law.linear ? 1.0 : 0.0}) hash.add(&v, sizeof v);
+  }
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }

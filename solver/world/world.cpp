@@ -66,7 +66,9 @@ kernels::Rows World::rows() noexcept {
 
 kernels::Side Sides::side(std::int64_t id) const noexcept {
   const auto i = static_cast<std::size_t>(id);
-  return kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
+  kernels::Side side = kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
+  side.soft = soft_side(id);
+  return side;
 }
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {

@@ -13,6 +13,7 @@
 #include "kernels/law.h"
 #include "kernels/overlap.h"
 #include "kernels/side.h"
+#include "kernels/softening.h"
 #include "kernels/tie_law.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
@@ -95,6 +96,8 @@ struct Sides {
   std::vector<std::uint8_t> pair_on;
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
   ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
+  std::vector<kernels::SoftSide> soft;             // by side; empty: no law of the model softens
+  ZeroArray<double> wear;                          // State by segment of the sides that soften, kernels/softening.h
   // State by side.
   Array<kernels::SideState> side_state;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -108,6 +111,10 @@ struct Sides {
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  /// How the bonds of a side soften; nullptr: they do not.
+  [[nodiscard]] const kernels::SoftSide* soft_side(std::int64_t id) const noexcept {
+    return soft.empty() || soft[static_cast<std::size_t>(id)].wear == nullptr ? nullptr : &soft[static_cast<std::size_t>(id)];
+  }
   [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
 };
 

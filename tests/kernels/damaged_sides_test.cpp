@@ -58,6 +58,12 @@ void compare(const Twin& a, const Twin& b, double unit) {
   CHECK(a.u.bond == b.u.bond);
 }
 
+/// A bond that opens or slides a few times its elastic way before it is gone: Shaker takes it there and back.
+kernels::Softening soft_law(int option) {
+  return {.opening = 1.5, .slip = 1e-4, .dilatancy = option % 2 == 0 ? 0.3 : 0.0, .linear = option > 1};
+}
+
+
 }  // namespace
 
 TEST_CASE("vector and plain segments go the same way through cracking, slip and contact") {
@@ -97,10 +103,43 @@ TEST_CASE("vector and plain segments go the same way through cracking, slip and 
   }
 }
 
+TEST_CASE("vector and plain segments of a side that softens go the same way") {
+  for (int option = 0; option < 4; ++option) {
+    CAPTURE(option);
+    kernels::FailureOptions o;
+    o.in_tension = option == 3 ? kernels::ShearInTension::coulomb : kernels::ShearInTension::cohesion;
+    int worn = 0, broken = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);
+      if (seed % 3 == 0) u.put_onto_base();
+      u.soften(soft_law(option));
+      Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
+      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
+      double unit = 1.0;
+      for (int i = 0; i < 800; ++i) {
+        const TwoBodies b = shaker.at(1e-2);
+        fast.step(b, i * kStep, o);
+        plain.step(b, i * kStep, o);
+        unit = std::max({unit, norm(plain.last.force_a)});
+        compare(fast, plain, unit);
+        for (std::size_t k = 0; k < u.wear.size(); ++k) {
+          worn += plain.u.wear[k] > 0.0;
+          CHECK(fast.u.wear[k] == doctest::Approx(plain.u.wear[k]).epsilon(1e-8).scale(1e-6));
+        }
+      }
+      for (const kernels::SegmentEvent& e : plain.events) broken += e.broke != kernels::Mode::none;
+      CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
+    }
+    CHECK(worn > 1000);
+    CHECK(broken > 50);
+  }
+}
+
 TEST_CASE("what the springs of a side take is stored or lost, whatever path they are led along, and no loss is a gain") {
   for (kernels::AdvanceSides* kernel : {&kernels::advance_sides, &kernels::advance_sides_reference}) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 32; ++seed) {
       Twin t{SideUnderTest(4, 4, 0.5), *kernel};
+      if (seed > 20) t.u.soften(soft_law(static_cast<int>(seed) % 4));
       t.u.side.k.cn = t.u.side.k.cs = 0.0;
       Shaker shaker{Noise(100 + seed)};
       double work = 0.0, most = 0.0, off = 0.0, least_loss = 0.0;  // J; work on the springs by the trapezoid rule

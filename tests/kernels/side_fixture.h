@@ -55,6 +55,8 @@ struct SideUnderTest {
   std::vector<kernels::Mode> first_mode;
   std::vector<double> first_time;
   std::vector<kernels::SegmentSprings> springs;
+  kernels::Softening softening;
+  std::vector<double> wear;  // by segment; empty: its bonds do not soften
   int n = 0;
 
   SideUnderTest(int ns, int nt, double mean) {
@@ -78,6 +80,9 @@ struct SideUnderTest {
     bond.assign(padded, kernels::Bond::bonded), first_mode.assign(padded, kernels::Mode::none);
     first_time.assign(padded, 0.0), springs.assign(padded / kernels::kWidth, {});
   }
+
+  void soften(kernels::Softening law) { softening = law, wear.assign(s.size(), 0.0); }
+  kernels::SoftSide soft() { return {softening, wear.empty() ? nullptr : wear.data()}; }
 
   /// Against the base instead of the other body.
   void put_onto_base() { side.slave = 2, side.on_base = true, side.mean = 0.0, side.factor = 1.0; }
@@ -140,11 +145,13 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   kernels::DamagedSide result[kernels::kLanes];
   kernels::SideState states[kernels::kLanes] = {};
   states[kLane] = state;
+  kernels::SoftSide soft[kernels::kLanes];
+  soft[kLane] = u.soft();
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
   const kernels::BlockState block{
-      .side_state = states, .steady = &u.steady, .parts = parts, .first = 0, .live = 1U << kLane, .look_closely = false};
+      .side_state = states, .steady = &u.steady, .parts = parts, .soft = u.wear.empty() ? nullptr : soft, .first = 0, .live = 1U << kLane};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, dashpot, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));
@@ -165,7 +172,10 @@ inline bool make_steady(SideUnderTest& u, const SideStep& looked_at, double fart
 
 /// Elastic energy in the segments of a side under test.
 inline kernels::SideEnergy energy(SideUnderTest& u, const TwoBodies& b) {
-  return kernels::segment_energy(u.side, u.frame(b), u.points(), u.segments());
+  kernels::Side side = u.side;
+  const kernels::SoftSide soft = u.soft();
+  if (soft.wear != nullptr) side.soft = &soft;
+  return kernels::segment_energy(side, u.frame(b), u.points(), u.segments());
 }
 
 inline double distance(Vec3 a, Vec3 b) { return norm(a - b); }

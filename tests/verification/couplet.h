@@ -40,6 +40,12 @@ class Press {
     return run_.sim().forces().base_shear;
   }
   [[nodiscard]] solver::Damage damage() const { return run_.sim().damage(); }
+  /// J, lost by breaking so far.
+  [[nodiscard]] double fracture() const {
+    double sum = 0.0;
+    for (const double of_side : run_.sim().world().sides.fracture) sum += of_side;
+    return sum;
+  }
   [[nodiscard]] bool failed() const { return events(damage()) > 0; }
   [[nodiscard]] double u() const { return u_.z; }
 

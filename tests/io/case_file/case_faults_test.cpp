@@ -175,6 +175,17 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal(law + "thickness = 0.01\nyoung = 1").starts_with("test.toml:1: joint_laws.n.poisson is missing"));
   CHECK(refusal(law + "thickness = 0.01\nyoung = 0\npoisson = 0").starts_with("test.toml:7: joint_laws.n.young = 0 Pa"));
   CHECK(refusal(law + "thickness = 0.01\nyoung = 1\npoisson = 0") == "accepted");
+  const auto softening = [&](const std::string& keys) { return refusal(law + keys); };
+  CHECK(softening("fracture_energy_tension = -1").starts_with("test.toml:6: joint_laws.n.fracture_energy_tension = -1"));
+  CHECK(softening("fracture_energy_shear = -1").starts_with("test.toml:6: joint_laws.n.fracture_energy_shear = -1"));
+  CHECK(softening("fracture_energy_shear = 1\nsoftening = \"steep\"").starts_with("test.toml:7: joint_laws.n.softening = \"steep\""));
+  CHECK(softening("softening = \"linear\"").find("needs fracture_energy_tension or fracture_energy_shear") != std::string::npos);
+  CHECK(softening("residual_friction = 90").starts_with("test.toml:6: joint_laws.n.residual_friction = 90"));
+  CHECK(softening("dilatancy = 10").find("needs fracture_energy_shear") != std::string::npos);
+  CHECK(softening("fracture_energy_shear = 1\ndilatancy = 31").find("is more than friction = 30") != std::string::npos);
+  const std::string weak = "[joint_laws.n]\ntension = 0\ncohesion = 0\nfriction = 30\ncompression = 1\n";
+  CHECK(refusal(weak + "fracture_energy_tension = 1").find("does not go with tension = 0") != std::string::npos);
+  CHECK(refusal(weak + "fracture_energy_shear = 1").find("does not go with cohesion = 0") != std::string::npos);
   CHECK(refusal("[joint_laws.dry]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n").find("reserved") != std::string::npos);
   CHECK(refusal("[materials.base]\ndensity = 1\nyoung = 1\npoisson = 0\n").starts_with("test.toml:1: materials.base is a reserved name"));
 }

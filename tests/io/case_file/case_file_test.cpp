@@ -100,6 +100,11 @@ TEST_CASE("case file: every key of materials, joints and motion is read") {
   CHECK(law.thickness == 0.01);
   CHECK(law.young == 9.9e7);
   CHECK(law.poisson == 0.24);
+  CHECK(law.fracture_energy_tension == 5.5);
+  CHECK(law.fracture_energy_shear == 21.0);
+  CHECK(law.softening == cases::SofteningCurve::linear);
+  CHECK(law.residual_friction == 28.0);
+  CHECK(law.dilatancy == 11.0);
   CHECK(c.scatter.seed == 7);
   CHECK(c.scatter.variation == 0.25);
   CHECK(c.scatter.distribution == cases::Distribution::normal);

@@ -65,6 +65,38 @@ TEST_CASE("a wall that is shaken, cracks and falls loses energy and gains none, 
   }
 }
 
+TEST_CASE("a wall whose bonds soften loses energy and gains none, and its ledger closes as that of a brittle one") {
+  const cases::GroundMotion g = strong_shaking();
+  for (const auto curve : {cases::SofteningCurve::exponential, cases::SofteningCurve::linear}) {
+    cases::Case c = uneven_wall();
+    cases::JointLaw& law = c.joint_laws["mortar"];
+    law.fracture_energy_tension = 0.2, law.fracture_energy_shear = 0.4, law.softening = curve;
+    law.residual_friction = 28.0, law.dilatancy = 12.0;
+    const cases::Model m = cases::build_model(c);
+    solver::Simulation sim(c, m, g, {});
+    solver::EnergyRow before{};
+    double least = 0.0;  // of what is lost between two rows, over all that has been
+    std::size_t worn = 0;
+    while (sim.time() < 0.6) {
+      sim.step({false, sim.steps() % 20 == 0});
+      sim.cracks().clear();
+      if ((sim.steps() - 1) % 20 != 0) continue;
+      const solver::EnergyRow& now = sim.energy();
+      const double all = now.friction + now.fracture + now.dashpot + now.damping + 1e-300;
+      least = std::min({least, (now.friction - before.friction) / all, (now.fracture - before.fracture) / all});
+      before = now;
+      const auto& wear = sim.world().sides.wear;
+      worn = std::max(worn, static_cast<std::size_t>(std::count_if(wear.data(), wear.data() + wear.size(), [](double x) { return x > 0.0; })));
+    }
+    CAPTURE(least);
+    MESSAGE("residual ", sim.worst_residual(), ", ", worn, " segments worn at once");
+    CHECK(worn > 200);
+    CHECK(sim.damage().tension + sim.damage().shear > 500);
+    CHECK(sim.worst_residual() < 1e-4);
+    CHECK(least > -1e-6);
+  }
+}
+
 TEST_CASE("a run in which energy comes from nowhere stops, and says how much, when and what to try") {
   cases::Case c = small_wall(3, 4, 1e9);
   c.output.ledger_interval = 0.005;

@@ -42,6 +42,8 @@ cases::Case everything() {
   cases::Load load;
   load.block = "c7_1", load.force = {0.0, 30.0, 0.0}, load.moment = {1.0, 0.0, 0.5}, load.ramp = {0.0, 0.3};
   c.loads.push_back(load);
+  cases::JointLaw& mortar = c.joint_laws["mortar"];  // bonds that soften; nails do not
+  mortar.fracture_energy_tension = 0.1, mortar.fracture_energy_shear = 0.2, mortar.dilatancy = 10.0;
   // One that yields, one under pretension that breaks, one that goes slack.
   c.ties.push_back({.name = "rod", .from = {0.1, 0.05, 0.05}, .to = {0.5, 0.05, 0.75}, .area = 1e-6, .young = 2e9, .yield = 2e5});
   c.ties.push_back({.name = "wire",
