@@ -20,7 +20,7 @@ constexpr double kWindow = 0.1;        // of the pace: the load factor is a mean
 constexpr double kOnward = 0.9;        // of the way in such a window is onward
 constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
 constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
-constexpr double kItalianShare = 0.6;  // of the largest base shear: the elastic branch goes through it
+constexpr double kItalianShare = 0.7;  // of the largest base shear: the elastic branch goes through it
 
 using Values = std::vector<double>;
 
@@ -59,7 +59,7 @@ Bilinear ec8_of(const Capacity& c, std::size_t peak) {
   return finished(b);
 }
 
-/// Circolare 7/2019, C7.3.4.2: through the point at 0.6 of the largest base shear; equal areas up to the ultimate displacement.
+/// Circolare 7/2019, C7.8.1.6 (masonry): through the point at 0.7 of the largest base shear; equal areas up to the ultimate displacement.
 Bilinear ntc_of(const Capacity& c, std::size_t peak) {
   Bilinear b;
   const double at = crossing(c.curve.displacement, c.curve.base_shear, 0, peak, kItalianShare * c.peak_shear);
@@ -125,7 +125,7 @@ void look_at_shear(Capacity& c, double drop) {
 }
 
 /// Work of the pattern's forces, and where all work went.
-void look_at_loops(Capacity& c, double weight) {
+void look_at_work(Capacity& c, double weight) {
   const CapacityCurve& r = c.curve;
   for (std::size_t i = 1; i < r.time.size(); ++i)
     c.loop_area += 0.5 * weight * (r.factor[i] + r.factor[i - 1]) * (r.moved[i] - r.moved[i - 1]);
@@ -244,15 +244,18 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
 
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve) {
   Capacity c;
-  c.kind = kind;
+  c.kind = kind, c.drop = drop;
   c.curve = std::move(curve);
   if (kind == cases::AnalysisKind::settlement) {
     look_at_fall(c, quiet);
     return c;
   }
   look_at_motion(c, pace, weight);
-  look_at_loops(c, weight);
-  if (kind != cases::AnalysisKind::cyclic) look_at_shear(c, drop);
+  look_at_work(c, weight);
+  if (kind == cases::AnalysisKind::cyclic)
+    c.loops = loops_of(c.curve, weight);
+  else
+    look_at_shear(c, drop);
   return c;
 }
 

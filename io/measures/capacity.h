@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/analysis.h"
+#include "io/measures/loops.h"
 
 /// What a quasi-static analysis has found: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and their
 /// sources: io/MEASURES.md.
@@ -33,6 +34,7 @@ struct Bilinear {
 
 struct Capacity {
   cases::AnalysisKind kind = cases::AnalysisKind::pushover;
+  double drop = 0.2;                // analysis.drop
   std::string ended;                // why: see MEASURES.md
   double multiplier = 0.0;          // the largest load factor
   double multiplier_at_rest = 0.0;  // the largest mean over a tenth of the pace, without what inertia and mass damping bore
@@ -45,6 +47,7 @@ struct Capacity {
   Bilinear ec8, ntc;
   double least_factor = 0.0;                               // cyclic: the largest the other way
   double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; what stores have gained
+  std::vector<Loop> loops;                                 // cyclic: its whole cycles
   double collapse_movement = Bilinear::kNone, collapse_time = Bilinear::kNone;  // settlement: m of a support, s, from which on it falls
   std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, and what they do
   double mechanism_time = 0.0;                                                  // s, of the frame

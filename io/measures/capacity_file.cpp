@@ -48,10 +48,55 @@ std::string list(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
+Json loops_json(const std::vector<Loop>& loops) {
+  Json out = Json::array();
+  for (const Loop& l : loops) {
+    out.push_back({{"begin", l.begin},
+                   {"end", l.end},
+                   {"most", l.most},
+                   {"least", l.least},
+                   {"most_factor", l.most_factor},
+                   {"least_factor", l.least_factor},
+                   {"first_factor", l.first_factor},
+                   {"last_factor", l.last_factor},
+                   {"area", l.area},
+                   {"dissipated", l.dissipated},
+                   {"stored", l.stored},
+                   {"other_work", l.other_work},
+                   {"viscous_damping", l.viscous_damping}});
+  }
+  return out;
+}
+
+std::string loops_text(const std::vector<Loop>& loops) {
+  std::string text;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const Loop& l = loops[k];
+    text += line(std::string("loop ").append(std::to_string(k + 1)).c_str(),
+                 "%.3f to %.3f mm, factor %.4f to %.4f; area %.4g J, lost %.4g J, stored %.3g J, other loads %.3g J; damping %.1f %%",
+                 1e3 * l.least, 1e3 * l.most, l.least_factor, l.most_factor, l.area, l.dissipated, l.stored, l.other_work,
+                 100.0 * l.viscous_damping);
+  }
+  return text;
+}
+
 std::string bilinear_text(const char* name, const Bilinear& b) {
   if (std::isnan(b.yield)) return line(name, "none");
   return line(name, "%.1f kN from %.3f mm on (%.4g kN/mm), ductility %s", 1e-3 * b.force, 1e3 * b.yield, 1e-6 * b.stiffness,
               std::isnan(b.ductility) ? "not reached" : std::to_string(b.ductility).substr(0, 5).c_str());
+}
+
+void write_loops(Hdf5File& file, const std::string& name, const std::vector<Loop>& loops) {
+  constexpr std::uint64_t kColumns = 13;
+  std::vector<double> rows;
+  for (const Loop& l : loops) {
+    rows.insert(rows.end(), {l.begin, l.end, l.most, l.least, l.most_factor, l.least_factor, l.first_factor, l.last_factor, l.area,
+                             l.dissipated, l.stored, l.other_work, l.viscous_damping});
+  }
+  file.write_dataset(name, Hdf5Type::f64, {loops.size(), kColumns}, rows.data(), {},
+                     {"s, s, m, m, 1, 1, 1, 1, J, J, J, J, 1",
+                      "whole cycles: begin, end, most, least, most_factor, least_factor, first_factor, last_factor, area, dissipated, "
+                      "stored, other_work, viscous_damping"});
 }
 
 }  // namespace
@@ -93,6 +138,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
 std::string capacity_json(const Capacity& c, bool with_curve) {
   Json out;
   for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
+  if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
   out["mechanism"] = c.mechanism;
   out["mechanism_time"] = c.mechanism_time;
   out["mechanism_at_end"] = c.mechanism_at_end;
@@ -120,6 +166,7 @@ std::string capacity_text(const Capacity& c) {
   if (c.kind == AnalysisKind::cyclic) {
     text += line("the other way", "%.4f", c.least_factor);
     text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);
+    text += loops_text(c.loops);
   } else {
     text += line("largest base shear", "%.2f kN at %.3f mm; first stiffness %.4g kN/mm", 1e-3 * c.peak_shear, 1e3 * c.peak_displacement,
                  1e-6 * c.first_stiffness);
@@ -142,6 +189,7 @@ void write_capacity(Hdf5File& file, const Capacity& c) {
   }
   file.set_attribute(at, "mechanism_time", c.mechanism_time);
   file.set_attribute(at, "units", units + "; mechanism_time: s");
+  if (!c.loops.empty()) write_loops(file, at + "/loops", c.loops);
   file.write_strings(at + "/mechanism", c.mechanism, {"1", "bodies that move as one at the largest load factor, and what they do"});
   file.write_strings(at + "/mechanism_at_end", c.mechanism_at_end, {"1", "the same at the end"});
 }

@@ -16,48 +16,18 @@
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/measures/building.h"
-#include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
 #include "io/motion/motion_files.h"
 #include "io/replay/frame_reader.h"
+#include "io/report/report_capacity.h"
+#include "io/report/report_plots.h"
 
 namespace voussoir::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace page;
 
-constexpr std::size_t kMostTies = 6;        // curves in one diagram
-constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of a hundred seconds; the page shows their peaks
-
-/// Every so many rows are shown of `rows`.
-std::size_t stride_of(std::size_t rows) { return std::max<std::size_t>(1, (rows + kPlotPoints - 1) / kPlotPoints); }
-
-/// Component `first` of rows of `width` times a factor, thinned, to six digits.
-Json thinned(const std::vector<double>& values, std::size_t first = 0, std::size_t width = 1, double factor = 1) {
-  Json out = Json::array();
-  const std::size_t rows = values.size() / width, stride = stride_of(rows);
-  for (std::size_t i = 0; i < rows; i += stride) {
-    const double v = factor * values[first + i * width];
-    const double digit = v == 0 || !std::isfinite(v) ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(v))) - 5);
-    out.push_back(std::round(v / digit) * digit);  // JSON has no NaN: it becomes null
-  }
-  return out;
-}
-
-Json curve(const std::string& name, Json values) { return {{"name", name}, {"y", std::move(values)}}; }
-
-/// One diagram: what stands on it, and its curves over one time.
-Json plot(const std::string& title, const std::string& unit, Json time, Json curves) {
-  return {{"title", title}, {"unit", unit}, {"t", std::move(time)}, {"curves", std::move(curves)}};
-}
-
-/// Rows with a column a name, as curves.
-Json columns(const std::vector<double>& values, const std::vector<std::string>& names, double factor = 1) {
-  Json curves = Json::array();
-  for (std::size_t k = 0; k < names.size(); ++k) curves.push_back(curve(names[k], thinned(values, k, names.size(), factor)));
-  return curves;
-}
-
+constexpr std::size_t kMostTies = 6;  // curves in one diagram
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
 /// Ground acceleration at its own samples, so that its peaks are there.
@@ -168,18 +138,6 @@ void add_tables(const Hdf5File& file, Json& plots) {
   plots.back()["stack"] = true;
 }
 
-/// The capacity that a quasi-static analysis has found; its curve is in the plots.
-void add_capacity(const Hdf5File& file, Json& facts) {
-  const std::optional<Capacity> c = capacity_of(file);
-  if (!c) return;
-  facts["capacity"] = Json::parse(capacity_json(*c, false));
-  const Json time = thinned(c->curve.time);
-  Json& plots = facts["plots"];
-  if (c->kind != cases::AnalysisKind::settlement) plots.push_back(plot("Load factor", "", time, columns(c->curve.factor, {"load factor"})));
-  plots.push_back(plot("Base shear along the push", "kN", time, columns(c->curve.base_shear, {"base shear"}, 1e-3)));
-  plots.push_back(plot("Control point, along the push", "mm", time, columns(c->curve.displacement, {"displacement"}, 1000)));
-}
-
 /// Attributes that are there, as numbers.
 Json numbers(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
   Json out = Json::object();
@@ -210,7 +168,7 @@ std::string record_name(const cases::Motion& m) {
 /// What shook the run. Its records may be gone: then the page has neither peaks nor the curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts) {
   const auto times = file.read<double>("/history/time");
-  if (!c.value.motion) return;
+  if (!c.value.motion || is_assessment(c.value.analysis)) return;
   const cases::Motion& m = *c.value.motion;
   const bool turned = m.record || std::ranges::any_of(m.ltv, [](const auto& f) { return f.has_value(); });
   facts["motion"] = {{"record", record_name(m)}, {"direction", turned ? m.direction : ""}, {"scale", m.scale}};
@@ -308,8 +266,8 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["title"] = c ? c->value.title : std::filesystem::path(file.path()).parent_path().filename().string();
   facts["plots"] = Json::array();
   if (c) add_ground(*c, file, frames, facts);
-  add_measures(file, facts);
   add_capacity(file, facts);
+  add_measures(file, facts);
   add_histories(file, facts["plots"]);
   add_base_shear(file, facts["plots"]);
   add_ties(file, facts["plots"]);

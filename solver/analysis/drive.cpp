@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/analysis/drive.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -77,9 +78,21 @@ PatternOnMode on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 
   return out;
 }
 
+/// 2 × the kinetic energy of an element that turns at this rate; nothing of one that cannot turn.
+double turning_mass(const Elements& e, std::size_t i, Vec3 rate) {
+  if (e.ixx[i] <= 0.0) return 0.0;
+  Eigen::Matrix3d inverse;
+  inverse << e.ixx[i], e.ixy[i], e.ixz[i], e.ixy[i], e.iyy[i], e.iyz[i], e.ixz[i], e.iyz[i], e.izz[i];
+  const Eigen::Vector3d r(rate.x, rate.y, rate.z);
+  return r.dot(inverse.ldlt().solve(r));
+}
+
 double modal_mass(const World& w, const Mode& m) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < m.displacement.size(); ++i) sum += w.elements.mass[i] * dot(m.displacement[i], m.displacement[i]);
+  for (std::size_t i = 0; i < m.displacement.size(); ++i) {
+    if (w.elements.fixed[i]) continue;
+    sum += w.elements.mass[i] * dot(m.displacement[i], m.displacement[i]) + turning_mass(w.elements, i, m.rotation[i]);
+  }
   return sum;
 }
 

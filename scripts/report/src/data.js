@@ -54,10 +54,10 @@ export class Frames {
   /** Displacement of element `e` along axis `k`, m. */
   displacement(at, e, k) { return this.quantum * this.#between(at, k, e); }
   distance(at, e) { return Math.hypot(this.displacement(at, e, 0), this.displacement(at, e, 1), this.displacement(at, e, 2)); }
-  /** Largest displacement of all elements up to frame `last`, m. */
-  largest(last) {
+  /** Largest displacement of all elements along an axis from frame `first` to frame `last`, m. */
+  largest(last, first = 0) {
     let most = 0;
-    for (let f = 0; f <= last; ++f) {
+    for (let f = first; f <= last; ++f) {
       const from = 7 * this.n * f;
       for (let i = from; i < from + 3 * this.n; ++i) most = Math.max(most, Math.abs(this.values[i]));
     }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+import { CurvePlot } from "./curves.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { drawOverlay } from "./overlay.js";
@@ -53,7 +54,10 @@ class Report {
     by("subtitle").textContent = runs.map((run) => subtitle(run) + (run.facts.model ? " · the model, before it moves" : "")).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
     showSummary(by("keys"), by("summary"), by("provenance").lastElementChild, runs);
     const titles = [...new Set(runs.flatMap((run) => run.facts.plots.map((p) => p.title)))];
-    this.plots = titles.map((title) => new Plot(by("plots"), runs.map((run) => run.facts.plots.find((p) => p.title === title)), this.from, this.until, (t) => this.seek(t)));
+    this.plots = titles.map((title) => {
+      const plots = runs.map((run) => run.facts.plots.find((p) => p.title === title)), seek = (t) => this.seek(t);
+      return plots.find(Boolean).x ? new CurvePlot(by("plots"), plots, seek) : new Plot(by("plots"), plots, this.from, this.until, seek);
+    });
     const end = this.times.at(-1) ?? this.until; // of the slider
     showTimeline(by("bands"), by("ticks"), this.run.facts, this.from, end, (t) => this.seek(t));
   }

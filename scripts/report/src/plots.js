@@ -3,15 +3,15 @@
 // Curves over time, drawn by uPlot: the cursor reads all plots at once, a click goes there, a line stands at the moment that is shown.
 import uPlot from "uplot";
 
-const kHeight = 168, kType = '11px system-ui, "DejaVu Sans", sans-serif';
+export const kHeight = 168, kType = '11px system-ui, "DejaVu Sans", sans-serif';
 const small = (v) => String(v !== 0 && Math.abs(v) < 1e-3 ? v.toExponential(1) : +v.toPrecision(3));
 /** In little room: "202 k" is 202,000. */
-const number = (v) => (v === null || v === undefined ? "–" : Math.abs(v) >= 1e6 ? `${small(v / 1e6)} M` : Math.abs(v) >= 1e4 ? `${small(v / 1e3)} k` : small(v));
+export const number = (v) => (v === null || v === undefined ? "–" : Math.abs(v) >= 1e6 ? `${small(v / 1e6)} M` : Math.abs(v) >= 1e4 ? `${small(v / 1e3)} k` : small(v));
 
 const plain = HTMLCanvasElement.prototype.getContext;
 /** Has the processor draw on the canvases that `make` makes: where there is no graphics card, curves of thousands of points took seconds else,
  *  in which nothing on the page moved. */
-function onProcessor(make) {
+export function onProcessor(make) {
   HTMLCanvasElement.prototype.getContext = function (kind, options) { return plain.call(this, kind, { ...options, willReadFrequently: true }); };
   try {
     return make();
@@ -21,7 +21,7 @@ function onProcessor(make) {
 }
 
 /** A variable of the style sheet as a colour that a canvas knows. */
-function colour(name) {
+export function colour(name) {
   const probe = document.body.appendChild(document.createElement("i"));
   probe.style.color = `var(${name})`;
   const value = getComputedStyle(probe).color;

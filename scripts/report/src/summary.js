@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // The figures of the run in words: what matters most, large; the rest in tables; where the numbers come from, folded away.
+import { capacityKeys, capacityTable } from "./capacity.js";
 import { kGrades } from "./timeline.js";
 
 const count = (n) => n.toLocaleString("en");
@@ -13,7 +14,7 @@ const when = (t) => (t === undefined ? "–" : t < 0 ? "never" : seconds(t));
 /** "LTV of bam-like, peaks 7.81, 6.23, 9.81 m/s² along x, y, z" */
 export function subtitle({ facts }) {
   const m = facts.motion;
-  if (!m) return "no ground motion";
+  if (!m) return facts.capacity ? `${facts.capacity.kind}, ended by: ${facts.capacity.ended}` : "no ground motion";
   const scale = new Set(m.scale).size === 1 ? m.scale[0] : m.scale.join(", ");
   return [
     m.direction ? `${m.record}, ${m.direction} along x, y, z` : m.record,
@@ -36,6 +37,7 @@ function penetration(m) {
 function keys({ facts }) {
   const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
   return [
+    ...capacityKeys(facts.capacity),
     g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
     ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `so far, at ${seconds(last ?? 0)}`],
     ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
@@ -121,6 +123,7 @@ export function showSummary(top, rest, folded, runs) {
   } else {
     table(rest, ["", "A", "B"], both(runs, (run) => keys(run).map(([name, value]) => [name, value])).map(mark), "Two runs");
   }
+  if (runs.some((run) => run.facts.capacity)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, capacityTable).map(mark), "Capacity");
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
   runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
   table(folded, runs.length > 1 ? ["", "A", "B"] : null, both(runs, provenance), "Where the numbers come from");

@@ -58,6 +58,19 @@ TEST_CASE("capacity: a curve that is elastic, level, and falls") {
   CHECK(c.ntc.force < 1e4);
 }
 
+TEST_CASE("capacity: the elastic branch of NTC goes through the curve at 0.7 of its peak, that of EC 8 has the area up to the peak") {
+  CapacityCurve c = trilinear(7e-3);
+  for (std::size_t i = 0; i < c.time.size(); ++i) {  // a parabola to its top at 5 mm
+    const double x = c.displacement[i] / 5e-3;
+    c.base_shear[i] = 1e4 * x * (2.0 - x);
+  }
+  const Capacity got = capacity_of(cases::AnalysisKind::pushover, 0.1, kPace, kWeight, 0.0, c);
+  CHECK(got.peak_displacement == doctest::Approx(5e-3));
+  CHECK(got.ntc.stiffness == doctest::Approx(0.7e4 / (5e-3 * (1.0 - std::sqrt(0.3)))).epsilon(1e-4));
+  CHECK(got.ec8.yield == doctest::Approx(2.0 * (5e-3 - 5e-3 * 2.0 / 3.0)).epsilon(1e-4));
+  CHECK(got.ec8.force == doctest::Approx(1e4));
+}
+
 TEST_CASE("capacity: what is not reached is none") {
   const Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(4e-3));
   CHECK(std::isnan(c.ultimate_displacement));
@@ -91,8 +104,8 @@ TEST_CASE("capacity: a jolt of the load factor is no strength, nor is motion tha
 
 namespace {
 
-/// What bears 9 kN however it moves, and 1 kN more by damping, swings by 0.3 mm while it is pushed on by 1 mm/s: to and fro, with the energy
-/// balance of a mass of 1e6 kg.
+/// What bears 9 kN however it moves, and 1 kN more by damping, swings by 0.3 mm while it is pushed on by 1 mm/s: to and fro, with the
+/// energy balance of a mass of 1e6 kg.
 CapacityCurve swinging() {
   constexpr double kMass = 1e6, kSwing = 3e-4, kOmega = 6.0, kBears = 9e3, kDrag = 1e3;  // kg, m, 1/s, N, N
   CapacityCurve c;
@@ -126,6 +139,40 @@ TEST_CASE("capacity: a loop's area is the work of its forces") {
   CapacityCurve c = trilinear(5e-3);
   const Capacity got = capacity_of(cases::AnalysisKind::cyclic, 0.2, kPace, kWeight, 0.0, c);
   CHECK(got.loop_area == doctest::Approx(got.dissipated + got.stored).epsilon(1e-3));
+}
+
+TEST_CASE("capacity: loops are whole cycles between upward crossings of zero, and what other loads put in is told apart") {
+  CapacityCurve c;
+  double work = 0.0;
+  for (int i = 0; i <= 5300; ++i) {  // two cycles of 1 mm, and a third of 0.5 mm that is not whole; force ahead of the displacement by 30°
+    const double angle = std::acos(-1.0) * i / 1000.0, size = i < 4000 ? 1e-3 : 5e-4;
+    c.time.push_back(1e-3 * i), c.moved.push_back(size * std::sin(angle) + (i % 2 == 0 ? 1e-8 : -1e-8));
+    c.factor.push_back(0.1 * std::sin(angle + std::acos(-1.0) / 6.0));
+    if (i > 0)
+      work +=
+          0.5 * kWeight * (c.factor[c.factor.size() - 1] + c.factor[c.factor.size() - 2]) * (c.moved.back() - c.moved[c.moved.size() - 2]);
+    c.displacement.push_back(0.0), c.drift.push_back(0.0), c.base_shear.push_back(0.0), c.support_moved.push_back(0.0),
+        c.over.push_back(0.0);
+    c.input.push_back(work + 0.25e-3 * i), c.damping.push_back(0.0), c.kinetic.push_back(0.0), c.losses.push_back(work),
+        c.stored.push_back(0.25e-3 * i);
+  }
+  const Capacity got = capacity_of(cases::AnalysisKind::cyclic, 0.2, kPace, kWeight, 0.0, c);
+  REQUIRE(got.loops.size() == 2);
+  const double pi = std::acos(-1.0), area = pi * 0.1 * kWeight * 1e-3 * std::sin(pi / 6.0);  // of the ellipse
+  for (const Loop& l : got.loops) {
+    CHECK(l.area == doctest::Approx(area).epsilon(1e-3));
+    CHECK(l.dissipated == doctest::Approx(area).epsilon(1e-3));
+    CHECK(l.other_work == doctest::Approx(0.5).epsilon(2e-3));
+    CHECK(l.stored == doctest::Approx(0.5).epsilon(2e-3));
+    CHECK(l.most == doctest::Approx(1e-3).epsilon(1e-3));
+    CHECK(l.least == doctest::Approx(-1e-3).epsilon(1e-3));
+    CHECK(l.viscous_damping == doctest::Approx(0.5 * std::sin(pi / 6.0)).epsilon(2e-3));  // area / (2π F A)
+    CHECK(l.last_factor == doctest::Approx(0.05).epsilon(0.02));
+  }
+  const auto json = nlohmann::json::parse(capacity_json(got, false));
+  CHECK(json["loops"].size() == 2);
+  CHECK(json["loops"][1]["viscous_damping"].get<double>() == got.loops[1].viscous_damping);
+  CHECK(capacity_text(got).find("loop 2") != std::string::npos);
 }
 
 TEST_CASE("capacity: an arch falls when it moves faster than it follows its supports, for good") {

@@ -14,7 +14,9 @@ namespace voussoir::testing {
 
 class AssessmentRows final : public solver::Recorder {
  public:
-  void history(double, std::span<const solver::HistorySample>) override {}
+  void history(double, std::span<const solver::HistorySample> points) override {
+    if (!points.empty()) path.push_back(points.front().displacement);
+  }
   void energy(const solver::EnergyRow& e) override {
     if (e.time < 0.0) return;
     curve.input.push_back(e.input), curve.kinetic.push_back(e.kinetic), curve.damping.push_back(e.damping);
@@ -35,9 +37,11 @@ class AssessmentRows final : public solver::Recorder {
 
   io::CapacityCurve curve;
   solver::Drive chosen;
+  std::vector<Vec3> path;  // m, of the first followed point from time zero
 };
 
-inline io::Capacity assess(const cases::Case& c) {
+/// \param rows  if not null: what the run has told
+inline io::Capacity assess(const cases::Case& c, AssessmentRows* rows = nullptr) {
   const cases::Model m = cases::build_model(c);
   solver::Options o;
   o.threads = 1;
@@ -47,6 +51,7 @@ inline io::Capacity assess(const cases::Case& c) {
   AssessmentRows out;
   solver::RunState plan;
   solver::run(sim, plan, c, c.end(), out, [](const solver::RunStatus&) { return true; });
+  if (rows != nullptr) *rows = out;
   return io::capacity_of(c.analysis.kind, c.analysis.drop, out.chosen.pace, out.chosen.weight, out.chosen.quiet, out.curve);
 }
 

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+// What a quasi-static analysis has found, in words. A figure that there is none of is null.
+
+const is = (x) => x !== null && x !== undefined;
+const fixed = (x, digits, unit) => (is(x) ? `${x.toFixed(digits)} ${unit}`.trimEnd() : "–");
+const kilonewtons = (x) => fixed(is(x) ? x / 1000 : x, 1, "kN"), millimetres = (x) => fixed(is(x) ? 1000 * x : x, 2, "mm");
+const percent = (x, digits = 2) => fixed(is(x) ? 100 * x : x, digits, "%"), stiffness = (x) => fixed(is(x) ? x / 1e6 : x, 1, "kN/mm");
+const rate = (c) => (c.slow ? "slow enough" : "depends on the rate");
+
+/** What stands in large type: [name, value, small print]. @param c  null or undefined: a time history */
+export function capacityKeys(c) {
+  if (!c) return [];
+  if (c.kind === "settlement") return [["Fell after", is(c.collapse_movement) ? `${c.collapse_movement.toFixed(3)} m` : "never", "movement of a support"]];
+  if (c.kind === "cyclic") return [["Load factors", `${c.least_factor.toFixed(2)} … ${c.multiplier.toFixed(2)}`, `${c.loops?.length ?? 0} whole cycles`], ["Lost in the loops", fixed(c.dissipated, 1, "J"), `of ${fixed(c.loop_area, 1, "J")} put in`]];
+  return [
+    [c.kind === "tilt" ? "Multiplier" : "Load factor", fixed(c.multiplier_at_rest, 4, ""), `at rest, ${rate(c)}`],
+    ["Base shear", kilonewtons(c.peak_shear), `largest, at ${millimetres(c.peak_displacement)}`],
+    ["Ultimate", millimetres(c.ultimate_displacement), is(c.ultimate_drift) ? `drift ${percent(c.ultimate_drift)}` : "not reached"],
+    ["First stiffness", stiffness(c.first_stiffness), "at 15 % of the peak"],
+  ];
+}
+
+const bilinear = (c, code, name) => [
+  [`Bilinear, ${name}: plateau`, kilonewtons(c[`${code}_force`])],
+  ["… stiffness", stiffness(c[`${code}_stiffness`])],
+  ["… yield", millimetres(c[`${code}_yield`])],
+  ["… ductility", fixed(c[`${code}_ductility`], 2, "")],
+];
+
+/** Rows of a table: [name, value]. */
+export function capacityTable({ facts }) {
+  const c = facts.capacity;
+  if (!c) return [];
+  if (c.kind === "settlement") return [["Fell at", fixed(c.collapse_time, 2, "s")], ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  const loops = (c.loops ?? []).flatMap((l, i) => [
+    [`Loop ${i + 1}, ${millimetres(l.least)} to ${millimetres(l.most)}`, fixed(l.area, 2, "J")],
+    [`… ${i + 1} lost, stored`, `${l.dissipated.toFixed(2)}, ${l.stored.toFixed(2)} J`],
+    [`… ${i + 1} viscous damping`, percent(l.viscous_damping, 1)],
+  ]);
+  const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
+  return [["Borne by motion", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
+}
+
+/** Names of rows are keys where two runs stand side by side. */
+const named = (rows, code) => rows.map(([name, value]) => [name.startsWith("…") ? `… ${code} ${name.slice(2)}` : name, value]);
