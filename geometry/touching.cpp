@@ -3,6 +3,7 @@
 #include "geometry/touching.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/grid.h"
 #include "geometry/message.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr double kNormalTolerance = 1e-6;  // of n_a + n_b
 constexpr double kGapTolerance = 1e-6;     // m, between planes; deeper is an overlap of two blocks
 constexpr double kLeastArea = 1e-8;        // m2
+constexpr double kLeastWidth = 2e-6;       // m, of the overlap: corners a micrometre apart share no joint
 
 /// Distance of the plane of b from the plane of a at a point of the overlap [m].
 double gap_at(const FaceGrid& a, const FaceGrid& b, Point2 at) {
@@ -25,6 +27,15 @@ double gap_at(const FaceGrid& a, const FaceGrid& b, Point2 at) {
 
 /// The reach of a face from its origin [m].
 double reach(const FaceGrid& g) { return g.width + g.height; }
+
+/// Between any two corners, m.
+double longest(const Polygon& p) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) most = std::max(most, std::hypot(p[i].s - p[k].s, p[i].t - p[k].t));
+  }
+  return most;
+}
 
 std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
   const Vec3 tilt = a.normal + b.normal;
@@ -45,6 +56,7 @@ std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
   for (Point2& p : contact.overlap) p = {snapped(p.s, quantum), snapped(p.t, quantum)};
   const Region shared = region(contact.overlap);
   if (!(shared.area > kLeastArea) || gap_at(a, b, shared.centroid) > kGapTolerance) return std::nullopt;
+  if (!(shared.area > kLeastWidth * longest(contact.overlap))) return std::nullopt;
   contact.area = shared.area;
   return contact;
 }

@@ -48,8 +48,8 @@ struct Scene {
 /// Zero or less: they are apart. Stops early below `enough`: then any number not above it.
 double penetration(const Scene& scene, std::int32_t a, std::int32_t b, double enough);
 
-/// Pairs of faces that touch: opposite normals within 1e-6, planes within 1e-6 m, overlap above 1e-8 m2. Sorted by (element_a, face_a,
-/// element_b, face_b), element_a < element_b, the base first.
+/// Pairs of faces that touch: opposite normals within 1e-6, planes within 1e-6 m, overlap above 1e-8 m2 and wider than
+/// 2e-6 m. Sorted by (element_a, face_a, element_b, face_b), element_a < element_b, the base first.
 /// \throw ModelError if two elements overlap by more than 1e-6 m, or one reaches more than that below the base.
 std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> base_z);
 

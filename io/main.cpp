@@ -250,12 +250,15 @@ void add_manual(CLI::App& app, Words& w) {
   man->footer("example: voussoir man man1; man man1/voussoir-run.1");
 }
 
-int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use) {
+/// \param view  which also shows what is refused, so it reads the stones itself
+int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use, bool view = false) {
   io::LoadedCase c = io::load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   try {
-    io::load_stones(c.value);
-    io::fill_own_frequency(c.value);
+    if (!view) {
+      io::load_stones(c.value);
+      io::fill_own_frequency(c.value);
+    }
     return use(c);
   } catch (const cases::InputError& e) {
     std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
@@ -285,7 +288,9 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
   w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
-  if (app.got_subcommand("view")) return with_case(w, [&](const auto& c) { return io::view_command(c, w.view); });
+  if (app.got_subcommand("view"))
+    return with_case(
+        w, [&](const auto& c) { return io::view_command(c, w.view); }, true);
   if (app.got_subcommand("modes")) return with_case(w, [&](const auto& c) { return io::modes_command(c, w.modes); });
   if (app.got_subcommand("limit")) {
     return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });

@@ -9,6 +9,7 @@
 #include "geometry/grid.h"
 #include "geometry/mass.h"
 #include "geometry/separation.h"
+#include "geometry/solids/facing.h"
 #include "geometry/solids/pieces.h"
 
 namespace voussoir::geometry {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kTouching = 0.9e-6;  // m; find_contacts takes 1e-6 as touching
 constexpr double kOnPlane = 1e-9;     // of the size, as validate() takes a face as plane
+constexpr double kApart = 2e-6;       // m, so far apart nothing touches
 constexpr double kMostLost = 0.5;     // of a piece's volume: more is no correction
 
 double size_of(const Polyhedron& p) {
@@ -35,6 +37,24 @@ HalfSpace turned(const HalfSpace& h) { return {-h.normal, -h.offset}; }
 bool meet(const Box3& a, const Box3& b, double margin) {
   return a.low.x <= b.high.x + margin && b.low.x <= a.high.x + margin && a.low.y <= b.high.y + margin && b.low.y <= a.high.y + margin &&
          a.low.z <= b.high.z + margin && b.low.z <= a.high.z + margin;
+}
+
+HalfSpace deeper(HalfSpace h) {
+  h.offset -= kApart;
+  return h;
+}
+
+/// How wide the strip is that two pieces share on a plane, m; 0: they share none.
+double width_of_strip(const Polyhedron& a, const Polyhedron& b) {
+  const Mesh first{a.vertices, a.faces}, second{b.vertices, b.faces};
+  double widest = 0.0;
+  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+    for (std::size_t g = 0; g < b.faces.size(); ++g) {
+      const auto near = facing(flat_face(first, f), flat_face(second, g), kTouching);
+      if (near && near->tilt < 1e-6) widest = std::max(widest, near->width);
+    }
+  }
+  return widest;
 }
 
 /// What of a piece is kept; nothing if what is left is no solid.
@@ -59,7 +79,7 @@ struct Cut {
 
 class Parting {
  public:
-  explicit Parting(std::span<DrawnPiece> pieces) : pieces_(pieces), depth_(pieces.size(), 0.0) {
+  Parting(std::span<DrawnPiece> pieces, std::optional<double> base_z) : pieces_(pieces), base_z_(base_z), depth_(pieces.size(), 0.0) {
     for (const DrawnPiece& p : pieces) {
       body_.push_back(convex_body(p.shape));
       box_.push_back(bounds(p.shape));
@@ -67,7 +87,7 @@ class Parting {
     grid_.build(box_);
   }
 
-  std::vector<double> part(std::optional<double> base_z) {
+  std::vector<double> part() {
     std::vector<std::int32_t> near;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       near.clear();
@@ -76,9 +96,9 @@ class Parting {
         if (static_cast<std::size_t>(j) > i) part_pair(i, static_cast<std::size_t>(j));
       }
     }
-    for (std::size_t i = 0; base_z && i < pieces_.size(); ++i) {
-      const double under = *base_z - lowest(pieces_[i].shape, {0, 0, 1});
-      if (under > kTouching && under <= pieces_[i].snap) cut(i, {{0, 0, -1}, -*base_z}, under);
+    for (std::size_t i = 0; base_z_ && i < pieces_.size(); ++i) {
+      const double under = *base_z_ - lowest(pieces_[i].shape, {0, 0, 1});
+      if (under > kTouching && under <= pieces_[i].snap) cut(i, {{0, 0, -1}, -*base_z_}, under);
     }
     return depth_;
   }
@@ -153,12 +173,28 @@ class Parting {
   }
 
   bool apply(std::size_t i, std::size_t j, const Cut& c) {
-    const auto first = c.first ? kept(pieces_[i].shape, *c.first) : std::nullopt;
-    const auto second = c.second ? kept(pieces_[j].shape, *c.second) : std::nullopt;
+    std::optional<Polyhedron> first = c.first ? kept(pieces_[i].shape, *c.first) : std::nullopt;
+    std::optional<Polyhedron> second = c.second ? kept(pieces_[j].shape, *c.second) : std::nullopt;
     if ((c.first && !first) || (c.second && !second)) return false;
+    const double width = width_of_strip(first ? *first : pieces_[i].shape, second ? *second : pieces_[j].shape);
+    if (width > 0.0 && width <= std::max(pieces_[i].snap, pieces_[j].snap) && is_held(i, j) && is_held(j, i)) {
+      std::optional<Polyhedron>& shorter = first ? first : second;
+      if (auto apart = kept(pieces_[first ? i : j].shape, deeper(first ? *c.first : *c.second))) shorter = std::move(apart);
+    }
     if (first) take(i, *first, c.depth);
     if (second) take(j, *second, c.depth);
     return true;
+  }
+
+  /// Whether a piece lies against something else than the other one.
+  [[nodiscard]] bool is_held(std::size_t i, std::size_t other) const {
+    for (std::size_t f = 0; f < body_[i].faces.size(); ++f) {
+      if (against(i, f, other) > 0 || is_on_base(body_[i].faces[f])) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool is_on_base(const HalfSpace& f) const {
+    return base_z_ && norm(f.normal + Vec3{0, 0, 1}) < 1e-6 && std::abs(f.offset + *base_z_) < kTouching;
   }
 
   void cut(std::size_t i, const HalfSpace& h, double depth) {
@@ -172,6 +208,7 @@ class Parting {
   }
 
   std::span<DrawnPiece> pieces_;
+  std::optional<double> base_z_;
   std::vector<ConvexBody> body_;
   std::vector<Box3> box_;  // as drawn; cut pieces lie within
   std::vector<double> depth_;
@@ -180,7 +217,7 @@ class Parting {
 
 }  // namespace
 
-std::vector<double> part_overlaps(std::span<DrawnPiece> pieces, std::optional<double> base_z) { return Parting(pieces).part(base_z); }
+std::vector<double> part_overlaps(std::span<DrawnPiece> pieces, std::optional<double> base_z) { return Parting(pieces, base_z).part(); }
 
 Vec3 middle_of_overlap(const Polyhedron& a, const Polyhedron& b) {
   const Box3 p = bounds(a), q = bounds(b);

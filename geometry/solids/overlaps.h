@@ -21,10 +21,10 @@ struct DrawnPiece {
 
 /// Parts pieces that are in each other by more than find_contacts allows, and by no more than the larger of their snaps: one of them is cut
 /// along a face of the other, or both halfway along a common direction of two edges. Of all cuts no deeper than the snap the one that costs
-/// the fewest contacts with third pieces is taken, then the shallowest. What reaches under `base_z` by no more than its snap is cut off.
-/// Cutting makes convex pieces smaller, so no new overlap comes of it; pieces without overlaps keep their bits. What cannot be parted so
-/// is left as it is.
-/// \return by piece, how deep the deepest cut was, m; 0: none
+/// the fewest contacts with third pieces is taken, then the shallowest. Where the strip that they would then share is narrower than the
+/// snap and both lie against something else, a gap of some micrometres is left, so that it makes no joint. What reaches under `base_z` by
+/// no more than its snap is cut off. Cutting makes convex pieces smaller, so no new overlap comes of it; pieces without overlaps keep their
+/// bits. What cannot be parted so is left as it is. \return by piece, how deep the deepest cut was, m; 0: none
 std::vector<double> part_overlaps(std::span<DrawnPiece> pieces, std::optional<double> base_z);
 
 /// The middle of what two convex bodies share; of the boxes about them, if they share no volume.

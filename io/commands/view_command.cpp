@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/view_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -14,9 +15,12 @@
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
+#include "io/stones/stones.h"
 
 namespace voussoir::io {
 namespace {
+
+constexpr double kCoarse = 1e3;  // m, one segment a face
 
 /// Elements that a message names: "stone "a" (element 12) overlaps block "b" (element 3) ...".
 std::vector<std::int32_t> elements_in(const std::string& message, std::size_t count) {
@@ -29,30 +33,78 @@ std::vector<std::int32_t> elements_in(const std::string& message, std::size_t co
   return found;
 }
 
+/// The model, or what can be shown of it, and why it is refused.
+struct Shown {
+  cases::Case value;
+  cases::Model model;
+  std::string fault;
+  std::vector<std::int32_t> at_fault;  // elements
+};
+
+/// Elements of stones, by the tables' places of these.
+std::vector<std::int32_t> elements_of(const cases::Model& model, const cases::Case& c, const std::vector<ShownFault>& faults) {
+  std::vector<std::int32_t> numbers, found;
+  for (const ShownFault& f : faults) {
+    std::size_t number = f.stone;
+    for (std::size_t t = 0; t < f.table; ++t) number += c.stones[t].stones.size();
+    numbers.push_back(static_cast<std::int32_t>(number));
+  }
+  std::sort(numbers.begin(), numbers.end());
+  for (std::size_t e = 0; e < model.blocks.size(); ++e) {
+    if (std::binary_search(numbers.begin(), numbers.end(), model.blocks[e].stone)) found.push_back(static_cast<std::int32_t>(e));
+  }
+  return found;
+}
+
+/// One line a stone, no more than some.
+std::string words_of(const std::vector<ShownFault>& faults, const std::string& otherwise) {
+  constexpr std::size_t kMost = 6;
+  if (faults.empty()) return otherwise;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i) text += (i > 0 ? "\n" : "") + faults[i].message;
+  return faults.size() > kMost ? text + "\nand " + std::to_string(faults.size() - kMost) + " more" : text;
+}
+
+/// Stones that are refused stand there as thin plates, which want no fine segments.
+Shown with_faults(const LoadedCase& given, const cases::InputError& e) {
+  Shown s{given.value, {}, given.describe(e), {}};
+  const std::vector<ShownFault> faults = load_shown_stones(s.value);
+  if (!faults.empty()) s.value.segment_size = kCoarse;
+  s.model = cases::build_loose_model(s.value);
+  s.at_fault = faults.empty() ? elements_in(s.fault, s.model.blocks.size()) : elements_of(s.model, s.value, faults);
+  s.fault = words_of(faults, s.fault);
+  return s;
+}
+
+Shown shown(const LoadedCase& given) {
+  Shown s{given.value, {}, "", {}};
+  try {
+    load_stones(s.value);
+    fill_own_frequency(s.value);
+    s.model = prepared_model(s.value);
+  } catch (const cases::InputError& e) {
+    return with_faults(given, e);
+  }
+  return s;
+}
+
 }  // namespace
 
 int view_command(const LoadedCase& c, const ViewOptions& o) {
   const std::string page = o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html" : o.output;
   std::error_code none;
   if (!o.overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
-  cases::Model model;
-  std::string fault;
-  try {
-    model = prepared_model(c.value);
-  } catch (const cases::InputError& e) {
-    model = cases::build_loose_model(c.value);
-    fault = c.describe(e);
-  }
+  const Shown s = shown(c);
   const ScratchFolder scratch;
   {
-    ResultsWriter results(scratch.path(), model, resolved_toml(anchored(c.value)), history_names(c.value), provenance(1));
+    ResultsWriter results(scratch.path(), s.model, resolved_toml(anchored(s.value)), history_names(s.value), provenance(1));
     results.flush();
   }
-  const std::string text = model_html(scratch.path() + "/run.h5", fault, elements_in(fault, model.blocks.size()));
+  const std::string text = model_html(scratch.path() + "/run.h5", s.fault, s.at_fault);
   write_text_file(page, text, o.overwrite);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
-  if (fault.empty()) return kDone;
-  std::fprintf(stderr, "voussoir: %s\n", fault.c_str());
+  if (s.fault.empty()) return kDone;
+  std::fprintf(stderr, "voussoir: %s\n", s.fault.c_str());
   return kInputFault;
 }
 

@@ -14,8 +14,8 @@ struct ViewOptions {
 };
 
 /// `voussoir view`: one HTML page of the model before any run: stones by material, joints by law, supports, a section. A model that is
-/// refused once its elements are there (they overlap, touch nothing, ...) is shown without joints, what is at fault in red.
-/// \throw FileError, cases::InputError of a case whose elements cannot be shown
+/// refused is shown without joints, what is at fault in red, stones that are open, inside out, warped, ... by their surfaces. Reads the
+/// stones of the case where they are not read yet. \throw FileError, cases::InputError of a case whose elements cannot be shown
 int view_command(const LoadedCase& c, const ViewOptions& o);
 
 }  // namespace voussoir::io

@@ -158,7 +158,11 @@ class Raw {
     RawStone out{std::move(part.name), std::move(part.groups), {}, part.support, 0};
     const double size = geometry::diagonal(part.mesh);
     const Mesh joined = geometry::welded(part.mesh, 1e-7 * size);
-    if (const auto fault = geometry::fault_of(joined)) throw cases::InputError(key_ + ".file", stone_words(spec_, out.name) + " " + *fault);
+    if (const auto fault = geometry::fault_of(joined)) {
+      out.fault = *fault;
+      out.mesh = joined;
+      return out;
+    }
     out.mesh = geometry::with_merged_faces(joined, kFlat * size, kStraight);
     out.merged = joined.faces.size() - out.mesh.faces.size();
     return out;

@@ -8,13 +8,14 @@
 /// From files to closed solids in metres, each by its name. Internal to io/stones/.
 namespace voussoir::io {
 
-/// A closed solid, turned outward, with its faces merged where they are exactly in one plane.
+/// A closed solid, turned outward, with its faces merged where they are exactly in one plane; or one that is at fault.
 struct RawStone {
   std::string name;
   std::vector<std::string> groups;
   geometry::Mesh mesh;  // global axes, m
   bool support = false;
   std::size_t merged = 0;  // faces that are gone since they lay in one plane with others
+  std::string fault = {};  // why it bounds no solid, with the place and what to do; the mesh is then as it was read
 };
 
 /// All stones of one table, in the order of its file. \param key  of the table; \param notes  what was passed over

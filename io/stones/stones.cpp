@@ -12,6 +12,7 @@
 #include "geometry/solids/overlaps.h"
 #include "geometry/solids/pieces.h"
 #include "io/stones/raw_stones.h"
+#include "io/stones/shown_faults.h"
 #include "io/stones/supports.h"
 
 namespace voussoir::io {
@@ -21,6 +22,7 @@ using geometry::Mesh;
 using geometry::Polyhedron;
 
 constexpr double kConvex = 1e-9;      // of the size, as geometry::validate
+constexpr int kMostRefused = 20;      // stones set aside because their faces do not fit, before the rest is not tried any more
 constexpr double kNearlyFlat = 0.05;  // rad: faces of a surface that was meant to be plane, as drawn in millimetres
 
 std::string millimetres(double metres) {
@@ -51,25 +53,59 @@ class Import {
   explicit Import(cases::Case& c) : case_(c) {}
 
   void load() {
+    read();
+    if (!faults_.empty())
+      throw cases::InputError(table_key(faults_.front().table) + ".file", faults_.front().message + other_faults(faults_));
+    choose_supports(case_);
+  }
+
+  std::vector<ShownFault> load_shown() {
+    read();
+    std::vector<ShownFault> out;
+    for (StoneFault& f : faults_) {
+      auto& stones = case_.stones[f.table].stones;
+      out.push_back({f.table, stones.size(), std::move(f.message)});
+      stones.push_back({std::move(f.stone), {}, false, plates_of(f.mesh), {}});
+    }
+    try {
+      choose_supports(case_);
+    } catch (const cases::InputError&) {
+      return out;
+    }
+    return out;
+  }
+
+ private:
+  void read() {
     for (std::size_t t = 0; t < case_.stones.size(); ++t) {
       cases::StonesSpec& spec = case_.stones[t];
       if (!spec.stones.empty()) continue;
-      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) items_.push_back({t, std::move(raw)});
+      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) {
+        const std::string fault = std::move(raw.fault);
+        items_.push_back({t, std::move(raw)});
+        if (!fault.empty()) set_aside(items_.size() - 1, fault);
+      }
     }
     if (items_.empty()) return;
     for (Item& item : items_) straighten(item);
     put_together();
-    for (Item& item : items_) cut_into_pieces(item);
+    for (std::size_t i = 0; i < items_.size();) {
+      const std::size_t before = items_.size();
+      cut_into_pieces(i);
+      if (items_.size() == before) ++i;
+    }
     part();
     for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
-    choose_supports(case_);
   }
 
- private:
   [[nodiscard]] const cases::StonesSpec& spec_of(const Item& item) const { return case_.stones[item.table]; }
 
-  [[noreturn]] void refuse(const Item& item, const geometry::ModelError& e) const {
-    throw cases::InputError(table_key(item.table) + ".file", stone_words(spec_of(item), item.raw.name) + " " + without_subject(e));
+  /// A stone that is refused goes no further.
+  void set_aside(std::size_t i, const std::string& message) {
+    Item& item = items_[i];
+    faults_.push_back({item.table, item.raw.name, stone_words(spec_of(item), item.raw.name) + " " + message, std::move(item.raw.mesh)});
+    items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i < flattened_.size()) flattened_.erase(flattened_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
   /// A stone that is convex but for the rounding of its corners: triangles of what was meant to be one face become that face.
@@ -86,14 +122,26 @@ class Import {
     item.raw.mesh = std::move(merged);
   }
 
-  void put_together() {
-    std::vector<geometry::RoughSolid> solids;
-    for (const Item& item : items_) solids.push_back({item.raw.mesh, spec_of(item).snap, spec_of(item).gap});
-    try {
-      flattened_ = geometry::flatten(solids, case_.base ? std::optional(case_.base->z) : std::nullopt);
-    } catch (const geometry::ModelError& e) {
-      refuse(items_.at(static_cast<std::size_t>(std::max(0, e.subject()))), e);
+  /// The planes of all stones; those that cannot be made to fit are set aside.
+  std::vector<geometry::RoughSolid> flat_solids() {
+    for (int refused = 0;; ++refused) {
+      std::vector<geometry::RoughSolid> solids;
+      for (const Item& item : items_) solids.push_back({item.raw.mesh, spec_of(item).snap, spec_of(item).gap});
+      try {
+        flattened_ = geometry::flatten(solids, case_.base ? std::optional(case_.base->z) : std::nullopt);
+        return solids;
+      } catch (const geometry::ModelError& e) {
+        set_aside(static_cast<std::size_t>(std::max(0, e.subject())), without_subject(e));
+      }
+      if (refused < kMostRefused) continue;
+      items_.clear();  // so many are at fault that the others need not be looked at
+      flattened_.clear();
+      return {};
     }
+  }
+
+  void put_together() {
+    std::vector<geometry::RoughSolid> solids = flat_solids();
     for (std::size_t i = 0; i < items_.size(); ++i) {
       Mesh& mesh = solids[i].mesh;
       if (flattened_[i].moved > 0.0) {
@@ -117,7 +165,8 @@ class Import {
     return shape;
   }
 
-  void cut_into_pieces(Item& item) const {
+  void cut_into_pieces(std::size_t i) {
+    Item& item = items_[i];
     try {
       if (auto shape = convex_shape(item)) {
         item.pieces.push_back(*std::move(shape));
@@ -128,9 +177,8 @@ class Import {
         }
       }
     } catch (const geometry::ModelError& e) {
-      refuse(item, e);
+      set_aside(i, without_subject(e));
     }
-    item.raw.mesh = {};
   }
 
   /// Stones that are in each other by no more than snap are cut apart.
@@ -195,10 +243,13 @@ class Import {
   cases::Case& case_;
   std::vector<Item> items_;
   std::vector<geometry::Flattened> flattened_;
+  std::vector<StoneFault> faults_;
 };
 
 }  // namespace
 
 void load_stones(cases::Case& c) { Import(c).load(); }
+
+std::vector<ShownFault> load_shown_stones(cases::Case& c) { return Import(c).load_shown(); }
 
 }  // namespace voussoir::io

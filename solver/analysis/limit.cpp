@@ -278,7 +278,7 @@ LimitResult limit_analysis(const cases::Case& c, const cases::Model& model, cons
   Problem problem(c, model, options, out.contacts);
   out.weight = problem.weight();
   problem.associated(out.associated);
-  problem.coulomb(out.associated.multiplier, out.coulomb);
+  if (options.coulomb) problem.coulomb(out.associated.multiplier, out.coulomb);
   return out;
 }
 

@@ -18,7 +18,8 @@ struct LimitOptions {
   Vec3 live{1.0, 0.0, 0.0};  // horizontal unit vector: the live force on a body is multiplier × its weight along it
   int facets = 8;            // of the friction cone, >= 4; in a plane there are two, which are exact
   bool outer = false;        // facets round the cone instead of in it
-  std::function<void(int programmes, double multiplier)> tick;  // after every programme; may be empty
+  std::function<void(int programmes, double multiplier)> tick{};  // after every programme; may be empty
+  bool coulomb = true;  // false: the associated multiplier alone, which is one programme; LimitResult::coulomb stays empty
 };
 
 /// What one rule of flow gives.

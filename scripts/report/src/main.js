@@ -10,7 +10,7 @@ import { Plot } from "./plots.js";
 import { Sheet } from "./sheet.js";
 import { showSummary, subtitle } from "./summary.js";
 import { showTimeline } from "./timeline.js";
-import { cameraNumbers, cameraText } from "./views.js";
+import { cameraNumbers, cameraText, cornerOf } from "./views.js";
 
 const by = (id) => document.getElementById(id);
 /** Sets a text that has changed: the browser would lay the page out anew for the same one, too. */
@@ -88,7 +88,7 @@ class Report {
       if (this.run.model) {
         document.body.classList.add("model"); // a model that does not run has no clock
         by("colour").replaceChildren(new Option("material", "material"), new Option("joints by law", "law"), new Option("supports", "support"), new Option("part", "part"));
-        if (this.run.model.fault) by("fault").textContent = this.run.model.fault;
+        if (this.run.model.fault) by("fault").textContent = this.run.model.fault, by("camera").value = cornerOf(this.run.model.faults, this.run.frames.centroids);
       }
       this.#dress(still);
       for (const { house } of this.panes) house.resize();

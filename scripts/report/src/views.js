@@ -8,6 +8,14 @@ export const kViews = {
   corner: [1, -1.4, 0.8], rearcorner: [-1, 1.4, 0.8], front: [0, -1, 0.12], rear: [0, 1, 0.12], left: [-1, 0, 0.12], side: [1, 0, 0.12], top: [0, -0.001, 1], plan: [0, -0.001, 1],
 };
 
+/** The corner view from which most of some elements are on the near side. */
+export function cornerOf(elements, centroids) {
+  const middle = [0, 1].map((k) => centroids.reduce((sum, x, i) => (i % 3 === k ? sum + (3 * x) / centroids.length : sum), 0));
+  const [x, y] = kViews.corner;
+  const near = elements.reduce((sum, e) => sum + x * (centroids[3 * e] - middle[0]) + y * (centroids[3 * e + 1] - middle[1]), 0);
+  return near < 0 ? "rearcorner" : "corner";
+}
+
 /** Puts the camera where all points (three numbers each) are just in the picture, seen from a direction; returns what it looks at. */
 export function fit(camera, direction, points, margin = 0.92) {
   const back = new Vector3(...direction).normalize(), right = new Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);

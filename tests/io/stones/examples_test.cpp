@@ -80,3 +80,38 @@ TEST_CASE("view: a page of the model with its laws; a model that is refused with
   CHECK(bad["faults"] == nlohmann::json::array({0, 1}));
   CHECK(bad["fault"].get<std::string>().find("overlaps stone \"high\"") != std::string::npos);
 }
+
+TEST_CASE("view: stones that are refused while they are read are shown where they are, and all of them are told") {
+  const TempFolder folder;
+  const auto cube_at = [](double x) { return stones::box({x, 0, 0}, {x + 1, 1, 1}); };
+  std::vector<stones::Named> all;
+  for (const char* name : {"good", "open", "out", "skew", "fine"}) all.push_back({name, cube_at(1.5 * static_cast<double>(all.size()))});
+  all[1].mesh.faces.pop_back();
+  for (auto& loop : all[2].mesh.faces) std::reverse(loop.begin(), loop.end());
+  all[3].mesh.vertices[6].z += 0.3;
+  folder.write("bad.obj", stones::obj(all));
+  folder.write("bad.toml", stones::kMaterial + "[base]\n[[stones]]\nfile = \"bad.obj\"\nunit = \"m\"\n");
+  const std::string page = folder.path("bad.html");
+  const io::LoadedCase c = io::load_case(folder.path("bad.toml"));
+  CHECK(io::view_command(c, {page, false}) == 2);
+  const std::string text = shell::text_of(page);
+  const nlohmann::json model = element_of(text, "model");
+  const std::string fault = model["fault"];
+  for (const char* words : {"stone \"open\" of \"bad.obj\" is open", "stone \"out\" of \"bad.obj\" is inside out",
+                            "stone \"skew\" of \"bad.obj\" has a face warped by"})
+    CHECK(fault.find(words) != std::string::npos);
+  // Two good stones come first, then 10, 12 and 12 triangles as plates.
+  const std::vector<int> marked = model["faults"];
+  CHECK(marked.size() == 34);
+  CHECK(marked.front() == 2);
+  CHECK(marked.back() == 35);
+  try {
+    io::LoadedCase strict = c;
+    io::load_stones(strict.value);
+    FAIL("nothing is refused");
+  } catch (const cases::InputError& e) {
+    const std::string message = e.what();
+    CHECK(message.find("stone \"open\"") != std::string::npos);
+    CHECK(message.find("(and 2 more stones are at fault: \"out\", \"skew\")") != std::string::npos);
+  }
+}
