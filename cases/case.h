@@ -61,7 +61,7 @@ struct Material {
   std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex; none: they never part
 };
 
-/// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
+/// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3), or its own stiffness. Neither: Eq. 2.
 struct JointLaw {
   double tension = 0.0;      // f_t, Pa
   double cohesion = 0.0;     // c, Pa
@@ -71,6 +71,7 @@ struct JointLaw {
   double thickness = 0.0;    // t_M, m
   double young = 0.0;        // E_M, Pa
   double poisson = 0.0;
+  std::optional<double> normal_stiffness{}, shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
 };
 
 /// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).

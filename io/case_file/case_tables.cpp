@@ -88,6 +88,13 @@ Table<Material> material_table() {
           nullptr};
 }
 
+void check_stiffness(const JointLaw& s, const RuleCheck& check) {
+  if (!s.normal_stiffness && !s.shear_stiffness) return;
+  if (!s.normal_stiffness) check.fault("normal_stiffness", "is missing: a joint with a shear_stiffness needs both (Pa/m, > 0)");
+  if (!s.shear_stiffness) check.fault("shear_stiffness", "is missing: a joint with a normal_stiffness needs both (Pa/m, > 0)");
+  if (s.thickness > 0.0) check.fault("thickness", "does not go with normal_stiffness; a joint has mortar with a thickness, or a stiffness");
+}
+
 Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
@@ -100,8 +107,12 @@ Table<JointLaw> joint_law_table() {
            value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
            value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
            value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
-           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar")},
+           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
+           value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
+                    "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
+           value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none")},
           [](const S& s, const RuleCheck& check) {
+            check_stiffness(s, check);
             if (s.thickness <= 0.0) return;
             if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
             if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
