@@ -61,8 +61,9 @@ struct Material {
   std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex; none: they never part
 };
 
-/// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3). thickness = 0: no mortar, Eq. 2.
 enum class SofteningCurve { exponential, linear };
+
+/// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3), or its own stiffness. Neither: Eq. 2.
 struct JointLaw {
   double tension = 0.0;      // f_t, Pa
   double cohesion = 0.0;     // c, Pa
@@ -76,6 +77,7 @@ struct JointLaw {
   SofteningCurve softening = SofteningCurve::exponential;
   std::optional<double> residual_friction{};  // degrees, of this joint without its bond; none: that of [contact]
   double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
+  std::optional<double> normal_stiffness{}, shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
 };
 
 /// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).

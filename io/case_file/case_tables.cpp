@@ -101,6 +101,13 @@ void check_softening(const JointLaw& s, const RuleCheck& check) {
   if (s.dilatancy > s.friction) check.fault("dilatancy", "is more than friction = " + value_text(s.friction) + " degrees; allowed: 0 to friction");
 }
 
+void check_stiffness(const JointLaw& s, const RuleCheck& check) {
+  if (!s.normal_stiffness && !s.shear_stiffness) return;
+  if (!s.normal_stiffness) check.fault("normal_stiffness", "is missing: a joint with a shear_stiffness needs both (Pa/m, > 0)");
+  if (!s.shear_stiffness) check.fault("shear_stiffness", "is missing: a joint with a normal_stiffness needs both (Pa/m, > 0)");
+  if (s.thickness > 0.0) check.fault("thickness", "does not go with normal_stiffness; a joint has mortar with a thickness, or a stiffness");
+}
+
 Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
@@ -125,9 +132,13 @@ Table<JointLaw> joint_law_table() {
                     "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
            value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
                     "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
-                    "fracture_energy_shear")},
+                    "fracture_energy_shear"),
+           value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
+                    "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
+           value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none")},
           [](const S& s, const RuleCheck& check) {
             check_softening(s, check);
+            check_stiffness(s, check);
             if (s.thickness <= 0.0) return;
             if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
             if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");

@@ -84,7 +84,8 @@ std::vector<NewSide> sides_of(const World& w) {
   return sides;
 }
 
-/// k̄ of two faces with the joint's mortar between them: Eqs. 2, 3, THEORY.md (4), (5). Against the base the element's own ℓ alone counts.
+/// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base the
+/// element's own ℓ counts, and the joint's own stiffness.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
   const kernels::Face &a = w.faces[static_cast<std::size_t>(s.master_face)], &b = w.faces[static_cast<std::size_t>(s.slave_face)];
   double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
@@ -101,6 +102,7 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
     cn = left * a.compliance_n + right * b.compliance_n + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
     cs = left * a.compliance_s + right * b.compliance_s + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
   }
+  if (law.normal_stiffness) cn += 1.0 / *law.normal_stiffness, cs += 1.0 / *law.shear_stiffness;
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
   const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
   const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +

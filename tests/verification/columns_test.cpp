@@ -128,6 +128,59 @@ TEST_CASE("V1: axial column, end load") {
   expect_near("V1 end load, u of the top block [m]", run.displacement(9).z, expected, 1e-4);
 }
 
+// THEORY.md (5a): N joints, the foot's too, of 0.05 m of adobe's normal stiffness and a third of its shear stiffness, in series.
+TEST_CASE("V1: axial column whose joints have a stiffness of their own") {
+  const Column c;
+  const double own = Adobe::plane / 0.05, own_shear = Adobe::shear / 0.15;
+  const std::vector<std::string> keys = {"joint_laws.glue.normal_stiffness=" + std::to_string(own),
+                                         "joint_laws.glue.shear_stiffness=" + std::to_string(own_shear)};
+  std::vector<std::string> slower = keys;
+  slower.insert(slower.end(), {"damping.alpha=320", "time.duration=0.4"});
+  Run pulled("column_pull", slower);
+  pulled.until(pulled.description().time.duration);
+  const double stretch = (c.length - 0.5 * c.a()) / Adobe::plane + c.elements / own;
+  expect_near("V1 joints of a stiffness, u of the top block [m]", pulled.displacement(9).z, -1000.0 / c.area() * stretch, 1e-4);
+
+  const double force = 0.1, alpha = 12.0;  // about critical for the first mode, by shear and bending
+  std::vector<std::string> bent = keys;
+  bent.insert(bent.end(), {"damping.alpha=" + std::to_string(alpha), "time.duration=5"});
+  Run bend("column_bend", bent);
+  bend.until(bend.description().time.duration);
+  double deflection = 0.0;
+  for (int i = 0; i < c.elements; ++i) {  // joint i at the height i a under the arm L − i a
+    const double arm = c.length - i * c.a(), blocks = (i == 0 ? 0.5 : 1.0) * c.a();
+    deflection += force * arm * arm / c.inertia_n() * (blocks / Adobe::plane + 1.0 / own);
+    deflection += force / c.area() * (blocks / Adobe::shear + 1.0 / own_shear);
+  }
+  const double got = bend.displacement(9).x + 2.0 * bend.orientation(9).y * 0.5 * c.a();
+  expect_near("V1 joints of a stiffness, deflection at z = L [m]", got, deflection, 1e-4);
+}
+
+TEST_CASE("V1: free vibration of a column whose joints have a stiffness of their own") {
+  const Column c;
+  const double own = Adobe::plane / 0.05;
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(c.elements, c.elements);
+  for (int i = 0; i < c.elements; ++i) {
+    const double spring = c.area() / ((i == 0 ? 0.5 : 1.0) * c.a() / Adobe::plane + 1.0 / own);
+    k(i, i) += spring;
+    if (i > 0) k(i - 1, i - 1) += spring, k(i, i - 1) -= spring, k(i - 1, i) -= spring;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(k / (Adobe::density * c.area() * c.a()));
+  Run run("column_free", {"joint_laws.glue.normal_stiffness=" + std::to_string(own), "joint_laws.glue.shear_stiffness=1e9"});
+  std::array<RisingZeros, 2> zeros;
+  run.until(2.0, {}, [&] {
+    for (int j = 0; j < 2; ++j) {
+      double share = 0.0;
+      for (int i = 0; i < c.elements; ++i) share += solved.eigenvectors()(i, j) * run.displacement(static_cast<std::size_t>(i)).z;
+      zeros[static_cast<std::size_t>(j)].add(run.time(), share);
+    }
+  });
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double expected = std::sqrt(solved.eigenvalues()[static_cast<Eigen::Index>(j)]) / (2.0 * kPi);
+    expect_near("V1 joints of a stiffness, frequency of mode " + std::to_string(j + 1) + " [Hz]", zeros[j].frequency(), expected, 1e-3);
+  }
+}
+
 TEST_CASE("V1: axial column, free vibration") {
   const Column c;
   Run run("column_free");

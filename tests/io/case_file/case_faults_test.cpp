@@ -186,6 +186,13 @@ TEST_CASE("faults: rules of damping and mortar") {
   const std::string weak = "[joint_laws.n]\ntension = 0\ncohesion = 0\nfriction = 30\ncompression = 1\n";
   CHECK(refusal(weak + "fracture_energy_tension = 1").find("does not go with tension = 0") != std::string::npos);
   CHECK(refusal(weak + "fracture_energy_shear = 1").find("does not go with cohesion = 0") != std::string::npos);
+  CHECK(refusal(law + "normal_stiffness = 1e9\nshear_stiffness = 4e8\n") == "accepted");
+  CHECK(refusal(law + "normal_stiffness = 1e9").starts_with("test.toml:1: joint_laws.n.shear_stiffness is missing"));
+  CHECK(refusal(law + "shear_stiffness = 1e9").starts_with("test.toml:1: joint_laws.n.normal_stiffness is missing"));
+  CHECK(refusal(law + "normal_stiffness = 0\nshear_stiffness = 1").starts_with("test.toml:6: joint_laws.n.normal_stiffness = 0 Pa/m: must be"));
+  CHECK(refusal(law + "normal_stiffness = 1\nshear_stiffness = inf").starts_with("test.toml:7: joint_laws.n.shear_stiffness"));
+  CHECK(refusal(law + "thickness = 0.01\nyoung = 1\npoisson = 0\nnormal_stiffness = 1\nshear_stiffness = 1")
+            .starts_with("test.toml:6: joint_laws.n.thickness = 0.01 m does not go with normal_stiffness"));
   CHECK(refusal("[joint_laws.dry]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n").find("reserved") != std::string::npos);
   CHECK(refusal("[materials.base]\ndensity = 1\nyoung = 1\npoisson = 0\n").starts_with("test.toml:1: materials.base is a reserved name"));
 }
