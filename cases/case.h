@@ -276,6 +276,7 @@ struct House {
   std::array<double, 2> inner_size{5.0, 3.0};  // m
   double height = 2.4;                         // m
   std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m
+  double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
   Bond bond = Bond::english;
   std::string material = "adobe", joint = "normal";
   HouseWood wood;

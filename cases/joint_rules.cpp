@@ -2,15 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases/joint_rules.h"
 
+#include <cmath>
+
 #include "cases/house/house.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
+namespace {
+
+/// The bricks are grown to the middle of the mortar, so its thickness is both a size and a stiffness (Eq. 3).
+void check_mortar(const House& house, const NamedLaw& law) {
+  if (house.mortar == 0.0 || std::abs(house.mortar - law.value.thickness) < 1e-9) return;
+  throw InputError("house.mortar", text(house.mortar) + " m, but joint_laws." + law.name + ".thickness is " + text(law.value.thickness) +
+                                       " m; give both the same");
+}
+
+}  // namespace
 
 JointRules::JointRules(const Case& c, const Model& model) {
   for (const NamedMaterial& m : model.materials) made_from_.push_back(m.made_from);
   if (c.house) {
     masonry_ = find_law(model.laws, c.house->joint, "house.joint");
+    check_mortar(*c.house, model.laws[static_cast<std::size_t>(masonry_)]);
     // The keys of what a house does not have may name laws that the case does not have.
     if (has_timber(*c.house)) {
       within_member_ = find_law(model.laws, c.house->wood.within_member, "house.wood.within_member");

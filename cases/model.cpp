@@ -50,7 +50,7 @@ void add_house(const Case& c, Model& model) {
   if (!c.base && !on_fixed_block && c.stones.empty())
     throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
   model.blocks = build_house(*c.house, model.materials);
-  number_along_plan(model.blocks, kCellLengths * c.house->brick[0]);
+  number_along_plan(model.blocks, kCellLengths * (c.house->brick[0] + c.house->mortar));
   const double z = c.base ? c.base->z : 0.0;
   if (z == 0.0) return;
   for (Block& block : model.blocks) {

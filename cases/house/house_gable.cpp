@@ -75,7 +75,7 @@ class Gable {
       for (const geometry::Point2 p : under_) {
         if (std::abs(p.t - high) < near) high = p.t;
       }
-      all.push_back({plan_.courses + i, all.empty() ? base : all.back().high, high});
+      all.push_back({plan_.course_count() + i, all.empty() ? base : all.back().high, high});
     }
     while (all.size() > 1 && is_too_little(all.back())) {
       all[all.size() - 2].high = all.back().high;

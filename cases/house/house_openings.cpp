@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "cases/house/house_courses.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -45,8 +46,8 @@ Hole opening_hole(const Opening& opening, std::size_t index, const HousePlan& pl
                                                 ", whose inner corners are at " + metres_text(room.low) + " and " + metres_text(room.high) +
                                                 " m; allowed: " + metres_text(room.low) + " to " + metres_text(room.high - width) + " m");
   }
-  const Tick sill = opening.sill == 0.0 ? 0 : multiple_of(opening.sill, plan.brick_height, key_of(index, "sill"), "courses");
-  const Tick height = multiple_of(opening.height, plan.brick_height, key_of(index, "height"), "courses");
+  const Tick sill = opening.sill == 0.0 ? 0 : positive_length(opening.sill, key_of(index, "sill"));
+  const Tick height = positive_length(opening.height, key_of(index, "height"));
   if (sill >= plan.height) {
     throw InputError(key_of(index, "sill"),
                      text(opening.sill) + " m is not below the top of the wall (" + metres_text(plan.height) + " m)");
@@ -72,7 +73,7 @@ Hole lintel_hole(const Opening& opening, const Hole& under, const HousePlan& pla
   const Lintel& lintel = *opening.lintel;
   const Interval room = between_corners(wall);
   const Tick length = positive_length(lintel.length, key_of(index, "lintel.length"));
-  const Tick height = multiple_of(lintel.height, plan.brick_height, key_of(index, "lintel.height"), "courses");
+  const Tick height = positive_length(lintel.height, key_of(index, "lintel.height"));
   element_length(lintel.element, length, key_of(index, "lintel.element"));
   if (length > room.length()) {
     throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(wall) +
@@ -131,10 +132,10 @@ struct ShortPiece {
 
 std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
   for (const WallPlan& wall : plan.walls) {
-    for (int course = 0; course < plan.courses; ++course) {
+    for (int course = 0; course < plan.course_count(); ++course) {
       for (const Interval piece : free_spans(plan, wall, course)) {
         if (piece.length() >= plan.shortest_piece()) continue;
-        const Interval height{course * plan.brick_height, (course + 1) * plan.brick_height};
+        const Interval height = plan.courses[static_cast<std::size_t>(course)];
         const Hole* found = nullptr;
         for (const Hole& hole : wall.holes) {
           const bool beside = hole.along.high == piece.low || hole.along.low == piece.high;
@@ -153,6 +154,7 @@ bool fits(const House& house, HousePlan plan) {
   for (WallPlan& wall : plan.walls) wall.holes.clear();
   try {
     add_holes(house, plan);
+    plan_courses(house, plan);
   } catch (const InputError&) {
     return false;
   }
@@ -197,6 +199,7 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
 
 void plan_openings(const House& house, HousePlan& plan) {
   add_holes(house, plan);
+  plan_courses(house, plan);
   refuse_short_pieces(house, plan);
 }
 

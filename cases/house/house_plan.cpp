@@ -15,16 +15,26 @@ constexpr double kTicksPerMetre = 1e9;
 constexpr double kLongest = 1e4;       // m; far beyond any house, far below what overflows a Tick
 constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill the machine's memory
 
+/// Two widths and the joint between them are a length.
+[[noreturn]] void refuse_format(const House& house) {
+  const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
+  const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
+  const std::string fitting = joint > 0.0 && joint < 0.25 * house.brick[2] ? ", mortar = " + text(metres(ticks(joint))) : "";
+  throw InputError("house.brick", "English bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
+                                      text(width) + " m" + with_mortar + "; nearest: [" + text(2.0 * width + house.mortar) + ", " +
+                                      text(width) + ", " + text(house.brick[2]) + "]" + fitting + ", or bond = \"running\"");
+}
+
 void plan_bricks(const House& house, HousePlan& plan) {
   plan.bond = house.bond;
-  plan.brick_length = positive_length(house.brick[0], "house.brick");
-  plan.brick_width = positive_length(house.brick[1], "house.brick");
-  plan.brick_height = positive_length(house.brick[2], "house.brick");
-  if (house.bond == Bond::english && plan.brick_length != 2 * plan.brick_width) {
-    throw InputError("house.brick", "English bond needs bricks twice as long as wide, not " + text(house.brick[0]) + " x " +
-                                        text(house.brick[1]) + " m; nearest: [" + text(2.0 * house.brick[1]) + ", " + text(house.brick[1]) +
-                                        ", " + text(house.brick[2]) + "], or bond = \"running\"");
+  const Tick mortar = house.mortar == 0.0 ? 0 : positive_length(house.mortar, "house.mortar");
+  plan.brick_length = positive_length(house.brick[0], "house.brick") + mortar;
+  plan.brick_width = positive_length(house.brick[1], "house.brick") + mortar;
+  plan.brick_height = positive_length(house.brick[2], "house.brick") + mortar;
+  if (mortar >= plan.brick_height - mortar) {
+    throw InputError("house.mortar", text(house.mortar) + " m is not less than the height of a brick (" + text(house.brick[2]) + " m)");
   }
+  if (house.bond == Bond::english && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
   if (plan.brick_length < plan.brick_width) {
     throw InputError("house.brick",
                      "a brick must not be wider (" + text(house.brick[1]) + " m) than long (" + text(house.brick[0]) + " m)");
@@ -34,8 +44,7 @@ void plan_bricks(const House& house, HousePlan& plan) {
 void plan_walls(const House& house, HousePlan& plan) {
   const Tick bearing = multiple_of(house.bearing_wall, plan.brick_width, "house.bearing_wall", "brick widths");
   const Tick nonbearing = multiple_of(house.nonbearing_wall, plan.brick_width, "house.nonbearing_wall", "brick widths");
-  plan.height = multiple_of(house.height, plan.brick_height, "house.height", "courses");
-  plan.courses = static_cast<int>(plan.height / plan.brick_height);
+  plan.height = positive_length(house.height, "house.height");
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const Tick inner = positive_length(house.inner_size[axis], "house.inner_size");
     if (inner < plan.shortest_piece()) {
@@ -95,7 +104,8 @@ void plan_copies(const House& house, HousePlan& plan) {
     }
   }
   const double area = 2.0 * metres(plan.outer[0]) * house.bearing_wall + 2.0 * house.inner_size[1] * house.nonbearing_wall;
-  const double elements = count * area * house.height / (house.brick[0] * house.brick[1] * house.brick[2]);
+  const std::array<double, 3> brick = brick_with_mortar(house);
+  const double elements = count * area * house.height / (brick[0] * brick[1] * brick[2]);
   if (elements > kMostElements) {
     throw InputError("house", "would have about " + text(std::round(elements)) + " bricks; at most " + text(kMostElements));
   }
@@ -139,6 +149,10 @@ Tick multiple_of(double value, Tick unit, const std::string& key, const char* un
   return length;
 }
 
+std::array<double, 3> brick_with_mortar(const House& house) noexcept {
+  return {house.brick[0] + house.mortar, house.brick[1] + house.mortar, house.brick[2] + house.mortar};
+}
+
 Tick element_length(double value, Tick member, const std::string& key) {
   const Tick length = positive_length(value, key);
   const Tick least = std::max<Tick>(4, member / 1000);
@@ -152,7 +166,7 @@ std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, in
   std::vector<Interval> spans;
   if (!wall.built) return spans;
   const bool through = wall.bearing == (course % 2 == 0);
-  const Interval height{course * plan.brick_height, (course + 1) * plan.brick_height};
+  const Interval height = plan.courses[static_cast<std::size_t>(course)];
   Tick from = through || !wall.meets[0] ? 0 : wall.corner;
   const Tick end = wall.length - (through || !wall.meets[1] ? 0 : wall.corner);
   for (const Hole& hole : wall.holes) {  // ascending along the wall

@@ -51,15 +51,18 @@ struct WallPlan {
 };
 
 struct HousePlan {
-  Tick brick_length = 0, brick_width = 0, brick_height = 0;
+  Tick brick_length = 0, brick_width = 0, brick_height = 0;  // with mortar
   Bond bond = Bond::english;
   Tick height = 0;
-  int courses = 0;
+  std::vector<Interval> courses;  // heights, of all walls
   std::array<Tick, 2> outer{};    // along x and y
   std::array<WallPlan, 4> walls;  // by Side
   int quarter_turns = 0;          // 0 to 3
 
   [[nodiscard]] const WallPlan& wall(Side side) const noexcept { return walls[static_cast<std::size_t>(side)]; }
+  [[nodiscard]] int course_count() const noexcept { return static_cast<int>(courses.size()); }
+  /// No course is lower than half a brick.
+  [[nodiscard]] Tick lowest_course() const noexcept { return (brick_height + 1) / 2; }
   /// No piece of a wall is shorter than half a brick.
   [[nodiscard]] Tick shortest_piece() const noexcept { return brick_length / 2; }
 };
@@ -67,6 +70,9 @@ struct HousePlan {
 /// Checks everything a house can get wrong in itself, and lays out walls and holes.
 /// \throw InputError with the key at fault.
 HousePlan plan_house(const House& house);
+
+/// Length, width and height of a brick with its mortar, m.
+std::array<double, 3> brick_with_mortar(const House& house) noexcept;
 
 /// The parts of a wall that a course fills with bricks, ascending. In even courses the bearing walls run through the corners, in odd
 /// courses the others; where a wall meets none, it runs to its end in all courses. Nothing of a wall that is not built.

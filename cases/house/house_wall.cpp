@@ -73,7 +73,7 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
 }
 
 void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, HouseParts& parts) {
-  const Interval height{course * plan.brick_height, (course + 1) * plan.brick_height};
+  const Interval height = plan.courses[static_cast<std::size_t>(course)];
   std::vector<Laid> laid;
   for (const LaidBrick& brick : lay_course(plan, wall, course)) laid.push_back({brick.along, brick.depth, height, brick.whole});
   for (const Hole& hole : wall.holes) {
@@ -134,10 +134,11 @@ std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_lengt
 
 std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, int course) {
   std::vector<LaidBrick> bricks;
+  const bool full_height = plan.courses[static_cast<std::size_t>(course)].length() == plan.brick_height;
   for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
     for (const Interval span : free_spans(plan, wall, course)) {
       for (const Interval along : divide(span, wythe, plan.brick_length)) {
-        bricks.push_back({along, wythe.depth, along.length() == wythe.unit});
+        bricks.push_back({along, wythe.depth, full_height && along.length() == wythe.unit});
       }
     }
   }
@@ -147,7 +148,7 @@ std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, i
 }
 
 void build_walls(const House& house, const HousePlan& plan, HouseParts& parts) {
-  for (int course = 0; course < plan.courses; ++course) {
+  for (int course = 0; course < plan.course_count(); ++course) {
     for (const WallPlan& wall : plan.walls) build_course(house, plan, wall, course, parts);
   }
 }

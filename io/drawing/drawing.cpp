@@ -137,7 +137,7 @@ class Drawing {
     draw_elevation(svg, kElevations[2], {kMargin, top}, high);
     draw_elevation(svg, kElevations[3], {second, top}, high);
     top += high + kCaption + kMargin;
-    const double section = section_height(), course = case_.house ? case_.house->brick[2] : 0.0;
+    const double section = section_height(), course = case_.house ? case_.house->brick[2] + case_.house->mortar : 0.0;
     draw_plan(svg, section, {kMargin, top}, deep);
     if (course > 0.0) draw_plan(svg, section + course, {second, top}, deep);
     draw_legend(svg, height - kLegend);
@@ -276,7 +276,7 @@ class Drawing {
   [[nodiscard]] double section_height() const {
     double best = 0.5 * (box_.low.z + box_.high.z);
     if (!case_.house) return best;
-    const double course = case_.house->brick[2], base = case_.base ? case_.base->z : 0.0;
+    const double course = case_.house->brick[2] + case_.house->mortar, base = case_.base ? case_.base->z : 0.0;
     const auto middle = [&](double z) { return (std::floor(z / course) + 0.5) * course; };
     best = base + middle(0.5 * case_.house->height);
     std::ptrdiff_t most = 0;

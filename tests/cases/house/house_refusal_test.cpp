@@ -45,7 +45,14 @@ void check_refused(const Refusal& refusal) {
 
 TEST_CASE("sizes off the grid are refused with the nearest that fit") {
   const std::vector<Refusal> refusals{
-      {[](House& h) { h.height = 2.44; }, "house.height", "not a whole number of courses of 0.1 m; nearest: 2.4 m"},
+      {[](House& h) { h.height = 0.0; }, "house.height", "allowed: above 0"},
+      {[](House& h) { h.mortar = -0.01; }, "house.mortar", "allowed: above 0"},
+      {[](House& h) { h.mortar = 0.1; }, "house.mortar", "not less than the height of a brick (0.1 m)"},
+      {[](House& h) { h.mortar = 0.02; }, "house.brick", "and mortar of 0.02 m; nearest: [0.22, 0.1, 0.1], or bond = \"running\""},
+      {[](House& h) {
+         h.brick = {0.25, 0.12, 0.065};
+       },
+       "house.brick", "nearest: [0.24, 0.12, 0.065], mortar = 0.01, or bond = \"running\""},
       {[](House& h) { h.bearing_wall = 0.27; }, "house.bearing_wall", "nearest: 0.3 m"},
       {[](House& h) { h.nonbearing_wall = 0.04; }, "house.nonbearing_wall", "nearest: 0.1 m"},
       {[](House& h) { h.nonbearing_wall = -0.2; }, "house.nonbearing_wall", "allowed: above 0"},
@@ -103,10 +110,14 @@ TEST_CASE("openings that do not fit their wall are refused") {
       {[](House& h) { h.openings[0].from = 0.1; }, "house.opening[0].from", "outside the front wall"},
       {[](House& h) { h.openings[0].from = std::nan(""); }, "house.opening[0].from", "outside the front wall"},
       {[](House& h) { h.openings[1].height = 1.5; }, "house.opening[1].height", "over the height of the wall (2.4 m); at most 1.4 m"},
-      {[](House& h) { h.openings[1].sill = 0.97; }, "house.opening[1].sill", "nearest: 1 m"},
+      {[](House& h) { h.openings[1].sill = 0.03; }, "house.opening[1].sill",
+       "ends a course at 0.03 m, 0.03 m from where the walls begin; a course of cut bricks is at least 0.05 m high; nearest: 0 m"},
+      {[](House& h) { h.openings[1].sill = 0.97; }, "house.opening[1].height",
+       "1 m ends a course at 1.97 m, 0.03 m from where house.opening[0].height ends one"},
       {[](House& h) { h.openings[1].sill = 2.4; }, "house.opening[1].sill", "not below the top of the wall"},
       {[](House& h) { h.openings[1].sill = -0.1; }, "house.opening[1].sill", "allowed: above 0"},
       {[](House& h) { h.openings[1].height = 1.03; }, "house.opening[1].height", "nearest: 1 m"},
+      {[](House& h) { h.openings[1] = opening("rear", 2.0, 0.5, 0.5, 0.02); }, "house.opening[1].height", "nearest: 0.05 m"},
       {[](House& h) { h.openings[1].from = 2.0; }, "house.opening[1]", "overlaps house.opening[0] in the front wall: from 2 to 3 m"},
       {[](House& h) { h.openings[1].from = 2.4; }, "house.opening[1].lintel", "overlaps house.opening[0].lintel"},
       {[](House& h) { h.openings.push_back(opening("front", 1.2, 0.5, 2.0, 0.2)); }, "house.opening[2]",
@@ -137,7 +148,7 @@ TEST_CASE("lintels that do not fit are refused") {
        "finds no support beside the opening; more than its width, 1 m"},
       {[](House& h) { h.openings[1].lintel->length = 3.0; }, "house.opening[1].lintel.length",
        "into a corner of the front wall (inner corners at 0.2 and 5.2 m); at most 2.6 m here"},
-      {[](House& h) { h.openings[1].lintel->height = 0.15; }, "house.opening[1].lintel.height", "nearest: 0.2 m"},
+      {[](House& h) { h.openings[1].lintel->height = 0.14; }, "house.opening[1].lintel.height", "nearest: 0.1 m"},
       {[](House& h) { h.openings[1].lintel->height = 0.5; }, "house.opening[1].lintel.height", "over the height of the wall"},
       {[](House& h) { h.openings[1].lintel->element = 0.0; }, "house.opening[1].lintel.element", "allowed: above 0"},
   };

@@ -42,9 +42,10 @@ void add_openings(Dice& dice, House& h) {
   for (int i = dice.whole(0, 2); i > 0; --i) {
     const char* walls[] = {"front", "rear", "left", "right"};
     const double step = dice.one_in(3) ? 0.01 : 0.05;
-    Opening o = opening(walls[dice.whole(0, 3)], dice.pick(0.2, 1.6, step), dice.pick(0.2, 0.8, step), dice.pick(0.0, 0.5, 0.1),
-                        dice.pick(0.1, 0.6, 0.1));
-    if (dice.one_in(2)) o.lintel = Lintel{o.width + dice.pick(0.1, 0.4, step), 0.1, dice.pick(0.1, 0.3, 0.05)};
+    const double level = dice.one_in(3) ? 0.01 : 0.1;
+    Opening o = opening(walls[dice.whole(0, 3)], dice.pick(0.2, 1.6, step), dice.pick(0.2, 0.8, step), dice.pick(0.0, 0.5, level),
+                        dice.pick(0.1, 0.6, level));
+    if (dice.one_in(2)) o.lintel = Lintel{o.width + dice.pick(0.1, 0.4, step), dice.pick(0.08, 0.12, 0.02), dice.pick(0.1, 0.3, 0.05)};
     h.openings.push_back(o);
   }
 }
@@ -83,7 +84,9 @@ Case random_case(Dice& dice) {
   h.height = dice.pick(0.3, 1.2, 0.1);
   h.bearing_wall = dice.pick(0.1, 0.5, 0.1);
   h.nonbearing_wall = dice.pick(0.1, 0.4, 0.1);
-  if (dice.one_in(5)) h.brick = {0.24, 0.12, 0.08}, h.bearing_wall = 0.24, h.nonbearing_wall = 0.12, h.height = 0.64;
+  if (dice.one_in(4)) h.height = dice.pick(0.3, 1.2, 0.01);
+  if (dice.one_in(6)) h.brick = {0.25, 0.12, 0.065}, h.mortar = 0.01, h.bearing_wall = 0.26, h.nonbearing_wall = 0.13;
+  else if (dice.one_in(5)) h.brick = {0.24, 0.12, 0.08}, h.bearing_wall = 0.24, h.nonbearing_wall = 0.12, h.height = 0.64;
   add_roof(dice, h);
   add_openings(dice, h);
   if (dice.one_in(3)) add_reinforcement(dice, h);
@@ -110,7 +113,7 @@ double expected_mass(const House& h, const Case& c) {
   }
   const Roof& r = h.roof;
   if (r.kind == RoofKind::flat) {
-    const double across = depth - 2 * (h.bearing_wall - std::min(h.bearing_wall, h.brick[0]));
+    const double across = depth - 2 * (h.bearing_wall - std::min(h.bearing_wall, h.brick[0] + h.mortar));
     timber += length * across * r.beam[1];
     surcharge = r.surcharge * length * across;
   }
@@ -189,18 +192,19 @@ void check_nothing_unjoined(const Model& m) {
   CHECK(unjoined == 0);
 }
 
-/// Bricks are at least half a brick, and no face of them is nearer to the centroid than an eighth of a course.
+/// Bricks are at least half a brick long and half a course high, and no face of them is nearer to the centroid than an eighth of a course.
 void check_no_slivers(const Model& m, const House& h) {
-  const double brick = h.brick[0] * h.brick[1] * h.brick[2];
+  const std::array<double, 3> whole{h.brick[0] + h.mortar, h.brick[1] + h.mortar, h.brick[2] + h.mortar};
+  const double brick = whole[0] * whole[1] * whole[2];
   double least = 1.0, nearest = 1.0;
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     if (m.blocks[i].kind != PartKind::brick) continue;
     const geometry::Element& e = m.assembly.elements[i];
     least = std::min(least, e.mass.volume / brick);
     for (std::int32_t f = 0; f < e.face_count; ++f)
-      nearest = std::min(nearest, m.assembly.faces[static_cast<std::size_t>(e.first_face + f)].distance / h.brick[2]);
+      nearest = std::min(nearest, m.assembly.faces[static_cast<std::size_t>(e.first_face + f)].distance / whole[2]);
   }
-  CHECK(least > 0.5 - 1e-9);
+  CHECK(least > 0.25 - 1e-9);
   CHECK(nearest > 0.125);
 }
 

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_courses.h"
+
+#include <algorithm>
+#include <string>
+
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+/// A height at which a course must end, and the key that asks for it.
+struct Level {
+  Tick at = 0;
+  std::string key;     // empty: the foot of the walls
+  double value = 0.0;  // of the key, m
+  bool is_size = false;  // the key is a height above another level, so above zero
+};
+
+std::string metres_text(Tick t) { return text(metres(t)); }
+
+/// The foot, the top, then the openings in the order of the case.
+std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
+  std::vector<Level> levels{{0, "", 0.0, false}, {plan.height, "house.height", house.height, true}};
+  for (std::size_t i = 0; i < house.openings.size(); ++i) {
+    const Opening& opening = house.openings[i];
+    const auto key = [i](const char* field) { return indexed_key("house.opening", i, field); };
+    const Tick sill = ticks(opening.sill), head = sill + ticks(opening.height);
+    levels.push_back({sill, key("sill"), opening.sill, false});
+    levels.push_back({head, key("height"), opening.height, true});
+    if (opening.lintel) levels.push_back({head + ticks(opening.lintel->height), key("lintel.height"), opening.lintel->height, true});
+  }
+  return levels;
+}
+
+/// Two levels with less than the lowest course between them; the later of the case is at fault.
+[[noreturn]] void refuse(const Level& first, const Level& later, Tick lowest) {
+  const Tick onto = ticks(later.value) + first.at - later.at;
+  const Tick nearest = later.is_size && onto <= 0 ? lowest : onto;
+  throw InputError(later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
+                                  metres_text(std::abs(later.at - first.at)) + " m from where " +
+                                  (first.key.empty() ? "the walls begin" : first.key + " ends one") +
+                                  "; a course of cut bricks is at least " + metres_text(lowest) + " m high; nearest: " +
+                                  metres_text(nearest) + " m");
+}
+
+void check(const std::vector<Level>& levels, Tick lowest) {
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Tick apart = std::abs(levels[i].at - levels[j].at);
+      if (apart > 0 && apart < lowest) refuse(levels[j], levels[i], lowest);
+    }
+  }
+}
+
+}  // namespace
+
+void plan_courses(const House& house, HousePlan& plan) {
+  const std::vector<Level> levels = levels_of(house, plan);
+  check(levels, plan.lowest_course());
+  std::vector<Tick> beds;
+  for (const Level& level : levels) beds.push_back(level.at);
+  std::ranges::sort(beds);
+  beds.erase(std::ranges::unique(beds).begin(), beds.end());
+  plan.courses.clear();
+  for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
+    for (const Interval course : cut_member({beds[i], beds[i + 1]}, plan.brick_height)) plan.courses.push_back(course);
+  }
+}
+
+}  // namespace voussoir::cases
