@@ -65,6 +65,12 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
 std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<Pose>& poses) const {
   Sets sets(start_.size() + 1);  // the last is the base
   const auto base = static_cast<std::int32_t>(start_.size());
+  if (!part_.empty() && time >= part_from_) {
+    std::vector<std::int32_t> given = part_;
+    for (std::int32_t& p : given) p = p < 0 ? base : p;
+    given.push_back(base);
+    return given;
+  }
   for (const Joint& j : joints_) {
     const Vec3 at_b = j.b < 0 ? j.from_b : poses[static_cast<std::size_t>(j.b)].point(j.from_b);
     const bool apart = j.time <= time && norm(at_b - poses[static_cast<std::size_t>(j.a)].point(j.from_a)) >= kMovesAsOne;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec3.h"
@@ -50,6 +51,9 @@ class BodyFinder {
   /// \throw FileError
   BodyFinder(const Hdf5File& run, const Building& building, std::vector<Pose> start);
 
+  /// From a time [s] on these are the bodies, whatever is open. \param part  as in CollapseParts (io/replay/collapse_parts.h)
+  void take(std::vector<std::int32_t> part, double from) { part_ = std::move(part), part_from_ = from; }
+
   /// \param time  of the poses [s]
   BodiesInFrame find(double time, const std::vector<Pose>& poses);
 
@@ -69,6 +73,8 @@ class BodyFinder {
   std::vector<Pose> start_;
   std::vector<Joint> joints_;
   double all_mass_ = 0;
+  std::vector<std::int32_t> part_;     // of each element, from part_from_ on; empty: none are given
+  double part_from_ = 0;               // s
   std::vector<std::uint8_t> last_id_;  // of each element in the frame before
 };
 

@@ -246,6 +246,14 @@ TEST_CASE("two elements move as one until their joint is open by a millimetre, a
   CHECK(two.bodies[0].displacement.x + two.bodies[1].displacement.x == doctest::Approx(1.1e-3));
   CHECK(body_name(two.bodies[0], building).find("stands") != std::string::npos);
   CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
+  BodyFinder told(run, building, start);  // from a time on the bodies are those of a mechanism, however little is open
+  told.take({0, 1}, 1.0);
+  CHECK(told.find(0.9, start).id == std::vector<std::uint8_t>{1, 1});
+  const BodiesInFrame given = told.find(1.0, start);
+  CHECK(std::set<std::uint8_t>(given.id.begin(), given.id.end()) == std::set<std::uint8_t>{1, 2});
+  told.take({-1, 1}, 1.0);  // -1: it stands with the base
+  const BodiesInFrame standing = told.find(1.1, start);
+  CHECK(std::ranges::count_if(standing.bodies, &Body::on_ground) == 1);
 }
 
 TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
