@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,11 +33,12 @@ struct Body {
   Box box = Box::empty();  // of its elements in the reference configuration
 };
 
-/// A line about which two bodies turn against each other.
+/// A line about which two bodies turn against each other, or along which they slide.
 struct Hinge {
   Vec3 from, to;  // m, in the reference configuration
   /// The elements whose motion its ends follow: of the first body and of the second, at their joints the nearest to the end.
   std::array<std::int32_t, 2> at_from{}, at_to{};
+  bool slides = false;  // they slide along the plane that the line lies in
 };
 
 struct BodiesInFrame {
@@ -62,11 +64,14 @@ class BodyFinder {
     double time;                  // when it came open, s; infinity: never
     std::int32_t a, b;            // elements; b = −1: the base
     Vec3 centre, from_a, from_b;  // m; from the elements' centroids, of the base from the origin
+    Vec3 normal;
   };
   std::vector<std::int32_t> components(double time, const std::vector<Pose>& poses) const;
   void number(std::vector<Body>& bodies, const std::vector<std::int32_t>& component, BodiesInFrame& out);
   [[nodiscard]] std::array<std::int32_t, 2> carriers(const Vec3& end, const std::vector<const Joint*>& joints, const BodiesInFrame& found,
                                                      std::uint8_t first) const;
+  [[nodiscard]] std::optional<Hinge> slide(const std::vector<const Joint*>& joints, const std::vector<Pose>& poses,
+                                           const BodiesInFrame& found, std::uint8_t first) const;
   [[nodiscard]] std::vector<Hinge> hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const;
 
   const Building& building_;

@@ -41,6 +41,7 @@ ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
         for (const double x : {p.x, p.y, p.z}) line.push_back(std::round(1000 * x) / 1000);
       for (const auto& end : {h.at_from, h.at_to})
         for (const std::int32_t e : end) line.push_back(e);
+      line.push_back(h.slides ? 1 : 0);
     }
   }
   result.json = safe_json(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
