@@ -177,14 +177,16 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
     return format("%.5f", s.multiplier) + (!r.is_tilt ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
   };
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
+  const bool both = asked.options.coulomb;
   put("multiplier, Coulomb",
-      multiplier(r.coulomb) +
-          (r.coulomb_converged() ? "; one of perhaps several" : format("; NOT converged, last change %.2g", r.coulomb.last_change)));
+      !both ? "not asked for (--associated)"
+            : multiplier(r.coulomb) +
+                  (r.coulomb_converged() ? "; one of perhaps several" : format("; NOT converged, last change %.2g", r.coulomb.last_change)));
   put("checks", format("off balance %.1g, over friction %.1g of a mean weight; %d programmes",
                        std::max(r.associated.off_balance, r.coulomb.off_balance),
                        std::max(r.associated.over_friction, r.coulomb.over_friction), r.associated.programmes + r.coulomb.programmes));
   print_state(out, "associated", r.associated, model, r.contacts);
-  print_state(out, "Coulomb", r.coulomb, model, r.contacts);
+  if (both) print_state(out, "Coulomb", r.coulomb, model, r.contacts);
   return out;
 }
 
@@ -204,14 +206,14 @@ std::string limit_json(const LimitQuestion& asked, const cases::Model& model, co
            {"loads", r.has_loads},
            {"converged", r.coulomb_converged()},
            {"associated", state_json(r.associated, model, r)},
-           {"coulomb", state_json(r.coulomb, model, r)}};
+           {"coulomb", asked.options.coulomb ? state_json(r.coulomb, model, r) : Json()}};
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string limit_csv(const cases::Model& model, const solver::LimitResult& r) {
+std::string limit_csv(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r) {
   std::string out = "flow,element,tag,part,vx,vy,vz,wx,wy,wz\n";
   csv_of(out, "associated", r.associated, model, r.contacts);
-  csv_of(out, "coulomb", r.coulomb, model, r.contacts);
+  if (asked.options.coulomb) csv_of(out, "coulomb", r.coulomb, model, r.contacts);
   return out;
 }
 

@@ -18,6 +18,6 @@ struct LimitQuestion {
 std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found);
 std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found);
 /// A row an element and rule of flow: velocity of its centroid, rate of turning, and the part it moves with (0: the ground).
-std::string limit_csv(const cases::Model& model, const solver::LimitResult& found);
+std::string limit_csv(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found);
 
 }  // namespace voussoir::io

@@ -75,7 +75,7 @@ bool is_still(const std::string& name) {
 }
 
 bool is_result(const std::string& name) {
-  for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5"})
+  for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "limit.json"})
     if (name == own || name == std::string(own) + ".tmp") return true;
   return name.starts_with("checkpoint-") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
 }

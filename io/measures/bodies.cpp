@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostBodies = 99;       // at a time; a hundredth of the mass each
 constexpr double kTurns = 2e-3;               // rad: two bodies that turn less against each other have no hinge
+constexpr double kSlides = 2e-3;              // m: two bodies that move less along their joints do not slide
 constexpr double kShort = 0.3;                // m
 constexpr double kNear = 0.5, kBeside = 0.1;  // m: a hinge lies among the joints between its bodies, or half a brick beside them
 
@@ -48,8 +49,8 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
     : building_(building), start_(std::move(start)), last_id_(start_.size()) {
   const std::vector<double> since = joint_opening_times(run);
   const auto a = run.read<std::int32_t>("/model/joint/element_a"), b = run.read<std::int32_t>("/model/joint/element_b");
-  const auto centre = run.read<double>("/model/joint/centre");
-  if (a.size() != since.size() || b.size() != since.size() || centre.size() != 3 * since.size())
+  const auto centre = run.read<double>("/model/joint/centre"), normal = run.read<double>("/model/joint/normal");
+  if (a.size() != since.size() || b.size() != since.size() || centre.size() != 3 * since.size() || normal.size() != centre.size())
     throw FileError(run.path(), "/model/joint does not fit together");
   const auto elements = static_cast<std::int64_t>(start_.size());
   for (std::size_t j = 0; j < since.size(); ++j) {
@@ -57,7 +58,8 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
     const Vec3 c{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]};
     joints_.push_back({since[j], a[j], b[j], c, c - start_[static_cast<std::size_t>(a[j])].centre,
-                       b[j] < 0 ? c : c - start_[static_cast<std::size_t>(b[j])].centre});
+                       b[j] < 0 ? c : c - start_[static_cast<std::size_t>(b[j])].centre,
+                       {normal[3 * j], normal[3 * j + 1], normal[3 * j + 2]}});
   }
   all_mass_ = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
 }
@@ -65,6 +67,12 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
 std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<Pose>& poses) const {
   Sets sets(start_.size() + 1);  // the last is the base
   const auto base = static_cast<std::int32_t>(start_.size());
+  if (!part_.empty() && time >= part_from_) {
+    std::vector<std::int32_t> given = part_;
+    for (std::int32_t& p : given) p = p < 0 ? base : p;
+    given.push_back(base);
+    return given;
+  }
   for (const Joint& j : joints_) {
     const Vec3 at_b = j.b < 0 ? j.from_b : poses[static_cast<std::size_t>(j.b)].point(j.from_b);
     const bool apart = j.time <= time && norm(at_b - poses[static_cast<std::size_t>(j.a)].point(j.from_a)) >= kMovesAsOne;
@@ -157,6 +165,28 @@ std::array<std::int32_t, 2> BodyFinder::carriers(const Vec3& end, const std::vec
   return nearest;
 }
 
+/// The line between two joints far apart, if the bodies have moved along their joints more than away from each other.
+std::optional<Hinge> BodyFinder::slide(const std::vector<const Joint*>& joints, const std::vector<Pose>& poses, const BodiesInFrame& found,
+                                       std::uint8_t first) const {
+  double along = 0.0, apart = 0.0;
+  Vec3 middle;
+  for (const Joint* j : joints) {
+    const Vec3 moved = poses[static_cast<std::size_t>(j->b)].point(j->from_b) - poses[static_cast<std::size_t>(j->a)].point(j->from_a);
+    const double away = dot(moved, j->normal);
+    apart += std::abs(away), along += norm(moved - away * j->normal);
+    middle = middle + j->centre;
+  }
+  const auto count = static_cast<double>(joints.size());
+  middle = (1.0 / count) * middle;
+  if (along < kSlides * count || along < apart) return {};
+  const auto farthest = [&](const Vec3& p) {
+    return (*std::ranges::max_element(joints, {}, [&](const Joint* j) { return norm(j->centre - p); }))->centre;
+  };
+  const Vec3 from = farthest(middle), to = farthest(from);
+  if (norm(to - from) < kShort) return {};
+  return Hinge{from, to, carriers(from, joints, found, first), carriers(to, joints, found, first), true};
+}
+
 std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const {
   const auto body = [&](std::uint8_t id) -> const Body* {
     const auto at = std::ranges::find(found.bodies, id, &Body::id);
@@ -172,7 +202,11 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
   for (const auto& [ids, joints] : between) {
     const Vec3 turn = body(ids.second)->rotation - body(ids.first)->rotation;
     const double angle = norm(turn);
-    if (angle < kTurns || joints.size() < 3) continue;
+    if (joints.size() < 3) continue;
+    if (angle < kTurns) {
+      if (const std::optional<Hinge> line = slide(joints, poses, found, ids.first)) all.push_back(*line);
+      continue;
+    }
     // What the second does as seen from the first, at the middle of the joints between them.
     Vec3 middle, moved;
     for (const Joint* j : joints) {

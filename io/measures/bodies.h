@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec3.h"
@@ -31,11 +33,12 @@ struct Body {
   Box box = Box::empty();  // of its elements in the reference configuration
 };
 
-/// A line about which two bodies turn against each other.
+/// A line about which two bodies turn against each other, or along which they slide.
 struct Hinge {
   Vec3 from, to;  // m, in the reference configuration
   /// The elements whose motion its ends follow: of the first body and of the second, at their joints the nearest to the end.
   std::array<std::int32_t, 2> at_from{}, at_to{};
+  bool slides = false;  // they slide along the plane that the line lies in
 };
 
 struct BodiesInFrame {
@@ -50,6 +53,9 @@ class BodyFinder {
   /// \throw FileError
   BodyFinder(const Hdf5File& run, const Building& building, std::vector<Pose> start);
 
+  /// From a time [s] on these are the bodies, whatever is open. \param part  as in CollapseParts (io/replay/collapse_parts.h)
+  void take(std::vector<std::int32_t> part, double from) { part_ = std::move(part), part_from_ = from; }
+
   /// \param time  of the poses [s]
   BodiesInFrame find(double time, const std::vector<Pose>& poses);
 
@@ -58,17 +64,22 @@ class BodyFinder {
     double time;                  // when it came open, s; infinity: never
     std::int32_t a, b;            // elements; b = −1: the base
     Vec3 centre, from_a, from_b;  // m; from the elements' centroids, of the base from the origin
+    Vec3 normal;
   };
   std::vector<std::int32_t> components(double time, const std::vector<Pose>& poses) const;
   void number(std::vector<Body>& bodies, const std::vector<std::int32_t>& component, BodiesInFrame& out);
   [[nodiscard]] std::array<std::int32_t, 2> carriers(const Vec3& end, const std::vector<const Joint*>& joints, const BodiesInFrame& found,
                                                      std::uint8_t first) const;
+  [[nodiscard]] std::optional<Hinge> slide(const std::vector<const Joint*>& joints, const std::vector<Pose>& poses,
+                                           const BodiesInFrame& found, std::uint8_t first) const;
   [[nodiscard]] std::vector<Hinge> hinges(double time, const std::vector<Pose>& poses, const BodiesInFrame& found) const;
 
   const Building& building_;
   std::vector<Pose> start_;
   std::vector<Joint> joints_;
   double all_mass_ = 0;
+  std::vector<std::int32_t> part_;     // of each element, from part_from_ on; empty: none are given
+  double part_from_ = 0;               // s
   std::vector<std::uint8_t> last_id_;  // of each element in the frame before
 };
 

@@ -11,6 +11,7 @@
 #include "io/case_file/case_file.h"
 #include "io/files/hdf5_file.h"
 #include "io/measures/bodies.h"
+#include "io/replay/collapse_parts.h"
 #include "io/replay/frame_reader.h"
 
 namespace voussoir::io {
@@ -142,21 +143,32 @@ void look_at_fall(Capacity& c, double quiet) {
   c.collapse_movement = r.support_moved[i - 1], c.collapse_time = r.time[i - 1];
 }
 
-std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frames, const Building& building, std::uint64_t frame) {
-  BodyFinder finder(run, building, first_poses(frames));
+std::vector<std::string> names_of(const BodiesInFrame& found, const Building& building) {
   std::vector<std::string> names;
-  const BodiesInFrame found = finder.find(frames.times()[frame], poses_of(frames, frame));
   const double mass = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
   for (const Body& b : found.bodies) {
-    std::array<char, 80> size{};
-    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%)", std::ranges::count(found.id, b.id),
-                  100.0 * b.mass / mass);
+    std::array<char, 120> size{};
+    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%, moved by %.1f mm)", std::ranges::count(found.id, b.id),
+                  100.0 * b.mass / mass, 1e3 * norm(b.displacement));
     names.push_back(body_name(b, building) + size.data());
   }
   return names;
 }
 
-/// Bodies at the largest load factor, and at the end, where they have moved enough to be told apart.
+std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frames, const Building& building, std::uint64_t frame) {
+  BodyFinder finder(run, building, first_poses(frames));
+  return names_of(finder.find(frames.times()[frame], poses_of(frames, frame)), building);
+}
+
+/// Parts that move as one from the largest load factor on, and what they do then.
+std::vector<std::string> parts_from(const Hdf5File& run, const FrameReader& frames, const Building& building, double peak) {
+  CollapseParts found = collapse_parts(run, frames, building.mass, peak);
+  BodyFinder finder(run, building, found.from == 0 ? first_poses(frames) : poses_of(frames, found.from));
+  finder.take(std::move(found.part), frames.times()[found.from]);
+  return names_of(finder.find(frames.times()[found.to], poses_of(frames, found.to)), building);
+}
+
+/// The mechanism from the largest load factor on; and bodies at the end, where joints are open enough to tell them apart.
 void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   const FrameReader frames(run);
   if (frames.frames() == 0) return;
@@ -164,7 +176,7 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   const auto& times = frames.times();
   const auto next = static_cast<std::uint64_t>(std::ranges::lower_bound(times, c.multiplier_time) - times.begin());
   const std::uint64_t at = std::min(next, frames.frames() - 1);
-  c.mechanism = bodies_at(run, frames, building, at);
+  c.mechanism = has_peak(c) ? parts_from(run, frames, building, c.multiplier_time) : bodies_at(run, frames, building, at);
   c.mechanism_time = times[at];
   c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
 }
@@ -259,7 +271,7 @@ Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double 
   return c;
 }
 
-std::optional<Capacity> capacity_of(const Hdf5File& run) {
+std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
   const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
   const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
@@ -268,7 +280,12 @@ std::optional<Capacity> capacity_of(const Hdf5File& run) {
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
   c.ended = why_ended(c, a, collapsed);
-  look_at_mechanism(run, c);
+  return c;
+}
+
+std::optional<Capacity> capacity_of(const Hdf5File& run) {
+  std::optional<Capacity> c = capacity_figures(run);
+  if (c) look_at_mechanism(run, *c);
   return c;
 }
 

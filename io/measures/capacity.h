@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cases/analysis.h"
-#include "io/measures/loops.h"
 
 /// What a quasi-static analysis has found: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and their
 /// sources: io/MEASURES.md.
@@ -30,6 +29,19 @@ struct CapacityCurve {
 struct Bilinear {
   double stiffness = kNone, force = kNone, yield = kNone, ultimate = kNone, ductility = kNone;  // N/m, N, m, m, 1
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// One cycle: from where the displacement of the forces passes zero upwards to where it does so again.
+struct Loop {
+  double begin = 0.0, end = 0.0;                 // s
+  double most = 0.0, least = 0.0;                // m, of the displacement
+  double most_factor = 0.0, least_factor = 0.0;  // load factor
+  double first_factor = 0.0, last_factor = 0.0;  // load factor at its two ends: the loop is closed where they are equal
+  double area = 0.0;                             // J, work of the forces that grow
+  double dissipated = 0.0;                       // J, all losses of the ledger
+  double stored = 0.0;                           // J, what the stores have gained
+  double other_work = 0.0;                       // J, of the other loads: what the ledger was given beside the area
+  double viscous_damping = 0.0;                  // equivalent: the area over 4π times the elastic energy of the loop's secant
 };
 
 struct Capacity {
@@ -54,8 +66,17 @@ struct Capacity {
   CapacityCurve curve;
 };
 
+/// Cycles that are whole. \param weight  N, of all forces at a load factor of 1
+std::vector<Loop> loops_of(const CapacityCurve& curve, double weight);
+
 /// Nothing of a time history, or of an analysis that has no rows yet. \throw FileError
 std::optional<Capacity> capacity_of(const Hdf5File& run);
+/// The same without the mechanism.
+std::optional<Capacity> capacity_figures(const Hdf5File& run);
+/// Whether a load grows up to a largest one, after which a mechanism moves.
+inline bool has_peak(const Capacity& c) noexcept {
+  return c.kind == cases::AnalysisKind::pushover || c.kind == cases::AnalysisKind::tilt;
+}
 
 /// The curve alone, without frames: for tests and what needs no mechanism.
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve);

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/measures/loops.h"
-
 #include <algorithm>
 #include <numbers>
 

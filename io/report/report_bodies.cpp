@@ -5,8 +5,11 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "io/measures/bodies.h"
+#include "io/measures/capacity.h"
+#include "io/replay/collapse_parts.h"
 #include "io/replay/frame_reader.h"
 #include "io/report/report_facts.h"
 
@@ -15,6 +18,10 @@ namespace voussoir::io {
 ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
   const Building building = building_of(run);
   BodyFinder finder(run, building, first_poses(frames));
+  if (const auto c = capacity_figures(run); c && has_peak(*c) && frames.frames() > 0) {
+    CollapseParts parts = collapse_parts(run, frames, building.mass, c->multiplier_time);
+    finder.take(std::move(parts.part), frames.times()[parts.from]);
+  }
   nlohmann::json out{{"names", nlohmann::json::array()}, {"bodies", nlohmann::json::array()}, {"hinges", nlohmann::json::array()}};
   std::map<std::string, std::size_t> names;
   ReportBodies result;
@@ -34,6 +41,7 @@ ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames) {
         for (const double x : {p.x, p.y, p.z}) line.push_back(std::round(1000 * x) / 1000);
       for (const auto& end : {h.at_from, h.at_to})
         for (const std::int32_t e : end) line.push_back(e);
+      line.push_back(h.slides ? 1 : 0);
     }
   }
   result.json = safe_json(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

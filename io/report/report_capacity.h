@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "io/files/hdf5_file.h"
+#include "io/report/report_plots.h"
 
 namespace voussoir::io {
 
-class Hdf5File;
-
-/// What a quasi-static analysis has found, for the report page: `capacity` (the figures of io/MEASURES.md), and its curves in `plots`:
-/// those with `x` (name, unit, values) are drawn over it, with straight `lines` and `points` by name. Nothing of a time history.
-void add_capacity(const Hdf5File& file, nlohmann::ordered_json& facts);
+/// What a quasi-static analysis has found, for the report page: a JSON object with `capacity` (the figures of io/MEASURES.md) and `limit` (a
+/// second opinion: limit.json beside the run, or null); its curves are added to `plots`. Nothing of a time history. \param c  the run's case, if it can be read: without it
+/// there is no second opinion \throw FileError if limit.json is not what `voussoir limit --format json` writes of this case and direction
+std::optional<std::string> report_capacity(const Hdf5File& file, const cases::Case* c, std::vector<page::Plot>& plots);
 
 }  // namespace voussoir::io

@@ -26,12 +26,13 @@ namespace voussoir::io {
 namespace {
 
 using namespace page;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostTies = 6;  // curves in one diagram
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
 /// Ground acceleration at its own samples, so that its peaks are there.
-Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
+Plot ground_plot(const cases::GroundMotion& motion, double from, double until) {
   double step = std::max(until - from, 1e-3);
   for (const cases::Accelerogram& a : motion.axis)
     if (a.dt > 0.0) step = std::min(step, a.dt);
@@ -42,7 +43,7 @@ Json ground_plot(const cases::GroundMotion& motion, double from, double until) {
     const Vec3 a = cases::acceleration_at(motion, time.back());
     value.insert(value.end(), {a.x, a.y, a.z});
   }
-  return plot("Ground acceleration", "m/s²", thinned(time), columns(value, kAxes));
+  return {"Ground acceleration", "m/s²", thinned(time), columns(value, kAxes)};
 }
 
 /// Where the ground is at each of these times [s], m: from rest, with an acceleration that is linear between samples.
@@ -69,25 +70,25 @@ Json ground_track(const cases::GroundMotion& motion, const std::vector<double>& 
   return track;
 }
 
-void add_histories(const Hdf5File& file, Json& plots) {
-  const Json time = thinned(file.read<double>("/history/time"));
+void add_histories(const Hdf5File& file, std::vector<Plot>& plots) {
+  const Values time = thinned(file.read<double>("/history/time"));
   for (const std::string& name : file.children("/history")) {
     const std::string group = "/history/" + name;
     if (!file.is_group(group)) continue;
-    plots.push_back(plot("Displacement of " + name, "mm", time, columns(file.read<double>(group + "/displacement"), kAxes, 1000)));
+    plots.push_back({"Displacement of " + name, "mm", time, columns(file.read<double>(group + "/displacement"), kAxes, 1000)});
   }
 }
 
-void add_base_shear(const Hdf5File& file, Json& plots) {
+void add_base_shear(const Hdf5File& file, std::vector<Plot>& plots) {
   const auto time = file.read<double>("/forces/time"), force = file.read<double>("/forces/base_shear");
   if (time.empty() || force.size() != 3 * time.size()) return;
-  Json curves = Json::array();
-  for (std::size_t k = 0; k < 2; ++k) curves.push_back(curve(kAxes[k], thinned(force, k, 3, 1e-3)));
-  plots.push_back(plot("Base shear", "kN", thinned(time), std::move(curves)));
+  std::vector<Curve> curves;
+  for (std::size_t k = 0; k < 2; ++k) curves.push_back({kAxes[k], thinned(force, k, 3, 1e-3)});
+  plots.push_back({"Base shear", "kN", thinned(time), std::move(curves)});
 }
 
 /// Of ties, those that bear most.
-void add_ties(const Hdf5File& file, Json& plots) {
+void add_ties(const Hdf5File& file, std::vector<Plot>& plots) {
   if (!file.exists("/ties/force")) return;
   const std::vector<std::string> names = file.read_strings("/model/tie");
   const std::vector<double> time = file.read<double>("/history/time"), force = file.read<double>("/ties/force");
@@ -99,26 +100,27 @@ void add_ties(const Hdf5File& file, Json& plots) {
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return most[a] > most[b]; });
   order.resize(std::min(order.size(), kMostTies));
   std::ranges::sort(order);
-  Json curves = Json::array();
-  for (const std::size_t k : order) curves.push_back(curve(names[k], thinned(force, k, names.size(), 1e-3)));
+  std::vector<Curve> curves;
+  for (const std::size_t k : order) curves.push_back({names[k], thinned(force, k, names.size(), 1e-3)});
   plots.push_back(
-      plot(order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)));
+      {order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)});
 }
 
 /// \param prefix  of the datasets' names in /damage
-void add_sides(const Hdf5File& file, const char* title, const std::string& prefix, std::initializer_list<const char*> names, Json& plots) {
-  Json sides = Json::array();
-  for (const char* name : names) sides.push_back(curve(name, thinned(file.read<double>("/damage/" + prefix + name))));
-  plots.push_back(plot(title, "", thinned(file.read<double>("/damage/time")), std::move(sides)));
+void add_sides(const Hdf5File& file, const char* title, const std::string& prefix, std::initializer_list<const char*> names,
+               std::vector<Plot>& plots) {
+  std::vector<Curve> sides;
+  for (const char* name : names) sides.push_back({name, thinned(file.read<double>("/damage/" + prefix + name))});
+  plots.push_back({title, "", thinned(file.read<double>("/damage/time")), std::move(sides)});
 }
 
 /// Sides that broke, and where the energy went: what the ground put in and gravity gave is what is stored and lost.
-void add_tables(const Hdf5File& file, Json& plots) {
+void add_tables(const Hdf5File& file, std::vector<Plot>& plots) {
   add_sides(file, "Segment sides by what opened them; those that have slipped and hold", "", {"tension", "shear", "compression", "slipped"},
             plots);
   if (file.exists("/damage/first_shear"))
     add_sides(file, "Segment sides by the limit they reached first", "first_", {"tension", "shear", "compression"}, plots);
-  Json energy = Json::array();
+  std::vector<Curve> energy;
   const auto time = file.read<double>("/energy/time");
   std::vector<double> given = file.read<double>("/energy/input"), gravity = file.read<double>("/energy/gravity");
   if (given.size() != time.size() || gravity.size() != time.size()) throw FileError(file.path(), "/energy does not fit together");
@@ -132,10 +134,10 @@ void add_tables(const Hdf5File& file, Json& plots) {
       {"fracture", "fracture"},
       {"damping", "mass damping"}};
   for (const auto& [column, name] : kinds)
-    energy.push_back(curve(name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)));
-  energy.push_back(curve("from ground and gravity", thinned(given, 0, 1, 1e-3)));
-  plots.push_back(plot("Energy", "kJ", thinned(time), std::move(energy)));
-  plots.back()["stack"] = true;
+    energy.push_back({name, thinned(file.read<double>(std::string("/energy/") + column), 0, 1, 1e-3)});
+  energy.push_back({"from ground and gravity", thinned(given, 0, 1, 1e-3)});
+  plots.push_back({"Energy", "kJ", thinned(time), std::move(energy)});
+  plots.back().stack = true;
 }
 
 /// Attributes that are there, as numbers.
@@ -166,7 +168,7 @@ std::string record_name(const cases::Motion& m) {
 }
 
 /// What shook the run. Its records may be gone: then the page has neither peaks nor the curves.
-void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts) {
+void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;
   const cases::Motion& m = *c.value.motion;
@@ -177,7 +179,7 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
     Json peak = Json::array();
     for (const cases::Accelerogram& a : motion.axis) peak.push_back(cases::figures(a).peak_acceleration);
     facts["motion"]["peak"] = peak;
-    if (!times.empty()) facts["plots"].push_back(ground_plot(motion, 0.0, times.back()));
+    if (!times.empty()) plots.push_back(ground_plot(motion, 0.0, times.back()));
     facts["ground"] = ground_track(motion, frames.times());
   } catch (const std::exception& e) {
     warn("ground motion", e);
@@ -187,23 +189,23 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
 constexpr double kWildDrift = 25;  // %; beyond it a wall is falling, and the figure says no more than that
 
 /// How the building fell.
-void add_measures(const Hdf5File& file, Json& facts) {
+void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
   try {
     const Measures m = measure(file);
     facts["measures"] = Json::parse(measures_json(m));
     facts["measures"].update(
         {{"fallen_mass_fraction", m.fallen_mass_fraction}, {"first_crack_time", m.first_crack_time}, {"collapsed", m.collapsed}});
-    const Json time = thinned(m.series.time);
+    const Values time = thinned(m.series.time);
     std::vector<std::string> walls;
     for (const WallMeasures& w : m.walls) walls.push_back(w.name);
     if (!walls.empty()) {
-      facts["plots"].push_back(plot("Out-of-plane drift, outward positive", "%", time, columns(m.series.drift, walls, 100)));
-      facts["plots"].back()["clip"] = kWildDrift;
+      plots.push_back({"Out-of-plane drift, outward positive", "%", time, columns(m.series.drift, walls, 100)});
+      plots.back().clip = kWildDrift;
     }
-    Json fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
-    if (m.initial_free_volume > 0) fallen.push_back(curve("free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)));
-    facts["plots"].push_back(
-        plot(m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)));
+    std::vector<Curve> fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
+    if (m.initial_free_volume > 0) fallen.push_back({"free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)});
+    plots.push_back(
+        {m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)});
   } catch (const FileError& e) {
     warn("measures of the collapse", e);
   }
@@ -264,14 +266,14 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   ReportFacts out;
   Json facts;
   facts["title"] = c ? c->value.title : std::filesystem::path(file.path()).parent_path().filename().string();
-  facts["plots"] = Json::array();
-  if (c) add_ground(*c, file, frames, facts);
-  add_capacity(file, facts);
-  add_measures(file, facts);
-  add_histories(file, facts["plots"]);
-  add_base_shear(file, facts["plots"]);
-  add_ties(file, facts["plots"]);
-  add_tables(file, facts["plots"]);
+  std::vector<Plot> plots;
+  if (c) add_ground(*c, file, frames, facts, plots);
+  if (const auto found = report_capacity(file, c ? &c->value : nullptr, plots)) facts.update(Json::parse(*found));
+  add_measures(file, facts, plots);
+  add_histories(file, plots);
+  add_base_shear(file, plots);
+  add_ties(file, plots);
+  add_tables(file, plots);
   add_building(file, facts);
   facts["summary"] =
       numbers(file, "/summary",
@@ -286,8 +288,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["quantum"] = quantum;
   out.part = number_parts(file, facts);
   out.material = file.read<std::int32_t>("/model/element/material");
-  out.plots = facts["plots"].dump(-1, ' ', false, Json::error_handler_t::replace);
-  facts.erase("plots");
+  out.plots = plots_json(plots);
   out.json = safe_json(facts.dump(-1, ' ', false, Json::error_handler_t::replace));
   return out;
 }

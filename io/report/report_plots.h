@@ -2,47 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-/// Diagrams of the report page, as JSON.
+/// Diagrams of the report page.
 namespace voussoir::io::page {
 
-using Json = nlohmann::ordered_json;
+using Values = std::vector<double>;  // the page leaves out what is not finite
 
-inline constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of a hundred seconds; the page shows their peaks
+struct Curve {
+  std::string name;
+  Values y;
+};
+struct Line {
+  std::string name;
+  Values x, y;
+};
+struct Point {
+  std::string name;
+  double x = 0.0, y = 0.0;
+};
+/// What stands below, in place of the time.
+struct Axis {
+  std::string name, unit;
+  Values values;
+};
 
-/// Every so many rows are shown of `rows`.
-inline std::size_t stride_of(std::size_t rows) { return std::max<std::size_t>(1, (rows + kPlotPoints - 1) / kPlotPoints); }
+struct Plot {
+  std::string title, unit;
+  Values t;  // s
+  std::vector<Curve> curves;
+  std::optional<Axis> x{};
+  std::vector<Line> lines{};    // straight from point to point; with `x` alone
+  std::vector<Point> points{};  // by name; with `x` alone
+  bool stack = false;           // curves stand on one another
+  std::optional<double> clip{};  // no value beyond it is shown
+};
 
-/// Component `first` of rows of `width` times a factor, thinned, to six digits.
-inline Json thinned(const std::vector<double>& values, std::size_t first = 0, std::size_t width = 1, double factor = 1) {
-  Json out = Json::array();
-  const std::size_t rows = values.size() / width, stride = stride_of(rows);
-  for (std::size_t i = 0; i < rows; i += stride) {
-    const double v = factor * values[first + i * width];
-    const double digit = v == 0 || !std::isfinite(v) ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(v))) - 5);
-    out.push_back(std::round(v / digit) * digit);  // JSON has no NaN: it becomes null
-  }
-  return out;
-}
-
-inline Json curve(const std::string& name, Json values) { return {{"name", name}, {"y", std::move(values)}}; }
-
-/// One diagram: what stands on it, and its curves over one time.
-inline Json plot(const std::string& title, const std::string& unit, Json time, Json curves) {
-  return {{"title", title}, {"unit", unit}, {"t", std::move(time)}, {"curves", std::move(curves)}};
-}
-
+/// Component `first` of rows of `width` times a factor, thinned to what a page shows, to six digits.
+Values thinned(const Values& values, std::size_t first = 0, std::size_t width = 1, double factor = 1);
 /// Rows with a column a name, as curves.
-inline Json columns(const std::vector<double>& values, const std::vector<std::string>& names, double factor = 1) {
-  Json curves = Json::array();
-  for (std::size_t k = 0; k < names.size(); ++k) curves.push_back(curve(names[k], thinned(values, k, names.size(), factor)));
-  return curves;
-}
+std::vector<Curve> columns(const Values& values, const std::vector<std::string>& names, double factor = 1);
+/// All of them as one JSON array.
+std::string plots_json(const std::vector<Plot>& plots);
 
 }  // namespace voussoir::io::page

@@ -51,7 +51,8 @@ class Problem {
         live_(o.live),
         tick_(o.tick),
         points_(contacts.points.size()),
-        corners_(facets(o, contacts.plane.has_value())) {
+        corners_(facets(o, contacts.plane.has_value())),
+        inside_(1 + points_.size() * (corners_.size() + 2) >= o.inside_from) {
     const Vec3 across = cross({0, 0, 1}, live_);
     if (contacts.plane) {
       axes_ = {live_, {0, 0, 1}, {}, {}, across, {}};
@@ -66,9 +67,12 @@ class Problem {
   [[nodiscard]] double weight() const { return unit_ * static_cast<double>(contacts_.bodies.size()); }
   void associated(LimitState& out) {
     for (std::size_t i = 0; i < points_.size(); ++i) points_[i].cohesion = 0.0, points_[i].slope = contacts_.points[i].friction;
-    if (!stands())
-      throw cases::InputError("", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts");
-    solve(out);
+    // The interior-point method tells itself that there is no solution.
+    if (!inside_ && !stands()) throw falls();
+    if (!solve(out)) {
+      if (inside_ && !stands()) throw falls();
+      throw no_forces();
+    }
     for (Point& p : points_) p.compression = p.found;
   }
   /// Compressions are averaged over iterations: taken as found they swing to and fro between mechanisms.
@@ -82,7 +86,7 @@ class Problem {
         p.slope = std::max(kTurn * p.slope, kLevel * friction);
         p.cohesion = (friction - p.slope) * p.compression;
       }
-      solve(out);
+      if (!solve(out)) throw no_forces();
       for (Point& p : points_) p.compression = 0.5 * (p.compression + p.found);
       out.last_change = std::abs(out.multiplier - last) / std::max(out.multiplier, 1e-12);
       last = out.multiplier;
@@ -174,9 +178,14 @@ class Problem {
       if (dead_[row] != 0.0) lp.add(row, dead_[row]);
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    return lp.solve(false, 1.0).outcome == LpOutcome::at_bound;
+    return (inside_ ? lp.solve_inside(1.0) : lp.solve(false, 1.0)).outcome == LpOutcome::at_bound;
   }
-  void solve(LimitState& out) {
+  static cases::InputError falls() {
+    return {"", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts"};
+  }
+  static std::runtime_error no_forces() { return std::runtime_error("limit analysis: no forces were found where there are some"); }
+  /// Whether a solution was found.
+  [[nodiscard]] bool solve(LimitState& out) {
     LinearProgramme lp(dead_.size() + points_.size());
     for (std::size_t row = 0; row < dead_.size(); ++row) {
       if (live_forces_[row] != 0.0) lp.add(row, live_forces_[row]);
@@ -184,8 +193,8 @@ class Problem {
     }
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    const LpSolution found = lp.solve(true);
-    if (found.outcome == LpOutcome::infeasible) throw std::runtime_error("limit analysis: Clp finds no forces where there are some");
+    const LpSolution found = inside_ ? lp.solve_inside() : lp.solve(true);
+    if (found.outcome == LpOutcome::infeasible) return false;
     if (found.outcome == LpOutcome::at_bound)
       throw cases::InputError("", "has no collapse multiplier in this direction: nothing falls, whatever the force");
     ++out.programmes;
@@ -194,6 +203,7 @@ class Problem {
     if (tick_) tick_(programmes_, out.multiplier);
     take_forces(found.unknowns, out);
     take_motion(found.prices, out);
+    return true;
   }
   void take_forces(const std::vector<double>& unknowns, LimitState& out) {
     std::vector<double> left = dead_;
@@ -252,6 +262,7 @@ class Problem {
   std::vector<double> dead_, live_forces_;              // by equation, in mean weights
   std::vector<Point> points_;
   std::vector<std::pair<double, double>> corners_;
+  bool inside_;  // programmes are solved by the interior-point method
 };
 
 /// Whether the loads of the case leave a plane model plane.

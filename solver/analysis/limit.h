@@ -9,6 +9,7 @@
 #include "cases/model.h"
 #include "kernels/rows.h"
 #include "solver/analysis/limit_contacts.h"
+#include "solver/analysis/linear_programme.h"
 
 /// Limit analysis of dry assemblies of rigid blocks (Livesley 1978; Ferris and Tin-Loi 2001), by linear programmes: no tension, friction at
 /// contact points, no crushing; bonds are taken as broken. Nothing moves before it collapses, so no dynamics and no stiffness are in it.
@@ -20,6 +21,7 @@ struct LimitOptions {
   bool outer = false;        // facets round the cone instead of in it
   std::function<void(int programmes, double multiplier)> tick{};  // after every programme; may be empty
   bool coulomb = true;  // false: the associated multiplier alone, which is one programme; LimitResult::coulomb stays empty
+  std::size_t inside_from = kLpHuge;  // unknowns from which on programmes are solved by an interior-point method in place of Clp
 };
 
 /// What one rule of flow gives.

@@ -3,8 +3,12 @@
 #include "solver/analysis/linear_programme.h"
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "solver/analysis/interior_point.h"
 
 #ifdef VOUSSOIR_CLP
 #include <coin/Clp_C_Interface.h>
@@ -13,6 +17,12 @@
 #endif
 
 namespace voussoir::solver {
+
+namespace {
+
+constexpr double kInsideBound = 1e-6;  // relative: nearer than this to its bound, the first unknown is at it
+
+}  // namespace
 
 #ifdef VOUSSOIR_CLP
 
@@ -56,5 +66,27 @@ LpSolution LinearProgramme::solve(bool /*feasible*/, double /*bound*/) const {
 }
 
 #endif
+
+/// The bound is one more equation: (first unknown + what is left) / bound = 1.
+LpSolution LinearProgramme::solve_inside(double bound) const {
+  const std::size_t columns = starts_.size() - 1, rows = right_.size();
+  InteriorProgramme p;
+  p.right = right_;
+  p.right.push_back(1.0);
+  for (std::size_t c = 0; c < columns; ++c) {
+    for (std::size_t k = starts_[c]; k < starts_[c + 1]; ++k) p.add(static_cast<std::size_t>(equations_[k]), coefficients_[k]);
+    if (c == 0) p.add(rows, 1.0 / bound);
+    p.end_column(c == 0 ? -1.0 : 0.0);
+  }
+  p.add(rows, 1.0 / bound);
+  p.end_column(0.0);
+  std::optional<InteriorPoint> found = interior_point(p);
+  if (!found) return {LpOutcome::infeasible, {}, {}};
+  const LpOutcome outcome = found->unknowns.front() > (1.0 - kInsideBound) * bound ? LpOutcome::at_bound : LpOutcome::solved;
+  found->unknowns.pop_back();
+  found->prices.pop_back();
+  for (double& price : found->prices) price = -price;
+  return {outcome, std::move(found->unknowns), std::move(found->prices)};
+}
 
 }  // namespace voussoir::solver

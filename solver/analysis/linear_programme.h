@@ -16,6 +16,8 @@ enum class LpOutcome { solved, infeasible, at_bound };  // at_bound: the first u
 inline constexpr double kLpBound = 1e3;
 /// From this number of unknowns on the interior-point method is tried before the dual simplex, which takes too long.
 inline constexpr std::size_t kLpLarge = 5000;
+/// From this number on, as in a house, solve_inside() is asked, which keeps the equations sparse.
+inline constexpr std::size_t kLpHuge = 50000;
 
 struct LpSolution {
   LpOutcome outcome = LpOutcome::solved;
@@ -37,10 +39,13 @@ class LinearProgramme {
   }
   void end_column() { starts_.push_back(equations_.size()); }
 
+  /// By Clp.
   /// \param feasible  known to be: large ones are solved in another way, which would take long to find that they are not
   /// \param bound     of the first unknown
   /// \throw std::logic_error if this program has no linear programmes \throw std::runtime_error if Clp gives up
   [[nodiscard]] LpSolution solve(bool feasible, double bound = kLpBound) const;
+  /// By the method of interior_point.h; infeasible also where that has not converged.
+  [[nodiscard]] LpSolution solve_inside(double bound = kLpBound) const;
 
  private:
   std::vector<double> right_;

@@ -40,6 +40,7 @@ void add_limit_options(CLI::App& command, LimitCommandOptions& o) {
           "--cone", [&o](const std::string& word) { o.outer = word == "outer"; },
           "facets in the cone, which err to the safe side (default), or round it")
       ->check(CLI::IsMember({"inner", "outer"}));
+  command.add_flag("--associated", o.associated, "associated flow alone, one programme; not Coulomb's slip, which takes 20 to 40 more");
   command.add_option("--mechanism", o.mechanism, "write the velocities of all elements to this CSV file");
   add_format(command, o.json);
   command.add_flag("--overwrite", o.overwrite, "replace an existing file of the mechanism");

@@ -45,11 +45,12 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   if (!o.mechanism.empty() && !o.overwrite && std::filesystem::exists(o.mechanism, none))
     throw FileError(o.mechanism, "exists; --overwrite replaces it");
   LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer, {}}};
+  asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   if (on_terminal) {
-    asked.options.tick = [](int programmes, double multiplier) {
-      std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, solver::LimitResult::kLeastProgrammes,
-                   solver::LimitResult::kMostProgrammes, multiplier);
+    const int least = o.associated ? 1 : solver::LimitResult::kLeastProgrammes, most = o.associated ? 1 : solver::LimitResult::kMostProgrammes;
+    asked.options.tick = [least, most](int programmes, double multiplier) {
+      std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
     };
   }
   const cases::Model model = cases::build_model(c.value);
@@ -58,7 +59,7 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
   if (on_terminal) std::fputc('\n', stderr);
   std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);
-  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(model, found), o.overwrite);
+  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(asked, model, found), o.overwrite);
   return found.coulomb_converged() ? kDone : kNumericalFailure;
 }
 

@@ -13,6 +13,7 @@ struct LimitCommandOptions {
   int facets = 8;               // of the friction cone
   bool outer = false;           // round the cone instead of in it
   std::string mechanism;        // CSV file of the mechanism; empty: none
+  bool associated = false;      // alone
   bool json = false, overwrite = false, quiet = false;
 };
 

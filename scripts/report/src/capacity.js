@@ -42,5 +42,17 @@ export function capacityTable({ facts }) {
   return [["Borne by motion", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
 }
 
+/** Limit analysis of the same case, and why it may differ: [name, value]. */
+export function limitTable({ facts }) {
+  const l = facts.limit;
+  if (!l) return [];
+  return [
+    ["This run, at rest", fixed(facts.capacity.multiplier_at_rest, 4, "")],
+    ["Limit analysis, Coulomb", is(l.coulomb) ? fixed(l.coulomb, 4, "") : "not computed"],
+    ["… associated flow", fixed(l.associated, 4, "")],
+    ...l.reasons.map((reason, i) => [i ? `… ${i + 1}` : "Why they may differ", reason]),
+  ];
+}
+
 /** Names of rows are keys where two runs stand side by side. */
 const named = (rows, code) => rows.map(([name, value]) => [name.startsWith("…") ? `… ${code} ${name.slice(2)}` : name, value]);

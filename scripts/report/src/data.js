@@ -99,11 +99,11 @@ class Bodies {
   }
   at(at) { return this.ids.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
   names(at) { return this.bodies[Math.floor(at)].map(([id, name]) => ({ id, name: this.texts[name] })); }
-  /** Ends of the hinges where the elements are that they go with: halfway between where the two bodies take them.
+  /** Ends of hinges, and of lines along which bodies slide, where the elements are that they go with: halfway between where the two bodies take them.
    *  @param carried  where an element takes a point of the reference configuration: (element, point) => point */
   hinges(at, carried) {
     const middle = (p, elements) => elements.map((e) => carried(e, p)).reduce((a, b) => a.map((x, k) => 0.5 * (x + b[k])));
-    return this.lines[Math.floor(at)].map((h) => ({ points: [middle(h.slice(0, 3), h.slice(6, 8)), middle(h.slice(3, 6), h.slice(8, 10))] }));
+    return this.lines[Math.floor(at)].map((h) => ({ points: [middle(h.slice(0, 3), h.slice(6, 8)), middle(h.slice(3, 6), h.slice(8, 10))], slides: h[10] === 1 }));
   }
 }
 

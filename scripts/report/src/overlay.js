@@ -91,10 +91,10 @@ export function drawOverlay(c, house, width, height, u, on, ink) {
   if (on.names) wallNames(c, facts, camera, width, height, u, ink);
   const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
   if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
-  for (const { points } of on.hinges ?? []) {
+  for (const { points, slides } of on.hinges ?? []) {
     const ends = points.map((p) => seen(new Vector3(...p), camera, width, height));
     if (ends.some((p) => !p)) continue;
-    c.strokeStyle = ink.hinge, c.lineWidth = 3, c.setLineDash([9, 5]);
+    c.strokeStyle = ink.hinge, c.lineWidth = slides ? 4 : 3, c.setLineDash(slides ? [2, 4] : [9, 5]);
     c.beginPath(), c.moveTo(...ends[0]), c.lineTo(...ends[1]), c.stroke(), c.setLineDash([]);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 // The figures of the run in words: what matters most, large; the rest in tables; where the numbers come from, folded away.
-import { capacityKeys, capacityTable } from "./capacity.js";
+import { capacityKeys, capacityTable, limitTable } from "./capacity.js";
 import { kGrades } from "./timeline.js";
 
 const count = (n) => n.toLocaleString("en");
@@ -124,6 +124,7 @@ export function showSummary(top, rest, folded, runs) {
     table(rest, ["", "A", "B"], both(runs, (run) => keys(run).map(([name, value]) => [name, value])).map(mark), "Two runs");
   }
   if (runs.some((run) => run.facts.capacity)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, capacityTable).map(mark), "Capacity");
+  if (runs.some((run) => run.facts.limit)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, limitTable).map(mark), "Second opinion: limit analysis");
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
   runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
   table(folded, runs.length > 1 ? ["", "A", "B"] : null, both(runs, provenance), "Where the numbers come from");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -246,6 +247,14 @@ TEST_CASE("two elements move as one until their joint is open by a millimetre, a
   CHECK(two.bodies[0].displacement.x + two.bodies[1].displacement.x == doctest::Approx(1.1e-3));
   CHECK(body_name(two.bodies[0], building).find("stands") != std::string::npos);
   CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
+  BodyFinder told(run, building, start);  // from a time on the bodies are those of a mechanism, however little is open
+  told.take({0, 1}, 1.0);
+  CHECK(told.find(0.9, start).id == std::vector<std::uint8_t>{1, 1});
+  const BodiesInFrame given = told.find(1.0, start);
+  CHECK(std::set<std::uint8_t>(given.id.begin(), given.id.end()) == std::set<std::uint8_t>{1, 2});
+  told.take({-1, 1}, 1.0);  // -1: it stands with the base
+  const BodiesInFrame standing = told.find(1.1, start);
+  CHECK(std::ranges::count_if(standing.bodies, &Body::on_ground) == 1);
 }
 
 TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
@@ -284,6 +293,16 @@ TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
   CHECK(std::abs(h.to.y - h.from.y) == doctest::Approx(0.4));
   CHECK(std::set<std::int32_t>(h.at_from.begin(), h.at_from.end()) == std::set<std::int32_t>{0, 1});
   CHECK(found.id[static_cast<std::size_t>(h.at_from[0])] < found.id[static_cast<std::size_t>(h.at_from[1])]);
+  CHECK_FALSE(h.slides);
+  // It slides along the joint, 5 mm, and more than it goes away.
+  std::vector<Pose> slid = start;
+  slid[1].centre = slid[1].centre + Vec3{0.004, 0.003, 0.004};
+  const BodiesInFrame sliding = finder.find(3.0, slid);
+  REQUIRE(sliding.hinges.size() == 1);
+  CHECK(sliding.hinges[0].slides);
+  CHECK(std::abs(sliding.hinges[0].to.y - sliding.hinges[0].from.y) == doctest::Approx(0.4));
+  slid[1].centre.x += 0.002;  // now it goes away by 6 mm
+  CHECK(finder.find(4.0, slid).hinges.empty());
 }
 
 TEST_CASE("two runs stand in one page, each under its own names") {

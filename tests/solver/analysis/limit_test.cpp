@@ -163,6 +163,31 @@ TEST_CASE("limit: a stack parts at its weakest bed; no associated factor is belo
   CHECK(r.coulomb.multiplier <= r.associated.multiplier * (1.0 + 1e-9));
 }
 
+TEST_CASE("limit: the interior-point method, for houses, gives what Clp gives") {
+  cases::Case c = one_block(40.0);
+  c.blocks.push_back(box("middle", {-0.05, 0.0, kHeight}, {0.35, 0.25, kHeight + 0.3}));
+  c.blocks.push_back(box("top", {0.0, 0.05, kHeight + 0.3}, {0.3, 0.3, kHeight + 0.8}));
+  for (const double degrees : {0.0, 20.0, 75.0, 200.0}) {
+    INFO(degrees);
+    solver::LimitOptions inside = towards(degrees);
+    inside.inside_from = 0;
+    const solver::LimitResult clp = analysed(c, towards(degrees)), r = analysed(c, inside);
+    CHECK(r.associated.multiplier == doctest::Approx(clp.associated.multiplier).epsilon(1e-6));
+    CHECK(r.coulomb.multiplier == doctest::Approx(clp.coulomb.multiplier).epsilon(1e-4));
+    CHECK(r.associated.off_balance < 1e-6);
+    CHECK(r.associated.over_friction < 1e-6);
+    for (std::size_t b = 0; b < c.blocks.size(); ++b) {
+      CHECK(norm(r.associated.motion[b].v - clp.associated.motion[b].v) < 1e-4);
+      CHECK(norm(r.associated.motion[b].w - clp.associated.motion[b].w) < 1e-3);
+    }
+  }
+  solver::LimitOptions inside;
+  inside.inside_from = 0;
+  cases::Case leaning = one_block(30.0);
+  leaning.base->tilt = {0.0, 31.0};
+  CHECK(refusal(leaning, inside).starts_with("does not stand under its dead loads alone"));
+}
+
 TEST_CASE("limit: what cannot be answered is refused in words") {
   cases::Case weightless = one_block(30.0);
   weightless.gravity.acceleration = {};
