@@ -28,7 +28,8 @@ shear and compression: a constant load on a beam, then a horizontal force. Each 
   modern masonry walls (Vanin et al. 2017, and the sources named with each wall).
 - **Contact points**: `segments.rule = "rim"` for every wall; levers are exact.
 - **Loading**: dry walls have a jack with a dead load and an actuator at the height of zero moment;
-  the brick walls' top is held level. MI and ISP go to and fro at three drifts, as WS*; SW is pushed.
+  the brick walls' top is held level. MI and ISP go to and fro at three drifts, as WS*; SW is
+  pushed one way.
 - A peak (WS*: an envelope) outside of its limit is a miss; the reason stands with the wall.
 - **Scatter** is half the range of the tests' peaks, to and fro counted apart.
 """
