@@ -95,7 +95,8 @@ void check_softening(const JointLaw& s, const RuleCheck& check) {
   if (s.fracture_energy_shear > 0.0 && s.cohesion <= 0.0)
     check.fault("fracture_energy_shear", "does not go with cohesion = 0; allowed: 0, or with a cohesion above 0 Pa");
   const bool softens = s.fracture_energy_tension > 0.0 || s.fracture_energy_shear > 0.0;
-  if (check.given("softening") && !softens)
+  // A resolved case gives every key: the default says nothing.
+  if (s.softening != cases::SofteningCurve::exponential && !softens)
     check.fault("softening", "needs fracture_energy_tension or fracture_energy_shear (J/m2, > 0)");
   if (s.dilatancy > 0.0 && s.fracture_energy_shear <= 0.0)
     check.fault("dilatancy", "needs fracture_energy_shear (J/m2, > 0), over which it dies");
