@@ -112,7 +112,8 @@ SOURCES = {
         "G_I of bricks 80 J/m²": "literature: Lourenço and Rots (1997)",
         "G_II of bricks 800 J/m²": "assumed",
         "density 1800 kg/m³": "assumed",
-        "one brick through the thickness, head joints filled as beds": "assumed"},
+        "one block through the thickness, head joints filled as beds": "assumed",
+        "a block: one brick (ISP), 2 × 2 bricks (MI)": "chosen: MI has up to 276 bricks, and blocks of the same proportions"},
 }
 
 
@@ -178,6 +179,7 @@ MORTAR_ENERGIES = (18.0, 125.0)   # J/m2, tension and shear
 UNIT_TENSION = 0.05               # of the unit's compressive strength
 UNIT_ENERGIES = (80.0, 800.0)     # J/m2
 JOINT = 0.01                      # m of mortar
+BRICKS_IN_BLOCK = {"MI": 2, "ISP": 1}  # along either edge: the larger walls in larger blocks of the same proportions, a seventh of the time
 
 
 def mortar_law(cohesion, friction, crushing):
@@ -200,10 +202,10 @@ def brick_walls(folder):
     for row in rows:
         mi = row["wall"].startswith("MI")
         modulus = 1e6 * (number(row["Em_MPa"]) if row["Em_MPa"] else number(row["fm_MPa"]) * shares[0])
-        friction, height = number(row["mu"]), number(row["H_m"])
+        friction, height, bricks = number(row["mu"]), number(row["H_m"]), BRICKS_IN_BLOCK["MI" if mi else "ISP"]
         found.append(Wall(
             name=row["wall"], tests=[row["wall"]], kind="MI" if mi else "ISP", height=height, length=number(row["L_m"]),
-            thickness=number(row["t_m"]), unit=(1e-3 * number(row["unit_l_mm"]) + JOINT, 1e-3 * number(row["unit_h_mm"]) + JOINT),
+            thickness=number(row["t_m"]), unit=tuple(bricks * (1e-3 * number(row[key]) + JOINT) for key in ("unit_l_mm", "unit_h_mm")),
             shear_span=number(row["H0_over_H"]) * height, stress=1e6 * number(row["sigma0_MPa"]), density=1800.0,
             unit_modulus=modulus * BLOCK_OVER_WALL, wall_modulus=modulus, friction=friction, level=True, drifts=(0.001, 0.0025, 0.005),
             bond=mortar_law(1e6 * number(row["fv0_MPa"]), friction, 1e6 * number(row["fm_MPa"])),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report of the validation in words, tables and figures."""
 import math
+import pathlib
 import subprocess
 import textwrap
 
@@ -12,6 +13,7 @@ import measures
 import pictures
 import walls as wall_data
 
+NOTES = pathlib.Path(__file__).resolve().parent.parent.parent / "tests/validation/notes.md"  # what no single run shows; quoted at the end
 # What has to be reached, share of the measured mean.
 PEAK_LIMIT = {"SW": 0.15, "WS": 0.20, "ISP": 0.20, "MI": 0.25}
 SLIDES, ROCKS = 0.6, 0.15  # shares of the top's displacement by slip
@@ -60,6 +62,8 @@ class Compared:
         self.rows = wall_data.measured_rows(measured, wall)
         self.curves = {test: wall_data.read_curve(path) for test, path in wall_data.curve_files(measured, wall).items()}
         self.run = measures.RunOfWall(folder / "run", wall)
+        if not self.run.finished:
+            raise RuntimeError(f"{wall.name}: the run in {folder} was stopped before its end; remove the folder")
         self.seconds = int((folder / "took.txt").read_text())
         self.ways = measures.both_ways(self.run.displacement, self.run.force)
         if wall.cyclic:
@@ -216,4 +220,5 @@ def report(walls, folders, measured, output, program):
     lines += reasons + ([""] if reasons else []) + parameters(found)
     for c in found:
         lines += of_wall(c, output)
-    return "\n".join(lines).rstrip() + "\n"
+    notes = NOTES.read_text(encoding="utf-8").splitlines() if NOTES.exists() else []
+    return "\n".join(lines + notes).rstrip() + "\n"

@@ -65,6 +65,7 @@ class Tables(unittest.TestCase):
             self.assertAlmostEqual(isp.rocking_bound, (isp.load + isp.weight) * 0.52 / 0.26)  # held level
             self.assertAlmostEqual(isp.sliding_bound, (isp.load + isp.weight) * 0.58 + 0.28e6 * 0.52 * 0.25)
             self.assertEqual([r["force"] for r in walls.measured_rows(folder, mi)], [270e3, 260e3])
+            self.assertAlmostEqual(mi.unit[0], 2 * isp.unit[0])
             text = case_file.case_text(isp, **case_file.drive_of(isp))
             self.assertEqual(text.count("[[block]]"), 1 + 2 * 2 + 2 * 3)
             self.assertEqual(text.count("halves   = true"), 2 * 2 + 2 * 1)  # whole units alone
