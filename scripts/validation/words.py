@@ -3,6 +3,7 @@
 """The report of the validation in words, tables and figures."""
 import math
 import pathlib
+import shutil
 import subprocess
 import textwrap
 
@@ -32,6 +33,7 @@ shear and compression: a constant load on a beam, then a horizontal force. Each 
 - **Loading**: dry walls have a jack with a dead load and an actuator at the height of zero moment;
   the brick walls' top is held level. MI and ISP go to and fro at three drifts, as WS*; SW is
   pushed one way.
+- **Cases**: `cases/NAME.toml`; `voussoir run tests/validation/cases/SW-100.toml` runs one of them.
 - A peak (WS*: an envelope) outside of its limit is a miss; the reason stands with the wall.
 - **Scatter** is half the range of the tests' peaks, to and fro counted apart.
 """
@@ -147,10 +149,14 @@ def summary(found):
     return lines
 
 
+def file_name(wall):
+    return wall.name.replace("*", "x").replace(".", "-")
+
+
 def of_wall(c, output):
     """The section of one wall."""
     w = c.wall
-    name = w.name.replace("*", "x").replace(".", "-")
+    name = file_name(w)
     levels = {"rigid wall turning about its toe": w.rocking_bound, "friction on a bed": w.sliding_bound}
     pictures.curves(output / "figures" / f"{name}.svg", w, c.curves, (c.run.displacement, c.run.force),
                     {k: v for k, v in levels.items() if v < 1.8 * max(c.peak, c.measured_peak)})
@@ -218,7 +224,9 @@ def report(walls, folders, measured, output, program):
     lines = [INTRO, f"Program: {version(program)}.", "", "## Peaks", ""] + summary(found) + [""]
     reasons = [wrapped(f"- {c.wall.name}: {wall_data.REASONS[c.wall.name]}") for c in found if c.wall.name in wall_data.REASONS]
     lines += reasons + ([""] if reasons else []) + parameters(found)
-    for c in found:
+    (output / "cases").mkdir(exist_ok=True)
+    for c, folder in zip(found, folders):
         lines += of_wall(c, output)
+        shutil.copyfile(folder / "case.toml", output / "cases" / f"{file_name(c.wall)}.toml")
     notes = NOTES.read_text(encoding="utf-8").splitlines() if NOTES.exists() else []
     return "\n".join(lines + notes).rstrip() + "\n"

@@ -101,6 +101,11 @@ class Curves(unittest.TestCase):
         self.assertTrue(math.isnan(measures.Curve(u[:200], f[:200]).first_drop))
         self.assertAlmostEqual(measures.mean_error(curve, measures.Curve(u, 1.1 * f)), 0.1, delta=1e-9)
 
+    def test_first_rise(self):
+        rise = measures.first_rise([0.0, 1e-3, 2e-3, 1e-3, -1e-3, 5e-3], [0.0, 2e3, 4e3, 3e3, -1e3, 9e3])
+        self.assertEqual(list(rise.displacement), [0.0, 1e-3, 2e-3])
+        self.assertAlmostEqual(rise.stiffness, 2e6)
+
     def test_envelope(self):
         t = np.linspace(0.0, 6 * np.pi, 3001)
         u = 0.001 * t * np.sin(t)
