@@ -169,11 +169,18 @@ class RunOfWall:
         _, area, mode = self.cracks()
         return {name: float(area[mode == k].sum()) for k, name in ((1, "tension"), (2, "shear"), (3, "compression"))}
 
-    def inner_share(self):
-        """Share of the broken area that lies neither in the lowest fifth of the wall nor in the highest."""
+    def time_of_peak(self):
+        """s: of the largest force, either way."""
+        rows = len(self.force)
+        return float(self.file["assessment/time"][:rows][np.argmax(np.abs(self.force))])
+
+    def inner_share(self, until=math.inf):
+        """Share of the area broken by then that lies neither in the lowest fifth of the wall nor in the highest; NaN: nothing is broken."""
         position, area, _ = self.cracks()
+        before = self.file["cracks/time"][:len(area)] <= until
+        position, area = position[before], area[before]
         inner = np.abs(position[:, 2] / self.wall.height - 0.5) < 0.3
-        return float(area[inner].sum() / area.sum()) if len(area) else 0.0
+        return float(area[inner].sum() / area.sum()) if len(area) else math.nan
 
     def unit_share(self):
         """Share of the units' own cuts at mid-length that has broken; NaN: the units cannot crack."""

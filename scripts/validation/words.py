@@ -39,8 +39,8 @@ shear and compression: a constant load on a beam, then a horizontal force. Each 
 """
 
 
-def wrapped(text):
-    return "\n".join(textwrap.wrap(text, 100, break_long_words=False, break_on_hyphens=False))
+def wrapped(text, later=""):
+    return "\n".join(textwrap.wrap(text, 100, subsequent_indent=later, break_long_words=False, break_on_hyphens=False))
 
 
 def percent(value, signed=False):
@@ -54,6 +54,11 @@ def kilo(value, digits=1):
 def version(program):
     done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False)
     return done.stdout.strip().splitlines()[0] if done.stdout else "unknown"
+
+
+def of_share(inner):
+    """Shear breaks the middle of a wall that is held level, flexure its foot and head."""
+    return f"{'shear' if inner > 0.5 else 'flexure'} ({percent(inner)} of what broke in the middle three fifths)"
 
 
 class Compared:
@@ -124,11 +129,20 @@ class Compared:
     def mode(self):
         slip = self.slip
         if self.wall.bond:
-            inner = self.run.inner_share()
-            name = "shear" if inner > 0.5 else "flexure"
-            return f"{name} ({percent(inner)} of what broke in the middle three fifths, {percent(self.run.unit_share())} of the bricks' cuts)"
+            to_peak, to_end = self.run.inner_share(self.run.time_of_peak()), self.run.inner_share()
+            cuts = f"{percent(self.run.unit_share())} of the bricks' cuts broken"
+            if math.isnan(to_peak) or (to_peak > 0.5) == (to_end > 0.5):
+                return f"{of_share(to_end)}; {cuts}"
+            return f"{of_share(to_peak)} up to the peak, then {of_share(to_end)}; {cuts}"
         name = "sliding" if slip > SLIDES else "rocking" if slip < ROCKS else "rocking and sliding"
         return f"{name} (slip {percent(slip)} of the displacement)"
+
+    def first_drop(self, way):
+        """Of an envelope of loops beyond its peak alone: before it, loops that have slipped are in it."""
+        if not self.wall.cyclic:
+            return way.first_drop
+        beyond = way.displacement >= way.at_peak
+        return measures.Curve(way.displacement[beyond], way.force[beyond]).first_drop
 
     @property
     def limit(self):
@@ -170,7 +184,7 @@ def of_wall(c, output):
                      f"{measured_drop(c, row['test'])} | {row['failure']} |")
     for way, sign in zip(c.ways, "+-"):
         lines.append(f"| computed{'' if len(c.ways) == 1 else ' ' + sign} | {kilo(way.peak)} | {percent(way.at_peak / w.lever_height)} | "
-                     f"{kilo(c.first.stiffness * 1e-3) if sign == '+' else '–'} | {percent(way.first_drop / w.lever_height)} | {c.mode} |")
+                     f"{kilo(c.first.stiffness * 1e-3) if sign == '+' else '–'} | {percent(c.first_drop(way) / w.lever_height)} | {c.mode} |")
     lines += ["", wrapped(facts(c, slip)), ""]
     return lines
 
@@ -222,7 +236,7 @@ def report(walls, folders, measured, output, program):
     output.mkdir(parents=True, exist_ok=True)
     found = [Compared(w, f, measured) for w, f in zip(walls, folders)]
     lines = [INTRO, f"Program: {version(program)}.", "", "## Peaks", ""] + summary(found) + [""]
-    reasons = [wrapped(f"- {c.wall.name}: {wall_data.REASONS[c.wall.name]}") for c in found if c.wall.name in wall_data.REASONS]
+    reasons = [wrapped(f"- {c.wall.name}: {wall_data.REASONS[c.wall.name]}", "  ") for c in found if c.verdict and c.wall.name in wall_data.REASONS]
     lines += reasons + ([""] if reasons else []) + parameters(found)
     (output / "cases").mkdir(exist_ok=True)
     for c, folder in zip(found, folders):
