@@ -8,8 +8,8 @@
 #include <numbers>
 #include <span>
 
-#include "cases/halves.h"
 #include "cases/names.h"
+#include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
 #include "geometry/prism.h"
 

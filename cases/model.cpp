@@ -7,13 +7,13 @@
 
 #include "cases/blocks.h"
 #include "cases/contact_rules.h"
-#include "cases/halves.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/loose_model.h"
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"
+#include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
 

@@ -24,13 +24,16 @@ def thinned(u, f, most=500):
     return u[::step], f[::step]
 
 
-def curves(path, wall, measured, computed, levels):
-    """measured: {test: (u, f)}; computed: (u, f); levels: {words: N} drawn as dotted lines."""
+def curves(path, wall, measured, computed, levels, peaks):
+    """measured: {test: (u, f)}; computed: (u, f); levels: {words: N} drawn as dotted lines; peaks: [(u, f)] of tests without a curve."""
     figure, axes = plt.subplots(figsize=(5.2, 3.4), layout="constrained")
     for (test, (u, f)), colour in zip(measured.items(), MEASURED):
         axes.plot(1e3 * np.asarray(u), 1e-3 * np.asarray(f), color=colour, linewidth=1.1, label=f"measured, {test}")
     u, f = thinned(np.asarray(computed[0]), np.asarray(computed[1]))
     axes.plot(1e3 * u, 1e-3 * f, color=COMPUTED, linewidth=1.4, label="computed")
+    if peaks:
+        axes.plot([1e3 * u for u, _ in peaks], [1e-3 * f for _, f in peaks], linestyle="none", marker="o", markersize=4.0, color=MEASURED[0],
+                  label="measured, peaks")
     for words, force in levels.items():
         axes.axhline(1e-3 * force, color="#444444", linewidth=0.7, linestyle=":", label=words)
     axes.set(xlabel="displacement, mm", ylabel="force, kN", title=wall.name)

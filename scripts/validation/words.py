@@ -144,6 +144,10 @@ class Compared:
         beyond = way.displacement >= way.at_peak
         return measures.Curve(way.displacement[beyond], way.force[beyond]).first_drop
 
+    @staticmethod
+    def sign(row):
+        return -1.0 if row["test"].endswith(" -") else 1.0
+
     @property
     def limit(self):
         return PEAK_LIMIT[self.wall.kind]
@@ -172,8 +176,9 @@ def of_wall(c, output):
     w = c.wall
     name = file_name(w)
     levels = {"rigid wall turning about its toe": w.rocking_bound, "friction on a bed": w.sliding_bound}
+    points = [] if c.curves else [(c.sign(row) * row["drift"] * w.lever_height, c.sign(row) * row["force"]) for row in c.rows]
     pictures.curves(output / "figures" / f"{name}.svg", w, c.curves, (c.run.displacement, c.run.force),
-                    {k: v for k, v in levels.items() if v < 1.8 * max(c.peak, c.measured_peak)})
+                    {k: v for k, v in levels.items() if v < 1.8 * max(c.peak, c.measured_peak)}, points)
     slip = c.slip
     pictures.wall_as_it_stands(output / "figures" / f"{name}-wall.png", c.run, c.frame, magnified(w, c))
     lines = [f"## {w.name}", "", f"![Curves of {w.name}](figures/{name}.svg)", "",
