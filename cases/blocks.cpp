@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cases/names.h"
+#include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
 #include "geometry/prism.h"
 
@@ -84,6 +85,16 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   }
 }
 
+/// What is made of two elements is a box that stands straight, free, and without a spin.
+void check_halves(const BlockSpec& spec, const std::string& key) {
+  const char* against = !spec.box                         ? "vertices or a polygon"
+                        : spec.rotate                     ? "[block.rotate]"
+                        : spec.fixed                      ? "fixed = true"
+                        : spec.angular_velocity == Vec3{} ? nullptr
+                                                          : "an angular velocity";
+  if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
+}
+
 SupportHistory support_history(const SupportMotion& motion, const std::string& key) {
   SupportHistory history;
   history.key = key;
@@ -123,7 +134,18 @@ void add_free_blocks(const Case& c, Model& model) {
       block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
       model.support_motions.push_back(support_history(*spec.motion, key + ".motion.file"));
     }
-    model.blocks.push_back(std::move(block));
+    block.given = static_cast<std::int32_t>(i);
+    if (!spec.halves) {
+      model.blocks.push_back(std::move(block));
+      continue;
+    }
+    check_halves(spec, key);
+    for (Block& half : in_halves(block, block.given)) {
+      if (const auto [at, added] = first.emplace(half.name, i); !added) {
+        throw InputError(key + ".name", quoted(half.name) + ", its half, is already the name of " + indexed_key("block", at->second, ""));
+      }
+      model.blocks.push_back(std::move(half));
+    }
   }
 }
 
@@ -134,6 +156,9 @@ void check_loads(const Case& c) {
     if (named == c.blocks.end() && !is_stone_or_group(c, load.block)) {
       throw InputError(indexed_key("load", i, "block"),
                        "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
+    }
+    if (named != c.blocks.end() && named->halves) {
+      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is in halves; allowed: a block in one piece");
     }
     if (named != c.blocks.end() && named->fixed) {
       throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");

@@ -58,7 +58,8 @@ struct Material {
   double density = 0.0;  // kg/m3
   double young = 0.0;    // Pa
   double poisson = 0.0;
-  std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex; none: they never part
+  std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex (none: they
+                                        // never part), and between the halves of a unit
 };
 
 enum class SofteningCurve { exponential, linear };
@@ -175,6 +176,7 @@ struct BlockSpec {
   std::vector<std::vector<int>> faces;
   std::vector<std::array<double, 2>> polygon;
   std::optional<std::array<double, 2>> extrude;
+  bool halves = false;  // two elements, cut at mid-length; materials.<name>.inside is the law between them
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;  // m/s, rad/s, global axes
   std::optional<Rotation> rotate;
@@ -279,6 +281,7 @@ struct House {
   double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
   Bond bond = Bond::english;
   std::string material = "adobe", joint = "normal";
+  bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between them
   HouseWood wood;
   std::array<double, 2> origin{0.0, 0.0};  // m
   double turn = 0.0;                       // degrees about z: 0, 90, 180, 270

@@ -44,6 +44,15 @@ JointRules::JointRules(const Case& c, const Model& model) {
     between_.push_back(resolved);
   }
   default_ = find_law(model.laws, c.joints.default_law, "joints.default");
+  inside_.assign(model.materials.size(), -1);
+  for (const Block& block : model.blocks) {
+    const auto m = static_cast<std::size_t>(block.material);
+    if (block.unit < 0 || inside_[m] >= 0) continue;
+    const NamedMaterial& material = model.materials[m];
+    const std::string key = "materials." + material.name + ".inside";
+    if (!material.value.inside) throw InputError(key, "is missing: units in halves (house.halves, block.halves) need the law between them");
+    inside_[m] = find_law(model.laws, *material.value.inside, key);
+  }
 }
 
 std::int32_t JointRules::rule_material(const Block& block) const noexcept {
@@ -64,9 +73,14 @@ bool JointRules::fits(std::size_t rule, const Block& a, const Block* b) const no
   return between_[rule].materials == pair || between_[rule].materials == std::array{pair[1], pair[0]};
 }
 
+bool JointRules::are_halves(const Block& a, const Block* b) noexcept {
+  return b != nullptr && a.unit >= 0 && a.unit == b->unit && a.house == b->house;
+}
+
 bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a.house >= 0 && (b == nullptr || a.house == b->house); }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
+  if (are_halves(a, b)) return inside_[static_cast<std::size_t>(a.material)];
   // Columns stand fixed to the ground (paper 3.3).
   if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
   for (std::size_t i = 0; i < between_.size(); ++i) {
@@ -92,7 +106,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
     const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
-    bool before = JointRules::is_in_house(a, b) || is_of_stones(c, a, b);
+    bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {
       if (!rules.fits(i, a, b)) continue;
       (before ? taken : used)[i] = true;

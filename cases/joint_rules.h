@@ -22,6 +22,8 @@ class JointRules {
   [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
   /// Whether joints.between[rule] is about the materials of these two.
   [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;
+  /// Whether they are the halves of one unit.
+  [[nodiscard]] static bool are_halves(const Block& a, const Block* b) noexcept;
   /// Whether their joint is one of a house, which has keys of its own for it.
   [[nodiscard]] static bool is_in_house(const Block& a, const Block* b) noexcept;
 
@@ -34,7 +36,8 @@ class JointRules {
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
   std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0;  // of the house
-  std::vector<std::int32_t> made_from_;                                                                            // by material
+  std::vector<std::int32_t> inside_;     // by material, between the halves of a unit; -1: none has any
+  std::vector<std::int32_t> made_from_;  // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };

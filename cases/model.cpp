@@ -13,6 +13,7 @@
 #include "cases/names.h"
 #include "cases/numbering.h"
 #include "cases/scatter.h"
+#include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
 
@@ -50,6 +51,7 @@ void add_house(const Case& c, Model& model) {
   if (!c.base && !on_fixed_block && c.stones.empty())
     throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
   model.blocks = build_house(*c.house, model.materials);
+  if (c.house->halves) halve_bricks(model.blocks);
   number_along_plan(model.blocks, kCellLengths * (c.house->brick[0] + c.house->mortar));
   const double z = c.base ? c.base->z : 0.0;
   if (z == 0.0) return;
@@ -62,13 +64,9 @@ void add_house(const Case& c, Model& model) {
 std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
   if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
-  std::size_t index = static_cast<std::size_t>(element);
-  const Block& block = model.blocks[index];
+  const Block& block = model.blocks[static_cast<std::size_t>(element)];
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
-  for (const Block& other : model.blocks) {
-    if (other.house >= 0) --index;  // the house's blocks come first
-  }
-  return indexed_key("block", index, "");
+  return indexed_key("block", static_cast<std::size_t>(block.given), "");
 }
 
 /// Geometry knows blocks by number: "block 12: overlaps block 3 by 0.1 m". The user knows them by name, and a name may be "block 3".

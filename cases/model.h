@@ -32,6 +32,8 @@ struct Block {
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;   // initial, m/s and rad/s
   std::int32_t support_motion = -1;  // into Model::support_motions
+  std::int32_t given = -1;           // of Case::blocks; -1: of a house or of a file
+  std::int32_t unit = -1;            // the two halves of a unit share it (of one house, or of Case::blocks); -1: in one piece
   std::int32_t set = -1;             // of Case::stones; -1: of no file
   std::int32_t stone = -1;           // number of the stone in the model, the same for all its pieces; -1: of no file
   std::string part_of;               // name of the stone, if this is a piece of it
@@ -112,8 +114,8 @@ struct Model {
 /// A house stands on the base, so its walls begin at Case::base's height (0 without one, on fixed blocks).
 /// Motions of supports given as files stay empty, with the file's name: io reads them.
 /// Stones of files must be there (StonesSpec::stones): io reads them.
-/// The law: the first that applies of the house's own keys, materials.<name>.inside (pieces of one stone), stones.joint, joints.between,
-/// joints.default; between two beds of stones.gap it has mortar of that thickness.
+/// The law: the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the house's own keys,
+/// stones.joint, joints.between, joints.default; between two beds of stones.gap it has mortar of that thickness.
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
 Model build_model(const Case& c);
 

@@ -162,6 +162,9 @@ Table<BlockSpec> block_table() {
            value<S>("faces", &S::faces, "", any(), "numbers of vertices, from 0, of each face, counter-clockwise seen from outside"),
            value<S>("polygon", &S::polygon, "m", any(), "section of a prism along x: its corners [y, z]"),
            value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
+           value<S>("halves", &S::halves, "", any(),
+                    "a box that can crack: two elements name/1 and name/2, cut at mid-length (across the longer horizontal edge), with "
+                    "the law materials.<name>.inside between them"),
            value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
            value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
            value<S>("velocity", &S::velocity, "m/s", any(), "at the start"),

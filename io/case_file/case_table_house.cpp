@@ -91,6 +91,8 @@ Table<House> house_table() {
        choice<S, Bond S::*, Bond>("bond", &S::bond, "", {{"english", Bond::english}, {"running", Bond::running}}, "bond of the bricks"),
        value<S>("material", &S::material, "", filled(), "of the bricks"),
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
+       value<S>("halves", &S::halves, "", any(),
+                "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them"),
        table<S>("wood", &S::wood, wood_table()), value<S>("origin", &S::origin, "m", any(), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
        value<S>("copies", &S::copies, "", within(1.0, 1000.0), "number of houses along x and y"),

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""The case file of a wall in shear-compression: courses in running bond, a loading beam, a jack and an actuator.
+
+The jack's load is dead: it stays vertical and goes with the beam. The actuator pushes at the height of zero moment; where the top is held
+level the beam does not turn. Segments go up to the rim of joints, so that levers are exact.
+"""
+import math
+
+import walls as wall_data
+
+BEAM_DENSITY = 500.0  # kg/m3; its weight counts in the jack's load
+
+
+def courses(wall):
+    """Boxes (name, x0, x1, z0, z1) of the units in running bond; halves at both ends of every second course."""
+    length, height = wall.unit
+    rows = round(wall.height / height)
+    across = wall.length / round(wall.length / length)
+    out = []
+    for row in range(rows):
+        z0, z1 = wall.height * row / rows, wall.height * (row + 1) / rows
+        edges = [0.0] + ([0.5 * across] if row % 2 else [])
+        while edges[-1] < wall.length - 1e-9:
+            edges.append(min(wall.length, edges[-1] + across))
+        out += [(f"c{row}_{i}", a, b, z0, z1) for i, (a, b) in enumerate(zip(edges, edges[1:]))]
+    return out
+
+
+def rounded(value):
+    return float(f"{value:.6g}")
+
+
+def joint_stiffness(wall, modulus):
+    """k_n, k_s [Pa/m] of a bed joint, THEORY (5a): 1/k = h (1/E_pc − 1/E′) with the E′ of the blocks; k_s by its share."""
+    plane = modulus / (1.0 - wall_data.POISSON ** 2)
+    if plane <= wall.wall_modulus:
+        raise ValueError(f"{wall.name}: the blocks' modulus {plane:.4g} Pa is not above the wall's, {wall.wall_modulus:.4g} Pa")
+    normal = 1.0 / (wall.unit[1] * (1.0 / wall.wall_modulus - 1.0 / plane))
+    return normal, normal * wall_data.SHEAR_SHARE
+
+
+def law_lines(name, law, more=()):
+    return [f"[joint_laws.{name}]"] + [f"{key} = {rounded(value)}" for key, value in [*law.items(), *more]] + [""]
+
+
+def block(name, material, box, thickness, halves=False):
+    x0, x1, z0, z1 = (rounded(v) for v in box)
+    text = f"[[block]]\nname     = \"{name}\"\nmaterial = \"{material}\"\nbox      = [[{x0}, 0.0, {z0}], [{x1}, {thickness}, {z1}]]\n"
+    return text + ("halves   = true\n" if halves else "")
+
+
+def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
+    """The case as TOML. modulus: of the blocks in the run; none: the units' own."""
+    modulus = modulus or wall.unit_modulus
+    normal, shear = joint_stiffness(wall, modulus)
+    beam_top = 2.0 * wall.shear_span - wall.height if not wall.level else wall.height + 0.2
+    beam_weight = BEAM_DENSITY * 9.81 * wall.length * wall.thickness * (beam_top - wall.height)
+    lines = [f'title  = "{wall.name}: a wall in shear and compression"', 'source = "scripts/validation"', "",
+             "[gravity]", "acceleration = [0.0, 0.0, -9.81]", "settle       = true", "ramp         = 0.5", "settle_limit = 2.0", "",
+             "[analysis]"]
+    if wall.cyclic:
+        amplitudes = [rounded(d * wall.lever_height) for d in wall.drifts]
+        lines += ['kind       = "cyclic"', f"amplitudes = {amplitudes}", "cycles     = 1", f"level      = {str(wall.level).lower()}"]
+    else:
+        lines += ['kind          = "pushover"', 'pattern       = "given"', f"largest_drift = {largest_drift}",
+                  "largest_factor = 1000.0", "drop          = 0.9"]
+    lines += ["direction  = [1.0, 0.0]", "longest    = 3000.0"] + ([f"pace       = {pace}"] if pace else []) + [""]
+    poisson, angle = wall_data.POISSON, math.degrees(math.atan(wall.friction))
+    lines += ["[materials.unit]", f"density = {wall.density}", f"young   = {rounded(modulus)}", f"poisson = {poisson}"]
+    lines += (['inside  = "unit"'] if wall.unit_bond else []) + [""]
+    lines += ["[materials.beam]", f"density = {BEAM_DENSITY}", f"young   = {rounded(modulus)}", f"poisson = {poisson}", ""]
+    own = (("normal_stiffness", normal), ("shear_stiffness", shear))
+    lines += law_lines("bed", wall.bond or {"tension": 0.0, "cohesion": 0.0, "friction": angle, "compression": wall.crushing}, own)
+    if wall.unit_bond:
+        lines += law_lines("unit", wall.unit_bond)
+        lines += law_lines("glue", {"tension": 1e12, "cohesion": 1e12, "friction": 30.0, "compression": 1e12})
+    lines += ["[joints]", 'default = "bed"'] + (['between = [ { materials = ["unit", "beam"], law = "glue" } ]'] if wall.unit_bond else [])
+    lines += ["",
+              "[contact]", f"friction = {rounded(angle)}", "",
+              "[segments]", f"size = {segment or wall.segment}", 'rule = "rim"', "", "[base]", "",
+              "[output]", "history_interval = 0.02", "ledger_interval = 0.02", "frame_interval = 1.0", "",
+              "[[load]]                         # the jack", 'block = "beam"',
+              f"force = [0.0, 0.0, {rounded(-(wall.load - beam_weight))}]", "",
+              "[[load]]                         # the actuator; the load factor counts kN", 'block = "beam"',
+              "force = [1000.0, 0.0, 0.0]", "grows = true", ""]
+    text = "\n".join(lines) + "\n"
+    text += "\n".join(block(name, "unit", box, wall.thickness, is_whole(wall, box)) for name, *box in courses(wall))
+    return text + "\n" + block("beam", "beam", (0.0, wall.length, wall.height, beam_top), wall.thickness)
+
+
+def is_whole(wall, box):
+    """Whether a unit can crack at mid-length: it is a whole one, of a wall whose units crack."""
+    return bool(wall.unit_bond) and box[1] - box[0] > 0.75 * wall.unit[0]
+
+
+def drive_of(wall):
+    """How the wall is run: the modulus of its blocks, and the pace.
+
+    Blocks may be softer than the units, and their joints stiffer, with the same sum (5a): the wall is as stiff and the step longer.
+    """
+    return {"modulus": wall_data.BLOCK_OVER_WALL * wall.wall_modulus, "pace": 0.5}
