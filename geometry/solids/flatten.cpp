@@ -15,9 +15,10 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kPlane = 9e-10;      // of the size: validate() takes 1e-9
-constexpr double kConverged = 1e-13;  // of the size
-constexpr int kMostRounds = 60;
+constexpr double kPlane = 9e-10;                   // of the size: validate() takes 1e-9
+constexpr double kConverged = 1e-13;               // of the size
+constexpr int kMostRounds = 60, kMostMore = 3000;  // with the planes of contacts as they are, and let go
+constexpr double kSlack = 3e-7;                    // m, by which a contact may be off its plane: find_contacts takes 1e-6
 
 std::string millimetres(double metres) {
   std::array<char, 32> text{};
@@ -85,16 +86,14 @@ class Solid {
 
   /// \return the largest distance of a vertex from a plane of its own that is left [m]
   double settle() {
+    const double enough = kConverged * size_ + round_off_;
     double left = 0.0;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostRounds + kMostMore; ++round) {
       for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) move(v);
       left = distance();
-      if (left <= kConverged * size_ + round_off_) break;
-      for (std::size_t f = 0; f < planes_.size(); ++f) {
-        if (planes_[f].fixed) continue;
-        const LoopPlane p = loop_plane(mesh_, f);
-        planes_[f] = {p.normal, p.centre, false};
-      }
+      if (left <= enough || (round >= kMostRounds && left <= 0.1 * kPlane * size_)) break;
+      if (round == kMostRounds && left > kSlack) break;
+      fit_planes(round >= kMostRounds);
     }
     return left;
   }
@@ -104,9 +103,16 @@ class Solid {
     for (std::size_t v = 0; v < start_.size(); ++v) most = std::max(most, norm(mesh_.vertices[v] - start_[v]));
     return most;
   }
-  [[nodiscard]] double size() const { return size_; }
 
  private:
+  /// \param all  those of contacts, too, which are met but for a hair: more planes at a corner than can meet there
+  void fit_planes(bool all) {
+    for (std::size_t f = 0; f < planes_.size(); ++f) {
+      if (planes_[f].fixed && !all) continue;
+      const LoopPlane p = loop_plane(mesh_, f);
+      planes_[f] = {p.normal, p.centre, planes_[f].fixed};
+    }
+  }
   void move(std::size_t v) {
     Vec3& x = mesh_.vertices[v];
     for (int pass = 0; pass < 3; ++pass) {
@@ -161,6 +167,33 @@ std::vector<Plane> planes_of(const RoughFaces& faces, const std::vector<FaceGrou
   return planes;
 }
 
+struct Settled {
+  double left = 0.0, moved = 0.0;  // m
+};
+
+Settled settle(RoughSolid& s, std::vector<Plane> planes) {
+  Solid solid(s.mesh, std::move(planes));
+  const double left = solid.settle();
+  return {left, solid.moved()};
+}
+
+double most_allowed(const RoughSolid& s, const Flattened& done) { return 2.0 * (s.snap + (done.beds.empty() ? 0.0 : s.gap.value_or(0.0))); }
+
+void check(const Settled& done, const RoughSolid& s, double allowed, int subject) {
+  const std::string place = place_text(s.mesh.vertices.front());
+  if (done.moved > allowed) {
+    throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(done.moved) +
+                         " to lie against its neighbours (allowed " + millimetres(allowed) + " with this stones.snap), at " + place +
+                         " m; draw the faces that touch in one plane, or lower snap",
+                     subject);
+  }
+  if (done.left > kPlane * diagonal(s.mesh)) {
+    throw ModelError(block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(done.left) + " are left, at " +
+                         place + " m; part them into triangles, or make them plane where it was drawn",
+                     subject);
+  }
+}
+
 }  // namespace
 
 std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<double> base_z) {
@@ -186,23 +219,9 @@ std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<doubl
     if (active[i] == 0) continue;
     const auto first = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i]),
                end = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i + 1]);
-    Solid solid(solids[i].mesh, {first, end});
-    const double left = solid.settle();
-    out[i].moved = solid.moved();
-    const int subject = static_cast<int>(i);
-    const double allowed = 2.0 * (solids[i].snap + (out[i].beds.empty() ? 0.0 : solids[i].gap.value_or(0.0)));
-    if (out[i].moved > allowed) {
-      throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(out[i].moved) +
-                           " to lie against its neighbours (allowed " + millimetres(allowed) + " with this stones.snap), at " +
-                           place_text(solids[i].mesh.vertices.front()) + " m; draw the faces that touch in one plane, or lower snap",
-                       subject);
-    }
-    if (left > kPlane * solid.size()) {
-      throw ModelError(block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(left) + " are left, at " +
-                           place_text(solids[i].mesh.vertices.front()) +
-                           " m; part them into triangles, or make them plane where it was drawn",
-                       subject);
-    }
+    const Settled done = settle(solids[i], {first, end});
+    out[i].moved = done.moved;
+    check(done, solids[i], most_allowed(solids[i], out[i]), static_cast<int>(i));
   }
   return out;
 }

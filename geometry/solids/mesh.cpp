@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "geometry/message.h"
@@ -230,6 +231,17 @@ Mesh welded(const Mesh& m, double tolerance) {
     if (loop.size() >= 3) out.faces.push_back(std::move(loop));
   }
   return compacted(out);
+}
+
+Mesh without_doubled_faces(const Mesh& m) {
+  std::set<std::vector<std::int32_t>> known;
+  Mesh out{m.vertices, {}};
+  for (const auto& loop : m.faces) {
+    std::vector<std::int32_t> from_least = loop;
+    std::rotate(from_least.begin(), std::min_element(from_least.begin(), from_least.end()), from_least.end());
+    if (known.insert(std::move(from_least)).second) out.faces.push_back(loop);
+  }
+  return out;
 }
 
 std::optional<std::string> fault_of(const Mesh& m) {

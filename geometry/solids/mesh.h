@@ -38,6 +38,9 @@ double volume(const Mesh& m);
 /// corners and without vertices that no face uses.
 Mesh welded(const Mesh& m, double tolerance);
 
+/// Faces that stand twice, with the same corners the same way round, once.
+Mesh without_doubled_faces(const Mesh& m);
+
 /// Why the mesh bounds no solid, with the place and what to do: open, faces turned against each other, inside out, no volume; nothing if it
 /// does bound one. Every edge must then be met once in each direction.
 std::optional<std::string> fault_of(const Mesh& m);

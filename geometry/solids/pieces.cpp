@@ -9,6 +9,7 @@
 
 #include "geometry/mass.h"
 #include "geometry/message.h"
+#include "geometry/solids/folds.h"
 #include "geometry/solids/triangles.h"
 
 namespace voussoir::geometry {
@@ -22,6 +23,9 @@ constexpr double kMild = std::numbers::pi / 4.0;  // rad; faces that turn by les
 constexpr int kPerEdge = 1000;                    // what speaks for a plane, for each reflex edge that it takes
 constexpr int kSecondChoice = kPerEdge / 2;       // what speaks against a cut between two faces that turn by more
 constexpr int kLastChoice = 1'000'000;            // and against the face of a mild edge, however many edges it takes
+constexpr double kNearMiss = 1e-3;                // of the size: a plane so near a corner, and not through it, cuts off slivers
+constexpr double kSameCorner = 1e-8;              // of the size
+constexpr int kMissesCorner = 2 * kPerEdge;       // what speaks against it
 
 /// A flat part of the surface within a cell.
 struct Patch {
@@ -47,9 +51,9 @@ struct Cell {
 
 class Cutting {
  public:
-  explicit Cutting(const Mesh& solid) : solid_(solid), size_(diagonal(solid)), tolerance_(kTolerance * size_) {
-    for (std::size_t f = 0; f < solid.faces.size(); ++f) plane_.push_back(plane_of(f));
-    find_reflex_edges();
+  Cutting(const Mesh& solid, double snap) : solid_(solid), size_(diagonal(solid)), tolerance_(kTolerance * size_) {
+    for (std::size_t f = 0; f < solid.faces.size(); ++f) plane_.push_back(half_space_of(solid, f));
+    for (const Fold& fold : reflex_folds(solid)) add(fold, snap);
   }
 
   std::vector<Polyhedron> cut() {
@@ -73,11 +77,6 @@ class Cutting {
   }
 
  private:
-  [[nodiscard]] HalfSpace plane_of(std::size_t f) const {
-    const LoopPlane p = loop_plane(solid_, f);
-    return {p.normal, dot(p.normal, p.centre)};
-  }
-
   /// Faces in one plane share the first one's.
   [[nodiscard]] std::int32_t number_of_plane(std::size_t f) const {
     for (std::size_t g = 0; g < f; ++g) {
@@ -87,29 +86,12 @@ class Cutting {
     return static_cast<std::int32_t>(f);
   }
 
-  void find_reflex_edges() {
-    std::vector<std::array<std::int32_t, 3>> edges;  // from, to, face
-    for (std::size_t f = 0; f < solid_.faces.size(); ++f) {
-      const auto& loop = solid_.faces[f];
-      for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], static_cast<std::int32_t>(f)});
-    }
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [a, b, f] : edges) {
-      if (a > b) continue;
-      const auto back = std::lower_bound(edges.begin(), edges.end(), std::array{b, a, std::int32_t{-1}});
-      add_if_reflex(solid_.vertices[static_cast<std::size_t>(a)], solid_.vertices[static_cast<std::size_t>(b)],
-                    plane_[static_cast<std::size_t>(f)], plane_[static_cast<std::size_t>((*back)[2])]);
-    }
-  }
-
-  void add_if_reflex(Vec3 from, Vec3 to, const HalfSpace& f, const HalfSpace& g) {
-    const Vec3 along = normalised(to - from);
-    const double sine = -dot(cross(f.normal, g.normal), along);
-    if (sine <= 1e-9) return;
-    const bool mild = std::atan2(sine, dot(f.normal, g.normal)) < kMild;
+  void add(const Fold& fold, double snap) {
+    const bool mild = fold.turn < kMild;
     const int along_face = mild ? kLastChoice : 0;
-    const Vec3 between = normalised(cross(along, f.normal + g.normal));
-    edges_.push_back({from, to, {{{f, along_face}, {g, along_face}, {{between, dot(between, from)}, mild ? 0 : kSecondChoice}}}});
+    edges_.push_back({solid_.vertices[static_cast<std::size_t>(fold.from)],
+                      solid_.vertices[static_cast<std::size_t>(fold.to)],
+                      {{{fold.left, along_face}, {fold.right, along_face}, {cut_along(solid_, fold, snap), mild ? 0 : kSecondChoice}}}});
   }
 
   /// Whether part of an edge lies within the cell.
@@ -151,6 +133,16 @@ class Cutting {
     return nullptr;
   }
 
+  [[nodiscard]] bool just_misses_corner(const Cell& cell, const HalfSpace& h) const {
+    for (const Patch& p : cell.surface) {
+      for (const Vec3& v : p.corners) {
+        const double off = std::abs(dot(h.normal, v) - h.offset);
+        if (off > tolerance_ && off < kNearMiss * size_) return true;
+      }
+    }
+    return false;
+  }
+
   [[nodiscard]] HalfSpace choose(const Cell& cell, const HalfSpace& otherwise) const {
     std::vector<const ReflexEdge*> in;
     for (const ReflexEdge& e : edges_) {
@@ -160,7 +152,7 @@ class Cutting {
     int most = 0;
     for (const ReflexEdge* e : in) {
       for (const ReflexEdge::Cut& c : e->cuts) {
-        int score = -c.penalty;
+        int score = -c.penalty - (just_misses_corner(cell, c.plane) ? kMissesCorner : 0);
         for (const ReflexEdge* other : in) score += lies_on(*other, c.plane) ? kPerEdge : 0;
         for (const Patch& p : cell.surface) {
           const auto [low, high] = span_over(p, c.plane);
@@ -218,7 +210,23 @@ class Cutting {
     return out;
   }
 
+  /// Corners of a piece that are corners of the solid, as those: where four planes meet, planes that are nearly one give several points.
+  [[nodiscard]] Polyhedron with_own_corners(Polyhedron shape) const {
+    for (Vec3& v : shape.vertices) {
+      const Vec3* nearest = nullptr;
+      double least = kSameCorner * size_;
+      for (const Vec3& own : solid_.vertices) {
+        const double apart = norm(own - v);
+        if (apart <= least) least = apart, nearest = &own;
+      }
+      if (nearest != nullptr) v = *nearest;
+    }
+    Mesh joined = welded({std::move(shape.vertices), std::move(shape.faces)}, 4.0 * tolerance_);
+    return {std::move(joined.vertices), std::move(joined.faces)};
+  }
+
   void keep(Polyhedron shape) {
+    shape = with_own_corners(std::move(shape));
     if (signed_volume(shape) > 1e-12 * size_ * size_ * size_) pieces_.push_back(std::move(shape));
   }
 
@@ -241,6 +249,6 @@ class Cutting {
 
 }  // namespace
 
-std::vector<Polyhedron> convex_pieces(const Mesh& solid) { return Cutting(solid).cut(); }
+std::vector<Polyhedron> convex_pieces(const Mesh& solid, double snap) { return Cutting(solid, snap).cut(); }
 
 }  // namespace voussoir::geometry

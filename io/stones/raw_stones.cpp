@@ -67,8 +67,10 @@ bool is_flat(const Mesh& m) {
 }
 
 /// Parts of what the file holds as one: it is a heap, or has several bodies.
-std::vector<FileSolid> parted(FileSolid solid, bool only_one_in_file) {
-  const Mesh joined = geometry::welded(solid.mesh, kEqual * geometry::diagonal(solid.mesh));
+std::vector<FileSolid> parted(FileSolid solid, bool only_one_in_file, std::size_t& doubled) {
+  const Mesh welded = geometry::welded(solid.mesh, kEqual * geometry::diagonal(solid.mesh));
+  const Mesh joined = geometry::without_doubled_faces(welded);
+  doubled += welded.faces.size() - joined.faces.size();
   std::vector<Mesh> shells = geometry::shells(joined);
   std::vector<FileSolid> out;
   if (shells.size() <= 1) {
@@ -96,11 +98,11 @@ class Raw {
     StoneFile file = read_file();
     for (const std::string& note : file.notes) notes_.push_back(note);
     std::vector<RawStone> out;
-    std::size_t flat = 0, bodies = 0;
+    std::size_t flat = 0, bodies = 0, doubled = 0;
     const bool one = file.solids.size() == 1;
     for (FileSolid& given : file.solids) {
       if (given.mesh.faces.empty()) continue;
-      std::vector<FileSolid> parts = parted(std::move(given), one);
+      std::vector<FileSolid> parts = parted(std::move(given), one, doubled);
       if (parts.size() > 1) bodies += parts.size();
       for (FileSolid& part : parts) {
         if (is_flat(part.mesh)) {
@@ -111,6 +113,7 @@ class Raw {
       }
     }
     if (flat > 0) notes_.push_back(counted(flat, "flat surface") + " passed over: interfaces or the like, no solids");
+    if (doubled > 0) notes_.push_back(counted(doubled, "face") + " that stand twice left out");
     if (bodies > 0) notes_.push_back(counted(bodies, "stone") + " are connected parts of what the file holds as one");
     check_names(out);
     return out;

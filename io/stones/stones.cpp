@@ -171,7 +171,7 @@ class Import {
       if (auto shape = convex_shape(item)) {
         item.pieces.push_back(*std::move(shape));
       } else {
-        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh)) {
+        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh, spec_of(item).snap)) {
           item.pieces.push_back(geometry::in_prism_order(piece));
           geometry::validate(item.pieces.back());
         }

@@ -16,6 +16,7 @@
 scripts/python/README.md tells the rest.
 """
 
+from . import compas
 from .commands import Progress, call, motion, ready_cases, version
 from .errors import FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, ProgramWarning, Stopped, VoussoirError
 from .model import Model, opening
@@ -25,5 +26,5 @@ from .run import Run
 from .study import Study
 
 __all__ = ["Array", "FileError", "Frame", "Frames", "History", "InputError", "Model", "NumericalFailure", "ProcessorError", "Progress",
-           "ProgramNotFound", "ProgramWarning", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "motion", "opening", "program",
+           "ProgramNotFound", "ProgramWarning", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "compas", "motion", "opening", "program",
            "ready_cases", "version"]

@@ -158,6 +158,16 @@ class Model:
         more: list[Any] = [*(["--draw", pathlib.Path(draw).resolve()] if draw else []), *(["--overwrite"] if overwrite else [])]
         return self._with_file(lambda path: commands.call("check", path, *more))
 
+    def view(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
+        """The model as one HTML page, before any run. What is refused is shown in red, and raises."""
+        path = pathlib.Path(path).resolve()
+        self._with_file(lambda case: commands.call("view", case, "-o", path, *(["--overwrite"] if overwrite else [])))
+        return path
+
+    def limit(self, *options: commands.Word) -> str:
+        """Collapse multiplier and mechanism of dry blocks by limit analysis, as `voussoir limit` prints them (needs Clp)."""
+        return self._with_file(lambda path: commands.call("limit", path, *options))
+
     def modes(self, count: int = 6, *, shapes: Path | None = None, overwrite: bool = False) -> list[float]:
         """Its first natural frequencies, Hz. shapes: also a .vtu file of the mode shapes."""
         more: list[Any] = [*(["--shapes", pathlib.Path(shapes).resolve()] if shapes else []), *(["--overwrite"] if overwrite else [])]
