@@ -46,7 +46,7 @@ VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
 #if defined(__clang__)
   return _mm512_sqrt_pd(x);
 #else
-  return __builtin_ia32_sqrtpd512_mask(x, x, 0xff, _MM_FROUND_CUR_DIRECTION);  // the same, of which g++ 12 warns
+  return __builtin_ia32_sqrtpd512_mask(x, x, -1, _MM_FROUND_CUR_DIRECTION);  // the same, of which g++ 12 warns
 #endif
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(x);
