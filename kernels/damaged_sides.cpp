@@ -204,7 +204,6 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
   SumRows by_lane[kWidth];
   Literal found_literally;
   unsigned touching = 0;
-  LaneMask mask{};
   for (int l = 0; l < kWidth; ++l) {
     if (!(chosen >> l & 1U)) {
       std::fill_n(by_lane[l].total, 12, 0.0);
@@ -214,8 +213,8 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
     const SoftSide* softens = soft != nullptr && soft[l].wear != nullptr ? soft + l : nullptr;
     advance_side(block, at + l, fields, l, parts[l], softens, clock, o, found_literally, by_lane[l], result[l], sink);
     touching |= static_cast<unsigned>(result[l].touching) << l;
-    mask[l] = -1;
   }
+  const LaneMask mask = lanes_of(chosen);
   const SumLanes found = global_sums(f, by_lane, &SumRows::total);
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
   if (touching != 0) assemble(block, at, first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);

@@ -10,8 +10,9 @@
 
 #include "geometry/vec3.h"
 
-/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `bits`,
-/// `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. Every lane is computed alone, so a
+/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `sqrt`,
+/// `bits`, `lanes_of`, `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. (Of a loop over
+/// lanes g++ 12 makes two halves that meet in memory, and a load of both waits until they have got there.) Every lane is computed alone, so a
 /// result does not depend on its neighbours.
 namespace voussoir::kernels {
 
@@ -41,9 +42,19 @@ VOUSSOIR_INLINE void store_lanes(double* p, Lanes x) noexcept { __builtin_memcpy
 VOUSSOIR_INLINE Lanes lanes(double x) noexcept { return x - Lanes{}; }
 
 VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
+#if defined(__AVX512F__)
+#if defined(__clang__)
+  return _mm512_sqrt_pd(x);
+#else
+  return __builtin_ia32_sqrtpd512_mask(x, x, -1, _MM_FROUND_CUR_DIRECTION);  // the same, of which g++ 12 warns
+#endif
+#elif defined(__AVX__)
+  return _mm256_sqrt_pd(x);
+#else
   Lanes y;
   for (int i = 0; i < kWidth; ++i) y[i] = std::sqrt(x[i]);
   return y;
+#endif
 }
 VOUSSOIR_INLINE Lanes min(Lanes a, Lanes b) noexcept { return a < b ? a : b; }
 VOUSSOIR_INLINE Lanes max(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
@@ -62,9 +73,13 @@ VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
 }
 /// The way back: lane i is true where bit i is set.
 VOUSSOIR_INLINE LaneMask lanes_of(unsigned bits) noexcept {
+#if defined(__AVX512DQ__)
+  return __builtin_ia32_cvtmask2q512(static_cast<unsigned char>(bits));
+#else
   LaneMask m;
   for (int i = 0; i < kWidth; ++i) m[i] = -static_cast<long long>(bits >> i & 1U);
   return m;
+#endif
 }
 /// kWidth bytes, widened to lanes.
 VOUSSOIR_INLINE LaneMask widened(const unsigned char* p) noexcept {
