@@ -180,8 +180,8 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   const bool both = asked.options.coulomb;
   put("multiplier, Coulomb",
       !both ? "not asked for (--associated)"
-            : multiplier(r.coulomb) +
-                  (r.coulomb_converged() ? "; one of perhaps several" : format("; NOT converged, last change %.2g", r.coulomb.last_change)));
+            : multiplier(r.coulomb) + (r.coulomb_converged() ? "; one of perhaps several"
+                                                             : format("; NOT converged, last change %.2g", r.coulomb.last_change)));
   put("checks", format("off balance %.1g, over friction %.1g of a mean weight; %d programmes",
                        std::max(r.associated.off_balance, r.coulomb.off_balance),
                        std::max(r.associated.over_friction, r.coulomb.over_friction), r.associated.programmes + r.coulomb.programmes));

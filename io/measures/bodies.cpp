@@ -57,7 +57,11 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
     if (a[j] < 0 || a[j] >= elements || b[j] >= elements)
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
     const Vec3 c{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]};
-    joints_.push_back({since[j], a[j], b[j], c, c - start_[static_cast<std::size_t>(a[j])].centre,
+    joints_.push_back({since[j],
+                       a[j],
+                       b[j],
+                       c,
+                       c - start_[static_cast<std::size_t>(a[j])].centre,
                        b[j] < 0 ? c : c - start_[static_cast<std::size_t>(b[j])].centre,
                        {normal[3 * j], normal[3 * j + 1], normal[3 * j + 2]}});
   }

@@ -74,9 +74,7 @@ std::optional<Capacity> capacity_of(const Hdf5File& run);
 /// The same without the mechanism.
 std::optional<Capacity> capacity_figures(const Hdf5File& run);
 /// Whether a load grows up to a largest one, after which a mechanism moves.
-inline bool has_peak(const Capacity& c) noexcept {
-  return c.kind == cases::AnalysisKind::pushover || c.kind == cases::AnalysisKind::tilt;
-}
+inline bool has_peak(const Capacity& c) noexcept { return c.kind == cases::AnalysisKind::pushover || c.kind == cases::AnalysisKind::tilt; }
 
 /// The curve alone, without frames: for tests and what needs no mechanism.
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve);

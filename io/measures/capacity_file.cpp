@@ -190,7 +190,7 @@ void write_capacity(Hdf5File& file, const Capacity& c) {
   file.set_attribute(at, "mechanism_time", c.mechanism_time);
   file.set_attribute(at, "units", units + "; mechanism_time: s");
   if (!c.loops.empty()) write_loops(file, at + "/loops", c.loops);
-  file.write_strings(at + "/mechanism", c.mechanism, {"1", "bodies that move as one at the largest load factor, and what they do"});
+  file.write_strings(at + "/mechanism", c.mechanism, {"1", "parts that move as one from the largest load factor on, and what they do"});
   file.write_strings(at + "/mechanism_at_end", c.mechanism_at_end, {"1", "the same at the end"});
 }
 

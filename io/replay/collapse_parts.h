@@ -15,8 +15,8 @@ struct CollapseParts {
   std::vector<std::int32_t> part;  // of each element the least element of its part; −1: it stands
 };
 
-/// \param mass  kg, of each element; none: fixed \param peak  s, of the largest load factor: the frame at it or after it counts; the last one at the latest. Before there is a frame after
-/// it, or where nothing moves after it, it is the motion until then
+/// \param mass  kg, of each element; none: fixed \param peak  s, of the largest load factor: the frame at it or after it counts; the last
+/// one at the latest. Before there is a frame after it, or where nothing moves after it, it is the motion until then
 CollapseParts collapse_parts(const Hdf5File& run, const FrameReader& frames, const std::vector<double>& mass, double peak);
 
 }  // namespace voussoir::io

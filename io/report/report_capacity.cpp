@@ -107,9 +107,9 @@ Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
   return all;
 }
 
-/// A second opinion: what `voussoir limit CASE --format json` wrote into limit.json beside the run, as {"associated", "coulomb" (null: not asked
-/// for, or not converged), "reasons" (sentences)}. Null if there is no such file, or the run is no pushover or tilt.
-/// \throw FileError if it is no such file, or one of another case or direction
+/// A second opinion: what `voussoir limit CASE --format json` wrote into limit.json beside the run, as {"associated", "coulomb" (null: not
+/// asked for, or not converged), "reasons" (sentences)}. Null if there is no such file, or the run is no pushover or tilt. \throw FileError
+/// if it is no such file, or one of another case or direction
 Json second_opinion(const std::string& folder, const cases::Case& c, const Capacity& run) {
   const std::string path = folder + "/limit.json";
   std::error_code none;

@@ -204,8 +204,7 @@ void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
     }
     std::vector<Curve> fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
     if (m.initial_free_volume > 0) fallen.push_back({"free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)});
-    plots.push_back(
-        {m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)});
+    plots.push_back({m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)});
   } catch (const FileError& e) {
     warn("measures of the collapse", e);
   }

@@ -34,9 +34,9 @@ struct Plot {
   Values t;  // s
   std::vector<Curve> curves;
   std::optional<Axis> x{};
-  std::vector<Line> lines{};    // straight from point to point; with `x` alone
-  std::vector<Point> points{};  // by name; with `x` alone
-  bool stack = false;           // curves stand on one another
+  std::vector<Line> lines{};     // straight from point to point; with `x` alone
+  std::vector<Point> points{};   // by name; with `x` alone
+  bool stack = false;            // curves stand on one another
   std::optional<double> clip{};  // no value beyond it is shown
 };
 

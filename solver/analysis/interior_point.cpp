@@ -17,11 +17,11 @@ using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr int kMostIterations = 150;
-constexpr double kTolerance = 1e-8;        // of residuals and gap, relative
-constexpr double kStepBack = 0.995;        // of the way to the boundary at most
-constexpr double kPivot = 1e-13;           // of a diagonal entry: what keeps pivots of redundant equations off zero
-constexpr int kRefinements = 3;            // of a solution of the normal equations
-constexpr double kRefined = 1e-12;         // relative residual of the normal equations that is good enough
+constexpr double kTolerance = 1e-8;  // of residuals and gap, relative
+constexpr double kStepBack = 0.995;  // of the way to the boundary at most
+constexpr double kPivot = 1e-13;     // of a diagonal entry: what keeps pivots of redundant equations off zero
+constexpr int kRefinements = 3;      // of a solution of the normal equations
+constexpr double kRefined = 1e-12;   // relative residual of the normal equations that is good enough
 
 /// A D Aᵀ with D diagonal and positive, for its inverse: the first column of A is kept apart, by Sherman and Morrison's formula.
 class NormalEquations {

@@ -20,7 +20,7 @@ struct LimitOptions {
   int facets = 8;            // of the friction cone, >= 4; in a plane there are two, which are exact
   bool outer = false;        // facets round the cone instead of in it
   std::function<void(int programmes, double multiplier)> tick{};  // after every programme; may be empty
-  bool coulomb = true;  // false: the associated multiplier alone, which is one programme; LimitResult::coulomb stays empty
+  bool coulomb = true;                // false: the associated multiplier alone, which is one programme; LimitResult::coulomb stays empty
   std::size_t inside_from = kLpHuge;  // unknowns from which on programmes are solved by an interior-point method in place of Clp
 };
 

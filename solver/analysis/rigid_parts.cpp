@@ -27,7 +27,7 @@ struct Part {
   double square = 0.0;  // of the displacements
   double left = 0.0;    // of them, what the best rigid motion leaves
   std::set<std::int32_t> neighbours;
-  int version = 0;      // how often it has grown; −1: it is part of another
+  int version = 0;  // how often it has grown; −1: it is part of another
 
   [[nodiscard]] double left_with(const Part& other) const {
     const Matrix6 n = normal + other.normal;
@@ -105,7 +105,9 @@ class Parts {
     p.square = mass * moved.squaredNorm();
   }
   void join(std::int32_t a, std::int32_t b, const ElementMotion& m) {
-    const auto moves = [&](std::int32_t e) { return static_cast<std::size_t>(e) >= m.mass.size() || m.mass[static_cast<std::size_t>(e)] > 0.0; };
+    const auto moves = [&](std::int32_t e) {
+      return static_cast<std::size_t>(e) >= m.mass.size() || m.mass[static_cast<std::size_t>(e)] > 0.0;
+    };
     if (a == b || !moves(a) || !moves(b)) return;
     at(a).neighbours.insert(b), at(b).neighbours.insert(a);
   }
@@ -129,7 +131,7 @@ class Parts {
     for (const std::int32_t n : p.neighbours) propose(u.a, n);
   }
 
-  std::vector<Part> parts_;             // by their least element; the last is the base
+  std::vector<Part> parts_;  // by their least element; the last is the base
   std::vector<std::int32_t> part_of_;
   std::priority_queue<Union, std::vector<Union>, std::greater<>> unions_;
   double square_ = 0.0, left_ = 0.0;

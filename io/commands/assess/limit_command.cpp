@@ -48,7 +48,8 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   if (on_terminal) {
-    const int least = o.associated ? 1 : solver::LimitResult::kLeastProgrammes, most = o.associated ? 1 : solver::LimitResult::kMostProgrammes;
+    const int least = o.associated ? 1 : solver::LimitResult::kLeastProgrammes,
+              most = o.associated ? 1 : solver::LimitResult::kMostProgrammes;
     asked.options.tick = [least, most](int programmes, double multiplier) {
       std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
     };

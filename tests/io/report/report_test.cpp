@@ -247,7 +247,7 @@ TEST_CASE("two elements move as one until their joint is open by a millimetre, a
   CHECK(two.bodies[0].displacement.x + two.bodies[1].displacement.x == doctest::Approx(1.1e-3));
   CHECK(body_name(two.bodies[0], building).find("stands") != std::string::npos);
   CHECK(finder.find(3.0, moved).id == two.id);  // they keep their numbers
-  BodyFinder told(run, building, start);  // from a time on the bodies are those of a mechanism, however little is open
+  BodyFinder told(run, building, start);        // from a time on the bodies are those of a mechanism, however little is open
   told.take({0, 1}, 1.0);
   CHECK(told.find(0.9, start).id == std::vector<std::uint8_t>{1, 1});
   const BodiesInFrame given = told.find(1.0, start);

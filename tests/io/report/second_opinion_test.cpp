@@ -15,11 +15,12 @@ using namespace test;
 
 namespace {
 
-/// A pushover of the two cubes: the load grows for two seconds, and falls. \return why the page does not take `limit`, or what it makes of it
+/// A pushover of the two cubes: the load grows for two seconds, and falls. \return why the page does not take `limit`, or what it makes of
+/// it
 std::string opinion_on(const std::string& limit) {
   const TempFolder folder;
-  ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n", kNames, {},
-                       by_hand());
+  ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n",
+                       kNames, {}, by_hand());
   solver::Drive drive;
   drive.frequency = 10.0, drive.pace = 2.0, drive.weight = 100.0;
   writer.drive(drive);
