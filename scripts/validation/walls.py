@@ -108,7 +108,7 @@ SOURCES = {
     "MI, ISP": {
         "f_t of mortar = c/1.4; G_I 18 J/m², G_II 125 J/m²": "literature: Lourenço and Rots (1997), their micro-model of brick walls",
         "cap of a bed: f_m of the masonry": "measured; that it is the cap of a bed: assumed",
-        "f_t of bricks = 0.05 f_b; c = 2 f_t, φ 45°": "assumed; tensile strengths of clay bricks are published from 0.03 to 0.1 f_b",
+        "f_t of bricks = 0.05 f_b; c = 2 f_t, φ 45°": "assumed; the national annex of DIN EN 1996-1-1 has 0.032 f_b for solid units",
         "G_I of bricks 80 J/m²": "literature: Lourenço and Rots (1997)",
         "G_II of bricks 800 J/m²": "assumed",
         "density 1800 kg/m³": "assumed",
