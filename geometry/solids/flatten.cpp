@@ -143,10 +143,11 @@ double checked_warp(const RoughSolid& s, int subject) {
   for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
     const double w = warp(s.mesh, f);
     if (w > std::max(s.snap, kPlane * diagonal(s.mesh))) {
-      throw ModelError(block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " +
-                           place_text(loop_plane(s.mesh, f).centre) + " m (allowed " + millimetres(s.snap) +
-                           ", stones.snap); part it into triangles or make it plane where it was drawn",
-                       subject);
+      throw ModelError(
+          block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " + place_text(loop_plane(s.mesh, f).centre) +
+              " m (allowed " + millimetres(s.snap) +
+              ", stones.snap); part it into triangles (stones.warped = \"triangles\") or make it plane where it was drawn, or raise snap",
+          subject);
     }
     most = std::max(most, w);
   }
