@@ -15,10 +15,10 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kPlane = 9e-10;                   // of the size: validate() takes 1e-9
-constexpr double kConverged = 1e-13;               // of the size
-constexpr int kMostRounds = 60, kMostMore = 3000;  // with the planes of contacts as they are, and let go
-constexpr double kSlack = 3e-7;                    // m, by which a contact may be off its plane: find_contacts takes 1e-6
+constexpr double kPlane = 9e-10;                     // of the size: validate() takes 1e-9
+constexpr double kConverged = 1e-13;                 // of the size
+constexpr int kMostRounds = 2000, kMostMore = 3000;  // with the planes of contacts as they are, and let go
+constexpr double kSlack = 3e-7;                      // m, by which a contact may be off its plane: find_contacts takes 1e-6
 
 std::string millimetres(double metres) {
   std::array<char, 32> text{};
