@@ -228,7 +228,13 @@ void add_view(CLI::App& app, Words& w) {
   CLI::App* view = app.add_subcommand("view", "one HTML page of the model before any run: stones by material, joints by law, supports");
   add_case(view, w);
   view->add_option("-o,--output", w.view.output, "file of the page (default: CASE.html)");
-  view->add_flag("--overwrite", w.view.overwrite, "replace an existing page");
+  CLI::Option* still = view->add_option("--still", w.view.still, "a picture, FILE.png, instead of the page; needs Chromium")
+                           ->excludes(view->get_option("--output"));
+  view->add_option("--view", w.view.view, "of the picture: " + joined(io::kViews) + " (default: corner)")
+      ->check(CLI::IsMember(io::kViews))
+      ->needs(still);
+  view->add_flag("--overwrite", w.view.overwrite, "replace an existing page or picture");
+  view->footer("example: voussoir view my-vault.toml\n         voussoir view my-vault.toml --still my-vault.png --view front");
 }
 
 void add_modes(CLI::App& app, Words& w) {

@@ -27,8 +27,12 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
                    model.materials.empty() ? "is missing, and the case has no materials" : "is missing: the case has several materials");
 }
 
+constexpr double kThinnest = 0.1;  // of the widest piece of a stone: thinner ones, which cuts leave over, get no finer segments
+
 /// Appends one stone. \param number  of the stone in the model
 void add_stone(const Stone& stone, const Block& like, Model& model) {
+  double widest = 0.0;
+  for (const StonePiece& piece : stone.pieces) widest = std::max(widest, geometry::least_width(piece.shape));
   for (std::size_t i = 0; i < stone.pieces.size(); ++i) {
     Block block = like;
     if (stone.pieces.size() > 1) {
@@ -38,7 +42,7 @@ void add_stone(const Stone& stone, const Block& like, Model& model) {
     block.tag = block.name;
     block.shape = stone.pieces[i].shape;
     block.beds = stone.pieces[i].beds;
-    block.segment_size = geometry::least_width(block.shape) / 4.0;
+    block.segment_size = std::max(geometry::least_width(block.shape), kThinnest * widest) / 4.0;
     model.blocks.push_back(std::move(block));
   }
 }

@@ -47,6 +47,9 @@ struct StoneTurn {
   Vec3 about;          // m
 };
 
+/// What is done about faces that are warped by more than snap.
+enum class WarpedFaces : std::uint8_t { refuse, triangles };
+
 /// One [[stones]]: a file or a folder of stones.
 struct StonesSpec {
   std::string file;
@@ -59,6 +62,7 @@ struct StonesSpec {
   std::optional<std::string> joint;  // a law between stones of this table; none: [joints]
   double snap = 1e-3;                // m, faces nearer than this are in contact
   std::optional<double> gap;         // m, thickness of the mortar between faces so far apart (within snap)
+  WarpedFaces warped = WarpedFaces::refuse;
   StoneSupports supports;
 
   std::vector<Stone> stones;       // no key: io/stones fills it in before a model is built

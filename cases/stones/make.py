@@ -100,20 +100,28 @@ def dome(folder, rings=9, meridians=16, radius=2.0, thickness=0.2, eye=12.0):
     write_case(folder / "dome.toml", "A dome of nine rings, open at the top", "dome.obj", friction=45.0)
 
 
-def cross_vault(folder, courses=7, radius=1.8, thickness=0.25):
-    """Two barrels that meet along upright planes through the diagonals; a boss in the middle."""
-    last = math.radians(82.0)
-    at = lambda r, i: (r * math.cos(last * i / courses), r * math.sin(last * i / courses))
-    stones = []
+def cross_vault(folder, courses=7, radius=1.8, thickness=0.25, arm=0.3):
+    """Two barrels that cross: four webs that meet in upright planes through the diagonals (groins), and a boss in the middle."""
+    last, end = math.radians(80.0), radius + thickness / 2 + arm
+    at = lambda r, i: (r * math.cos(last * i / courses), r * math.sin(last * i / courses) if i else 0.0)  # across the web, up
+    inner, outer, stones = radius - thickness / 2, radius + thickness / 2, []
     for quarter in range(4):
         c, s = [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter]
+
+        def course(name, section, parts):
+            """From the groin, where the way along the web is as long as the way across, to the end of the web."""
+            cut = lambda f: [((1 - f) * abs(y) + f * end, y, z) for y, z in section]
+            turned = lambda f: [(c * x - s * y, s * x + c * y, z) for x, y, z in cut(f)]
+            stones.extend(prism(f"{name}_{j}", [turned(j / parts), turned((j + 1) / parts)], f"web{quarter}") for j in range(parts))
+
         for i in range(courses):
-            section = [at(radius - thickness / 2, i), at(radius + thickness / 2, i), at(radius + thickness / 2, i + 1), at(radius - thickness / 2, i + 1)]
-            for j, (low, high) in enumerate(((-1, -1 / 3), (-1 / 3, 1 / 3), (1 / 3, 1))):
-                end = lambda f: [(c * x - s * f * x, s * x + c * f * x, z) for x, z in section]
-                stones.append(prism(f"web{quarter}_{i}_{j}", [end(low), end(high)], f"web{quarter}"))
+            right = [at(inner, i), at(outer, i), at(outer, i + 1), at(inner, i + 1)]
+            for side, section in (("right", right), ("left", [(-y, z) for y, z in right])):
+                course(f"web{quarter}_{side}{i}", section, 1 + i // 3)
+        low, high = at(inner, courses), at(outer, courses)
+        course(f"web{quarter}_crown", [low, high, (-high[0], high[1]), (-low[0], low[1])], 3)
     square = lambda p: [(a * p[0], b * p[0], p[1]) for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
-    stones.append(prism("boss", [square(at(radius - thickness / 2, courses)), square(at(radius + thickness / 2, courses))], "boss"))
+    stones.append(prism("boss", [square(at(inner, courses)), square(at(outer, courses))], "boss"))
     write_obj(folder / "cross-vault.obj", stones)
     write_case(folder / "cross-vault.toml", "A cross vault of four webs and a boss", "cross-vault.obj", 'supports = "ground"\n', friction=45.0)
 

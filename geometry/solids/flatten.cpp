@@ -15,10 +15,10 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kPlane = 9e-10;                   // of the size: validate() takes 1e-9
-constexpr double kConverged = 1e-13;               // of the size
-constexpr int kMostRounds = 60, kMostMore = 3000;  // with the planes of contacts as they are, and let go
-constexpr double kSlack = 3e-7;                    // m, by which a contact may be off its plane: find_contacts takes 1e-6
+constexpr double kPlane = 9e-10;                     // of the size: validate() takes 1e-9
+constexpr double kConverged = 1e-13;                 // of the size
+constexpr int kMostRounds = 2000, kMostMore = 3000;  // with the planes of contacts as they are, and let go
+constexpr double kSlack = 3e-7;                      // m, by which a contact may be off its plane: find_contacts takes 1e-6
 
 std::string millimetres(double metres) {
   std::array<char, 32> text{};
@@ -143,10 +143,11 @@ double checked_warp(const RoughSolid& s, int subject) {
   for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
     const double w = warp(s.mesh, f);
     if (w > std::max(s.snap, kPlane * diagonal(s.mesh))) {
-      throw ModelError(block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " +
-                           place_text(loop_plane(s.mesh, f).centre) + " m (allowed " + millimetres(s.snap) +
-                           ", stones.snap); part it into triangles or make it plane where it was drawn",
-                       subject);
+      throw ModelError(
+          block_prefix(subject) + "has a face warped by " + millimetres(w) + " at " + place_text(loop_plane(s.mesh, f).centre) +
+              " m (allowed " + millimetres(s.snap) +
+              ", stones.snap); part it into triangles (stones.warped = \"triangles\") or make it plane where it was drawn, or raise snap",
+          subject);
     }
     most = std::max(most, w);
   }

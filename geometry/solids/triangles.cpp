@@ -32,7 +32,55 @@ std::size_t best_ear(const std::vector<Vec3>& loop, Vec3 normal) {
   return best;
 }
 
+/// An ear that may be cut off: it turns inward, and no other corner is in it.
+bool is_ear(const Mesh& m, const std::vector<std::int32_t>& loop, std::size_t i, Vec3 normal) {
+  const auto at = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(loop[k % loop.size()])]; };
+  const Vec3 a = at(i + loop.size() - 1), b = at(i), c = at(i + 1);
+  if (!(turn(a, b, c, normal) > 0.0)) return false;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    if (is_in(at(k), a, b, c, normal)) return false;
+  }
+  return true;
+}
+
+/// The corner whose ear has the shortest diagonal; of those that are as long to `tie`, the first along a direction that no drawing has.
+std::size_t shortest_ear(const Mesh& m, const std::vector<std::int32_t>& loop, Vec3 normal, double tie) {
+  constexpr Vec3 kAskew{0.5377, 0.3188, 0.7806};
+  std::vector<std::pair<double, std::size_t>> ears;  // length, corner
+  const auto at = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(loop[k % loop.size()])]; };
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (is_ear(m, loop, i, normal)) ears.emplace_back(norm(at(i + 1) - at(i + loop.size() - 1)), i);
+  }
+  if (ears.empty()) return 0;
+  const double least = std::min_element(ears.begin(), ears.end())->first;
+  std::size_t best = 0;
+  double lowest = 1e300;
+  for (const auto& [length, i] : ears) {
+    const double along = dot(kAskew, at(i + 1) + at(i + loop.size() - 1));
+    if (length <= least + tie && along < lowest) lowest = along, best = i;
+  }
+  return best;
+}
+
 }  // namespace
+
+Mesh with_parted_faces(const Mesh& m, double most, std::size_t& parted) {
+  Mesh out{m.vertices, {}};
+  for (std::size_t f = 0; f < m.faces.size(); ++f) {
+    std::vector<std::int32_t> loop = m.faces[f];
+    if (warp(m, f) > most) {
+      const Vec3 normal = loop_plane(m, f).normal;
+      ++parted;
+      while (loop.size() > 3) {
+        const std::size_t i = shortest_ear(m, loop, normal, most);
+        out.faces.push_back({loop[(i + loop.size() - 1) % loop.size()], loop[i], loop[(i + 1) % loop.size()]});
+        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+    out.faces.push_back(std::move(loop));
+  }
+  return out;
+}
 
 std::vector<std::array<Vec3, 3>> triangles_of(const Mesh& m, std::size_t face) {
   const Vec3 normal = loop_plane(m, face).normal;

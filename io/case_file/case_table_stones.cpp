@@ -73,6 +73,7 @@ Key<StonesSpec> supports_key() {
 Table<StonesSpec> stones_table() {
   using S = StonesSpec;
   const std::vector<std::pair<std::string, std::string>> units{{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}};
+  const std::vector<std::pair<std::string, WarpedFaces>> warped{{"refuse", WarpedFaces::refuse}, {"triangles", WarpedFaces::triangles}};
   return {
       "stones out of a file: every closed body in it is one",
       {required(value<S>("file", &S::file, "", filled(), "OBJ, PLY, STL, VTU or COMPAS JSON; or a folder, each such file in it a stone")),
@@ -90,6 +91,10 @@ Table<StonesSpec> stones_table() {
            "gap", &S::gap, "m", within(1e-4, 0.2),
            "faces so far apart (within snap) have a bed of mortar between them: both stones are grown to its middle, and its thickness "
            "enters Eq. 3 in place of the law's; none: they do not touch"),
+       choice<S>(
+           "warped", &S::warped, "", warped,
+           "faces that are warped by more than snap: refused, or parted into triangles along their shortest diagonals, after which the "
+           "stone is cut along its reflex edges"),
        supports_key()},
       [](const S& s, const RuleCheck& check) {
         if (s.gap && *s.gap <= 2.0 * s.snap) check.fault("gap", "must be above twice snap, or a bed cannot be told from a contact");

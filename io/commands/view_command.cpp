@@ -11,6 +11,7 @@
 #include "io/files/scratch_folder.h"
 #include "io/files/text_file.h"
 #include "io/report/report_data.h"
+#include "io/report/stills.h"
 #include "io/results/results.h"
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
@@ -91,7 +92,9 @@ Shown shown(const LoadedCase& given) {
 }  // namespace
 
 int view_command(const LoadedCase& c, const ViewOptions& o) {
-  const std::string page = o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html" : o.output;
+  const std::string page = !o.still.empty()   ? o.still
+                           : o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html"
+                                              : o.output;
   std::error_code none;
   if (!o.overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
   const Shown s = shown(c);
@@ -101,8 +104,12 @@ int view_command(const LoadedCase& c, const ViewOptions& o) {
     results.flush();
   }
   const std::string text = model_html(scratch.path() + "/run.h5", s.fault, s.at_fault);
-  write_text_file(page, text, o.overwrite);
-  std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
+  if (o.still.empty()) {
+    write_text_file(page, text, o.overwrite);
+    std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
+  } else {
+    write_still(text, o.view, page);
+  }
   if (s.fault.empty()) return kDone;
   std::fprintf(stderr, "voussoir: %s\n", s.fault.c_str());
   return kInputFault;

@@ -52,28 +52,47 @@ std::vector<Still> planned(const StillsOptions& o) {
   return all;
 }
 
+void take(Browser& browser, const Still& s) {
+  const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
+  const std::string png =
+      browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
+  const std::vector<std::byte> bytes = from_base64(png);
+  const std::span<const std::byte> piece = bytes;
+  write_whole_file(s.file, {&piece, 1});
+  std::printf("%s\n", s.file.c_str());
+}
+
+/// A page in a browser of its own, which draws and paints nothing else.
+class Studio {
+ public:
+  explicit Studio(const std::string& html) : browser(scratch_.path()) {
+    const std::string page = scratch_.path() + "/page.html";
+    write_text_file(page, html);
+    browser.open(page, "still");
+  }
+
+ private:
+  ScratchFolder scratch_;
+
+ public:
+  Browser browser;
+};
+
 }  // namespace
 
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o) {
   check_times(runs.front(), o.times);
   const std::vector<Still> stills = planned(o);
-  const ScratchFolder scratch;
-  Browser browser(scratch.path());
-  const std::string page = scratch.path() + "/page.html";
-  write_text_file(page, report_html(runs));
-  browser.open(page, "still");
+  Studio studio(report_html(runs));
   std::error_code fault;
   fs::create_directories(o.folder, fault);
   if (fault) throw FileError(o.folder, "cannot make the folder: " + fault.message());
-  for (const Still& s : stills) {
-    const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
-    const std::string png =
-        browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
-    const std::vector<std::byte> bytes = from_base64(png);
-    const std::span<const std::byte> piece = bytes;
-    write_whole_file(s.file, {&piece, 1});
-    std::printf("%s\n", s.file.c_str());
-  }
+  for (const Still& s : stills) take(studio.browser, s);
+}
+
+void write_still(const std::string& html, const std::string& view, const std::string& file) {
+  Studio studio(html);
+  take(studio.browser, {view, file, 0.0});
 }
 
 }  // namespace voussoir::io

@@ -23,4 +23,7 @@ struct StillsOptions {
 /// anything is drawn), or if there is no Chromium
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o);
 
+/// A picture of the one moment that a page has, as the model of a case. \param html  the page \throw FileError if there is no Chromium
+void write_still(const std::string& html, const std::string& view, const std::string& file);
+
 }  // namespace voussoir::io

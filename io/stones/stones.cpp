@@ -11,6 +11,7 @@
 #include "geometry/solids/flatten.h"
 #include "geometry/solids/overlaps.h"
 #include "geometry/solids/pieces.h"
+#include "geometry/solids/triangles.h"
 #include "io/stones/raw_stones.h"
 #include "io/stones/shown_faults.h"
 #include "io/stones/supports.h"
@@ -43,7 +44,8 @@ std::string without_subject(const geometry::ModelError& e) {
 struct Item {
   std::size_t table = 0;
   RawStone raw;
-  std::size_t nearly_flat = 0;  // faces that were merged though they were not quite in one plane
+  std::size_t nearly_flat = 0;   // faces that were merged though they were not quite in one plane
+  std::size_t in_triangles = 0;  // warped faces that were parted
   std::vector<Polyhedron> pieces = {};
   double parted = 0.0;  // m, how deep it was cut at most where it lay in another stone
 };
@@ -87,7 +89,11 @@ class Import {
       }
     }
     if (items_.empty()) return;
-    for (Item& item : items_) straighten(item);
+    for (Item& item : items_) {
+      straighten(item);
+      if (spec_of(item).warped == cases::WarpedFaces::triangles)
+        item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, spec_of(item).snap, item.in_triangles);
+    }
     put_together();
     for (std::size_t i = 0; i < items_.size();) {
       const std::size_t before = items_.size();
@@ -225,6 +231,7 @@ class Import {
     const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
     if (item.raw.merged > 0) add(counted(item.raw.merged, "face") + " merged into others in the same plane");
     if (item.nearly_flat > 0) add(counted(item.nearly_flat, "face") + " merged into others nearly in the same plane");
+    if (item.in_triangles > 0) add(counted(item.in_triangles, "warped face") + " parted into triangles");
     if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
     if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + millimetres(done.warped) + " made plane");
     if (done.moved > 0.0) add("corners moved by up to " + millimetres(done.moved));

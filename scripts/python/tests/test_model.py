@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Models, and what is wrong with them."""
 
+import json
 import os
 import tomllib
 import unittest
@@ -66,6 +67,29 @@ class Models(InAFolder):
         found = blocks().modes(2)
         self.assertEqual(len(found), 2)
         self.assertTrue(0.0 < found[0] <= found[1])
+
+    def test_the_page_of_the_model(self):
+        page = blocks().view(self.folder / "two.html")
+        self.assertIn("Two bonded blocks", page.read_text())
+        with self.assertRaisesRegex(voussoir.FileError, "exists"):
+            blocks().view(page)
+        model = blocks()
+        model.box("third", [0, 0, 0.3], [0.2, 0.2, 0.5], material="stone")
+        with self.assertRaisesRegex(voussoir.InputError, "overlaps"):
+            model.view(page, overwrite=True)
+
+    def test_limit_analysis(self):
+        model = voussoir.Model("A slender block")
+        model.material("stone", density=2000.0, young=1e9, poisson=0.2)
+        model["base.z"] = 0.0
+        model.box("a", [0, 0, 0], [0.2, 0.5, 1.0], material="stone")
+        try:
+            text = model.limit("--format", "json")
+        except voussoir.VoussoirError as error:
+            self.assertIn("Clp", str(error))  # a build without it
+            return
+        found = json.loads(text)["associated"]["multiplier"]
+        self.assertAlmostEqual(found, 0.2 * (1 - 1 / 4), places=9)  # width over height, with contact points at the centres of four segments
 
     def test_keys_by_their_path(self):
         model = voussoir.Model()

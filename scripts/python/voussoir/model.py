@@ -103,7 +103,7 @@ class Model:
     def add_stones(self, file: Path, *, unit: str, **keys: Any) -> None:
         """All stones of a file (OBJ, PLY, STL, VTU, COMPAS JSON) or folder. unit: m, cm, mm, in, ft.
 
-        keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, supports). `place` in m, `turn` in degrees about z or a dict.
+        keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, warped, supports). `place` in m, `turn` in degrees about z or a dict.
         """
         self.case.setdefault("stones", []).append({"file": absolute_if_file(file), "unit": unit, **keys})
 
@@ -158,10 +158,11 @@ class Model:
         more: list[Any] = [*(["--draw", pathlib.Path(draw).resolve()] if draw else []), *(["--overwrite"] if overwrite else [])]
         return self._with_file(lambda path: commands.call("check", path, *more))
 
-    def view(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
-        """The model as one HTML page, before any run. What is refused is shown in red, and raises."""
+    def view(self, path: Path, *, view: str = "corner", overwrite: bool = False) -> pathlib.Path:
+        """The model as one HTML page, before any run; with a .png as its path a picture (needs Chromium). What is refused is shown in red, and raises."""
         path = pathlib.Path(path).resolve()
-        self._with_file(lambda case: commands.call("view", case, "-o", path, *(["--overwrite"] if overwrite else [])))
+        words: list[Any] = ["--still", path, "--view", view] if path.suffix == ".png" else ["-o", path]
+        self._with_file(lambda case: commands.call("view", case, *words, *(["--overwrite"] if overwrite else [])))
         return path
 
     def limit(self, *options: commands.Word) -> str:

@@ -270,7 +270,8 @@ class Report {
 
   #caption() {
     const time = this.time();
-    return { title: by("title").textContent, subtitle: by("subtitle").textContent, clock: `${time.toFixed(2)} s`, note: by("note").textContent, legend: this.legend };
+    const moves = !this.run.model; // a model has no clock, and nothing is magnified
+    return { title: by("title").textContent, subtitle: by("subtitle").textContent, clock: moves ? `${time.toFixed(2)} s` : "", note: moves ? by("note").textContent : "", legend: this.legend };
   }
 
   /** Draws a picture at the time `t`; returns its canvas. @param view  one of the views; null: the camera as it is  @param between  whether

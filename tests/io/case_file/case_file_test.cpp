@@ -226,12 +226,14 @@ TEST_CASE("case file: every key of stones is read") {
   CHECK(dome.joint == "normal");
   CHECK(dome.snap == 0.002);
   CHECK(dome.gap == 0.01);
+  CHECK(dome.warped == cases::WarpedFaces::triangles);
   CHECK(dome.supports.kind == cases::StoneSupports::Kind::named);
   CHECK(dome.supports.names == std::vector<std::string>{"Mesh_1", "drum"});
   CHECK(wall.turn.axis == Vec3{0.0, 0.0, 1.0});
   CHECK(wall.turn.angle == 90.0);
   CHECK(wall.snap == 1e-3);
   CHECK(!wall.gap);
+  CHECK(wall.warped == cases::WarpedFaces::refuse);
   CHECK(wall.supports.kind == cases::StoneSupports::Kind::below);
   CHECK(wall.supports.level == 0.25);
   const auto kind = [](const std::string& word) {

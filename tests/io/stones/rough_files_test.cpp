@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <set>
 
 #include "geometry/solids/flatten.h"
 #include "geometry/solids/pieces.h"
+#include "geometry/solids/triangles.h"
 #include "tests/io/stones/stones_fixture.h"
 
 // Files as drawing programs write them: rounded coordinates, doubled faces, more planes at a corner than can meet there.
@@ -149,5 +151,56 @@ TEST_CASE("four planes of contacts that miss one point by a hair are let go by l
     const auto own = geometry::loop_plane(solids[0].mesh, f);
     const Mesh& slab = solids[f].mesh;
     for (std::size_t v = 0; v < 3; ++v) CHECK(std::abs(dot(slab.vertices[v] - own.centre, own.normal)) < 1e-6);
+  }
+}
+
+TEST_CASE("warped faces are parted into triangles where the case says so") {
+  const TempFolder folder;
+  Mesh low = box({0, 0, 0}, {1, 1, 1}), high = box({0, 0, 1}, {1, 1, 2});
+  std::string file;
+  SUBCASE("a face that bulges: one convex stone") {
+    for (Vec3& v : low.vertices) v.z += v.z > 0.5 && std::abs(v.x - v.y) < 0.5 ? 0.04 : 0.0;  // the corners on the diagonal that is chosen
+    file = folder.write("a.obj", obj({{"low", low}}));
+    CHECK(says(refusal(file, "supports = \"ground\""), "stones.warped = \"triangles\""));
+    const auto c = load(file, "supports = \"ground\"\nwarped = \"triangles\"");
+    const auto& stone = c.stones[0].stones[0];
+    CHECK(says(stone.change, "1 warped face parted into triangles"));
+    double sum = 0.0;
+    for (const auto& piece : stone.pieces) sum += geometry::mass_properties(piece.shape).volume;
+    CHECK((sum == doctest::Approx(1.0 + 0.04 * 2.0 / 3.0).epsilon(1e-9) || sum == doctest::Approx(1.0 + 0.04 / 3.0).epsilon(1e-9)));
+  }
+  SUBCASE("a joint that is warped: both stones are parted alike and touch all over") {
+    for (Mesh* m : {&low, &high}) {
+      for (Vec3& v : m->vertices) v.z += v.z > 0.5 && v.z < 1.5 && v.x > 0.5 && v.y > 0.5 ? 0.05 : 0.0;
+    }
+    file = folder.write("a.obj", obj({{"low", low}, {"high", high}}));
+    CHECK(says(refusal(file, "supports = \"ground\""), "has a face warped by 12.5 mm"));
+    const auto c = load(file, "supports = \"ground\"\nwarped = \"triangles\"");
+    const cases::Model m = model_of(c);
+    double area = 0.0, volume = 0.0;
+    for (const auto& joint : m.assembly.joints) {
+      const auto a = static_cast<std::size_t>(joint.element_a), b = static_cast<std::size_t>(joint.element_b);
+      if (joint.element_b >= 0 && m.blocks[a].stone != m.blocks[b].stone) area += joint.area;
+    }
+    for (const auto& e : m.assembly.elements) volume += e.mass.volume;
+    CHECK(volume == doctest::Approx(2.0).epsilon(1e-9));
+    const double half = 0.5 * std::sqrt(1.0 + 0.05 * 0.05), folded = 0.5 + 0.5 * std::sqrt(1.0 + 2.0 * 0.05 * 0.05);
+    CHECK((area == doctest::Approx(2.0 * half).epsilon(1e-9) || area == doctest::Approx(folded).epsilon(1e-9)));
+  }
+  SUBCASE("an order of corners that starts elsewhere, and the other way round, changes nothing") {
+    std::size_t parted = 0;
+    Mesh one{{{0, 0, 0}, {2, 0, 0.1}, {3, 1, -0.1}, {2, 2, 0.1}, {0, 2, 0}, {-1, 1, 0.1}}, {{0, 1, 2, 3, 4, 5}}}, other = one;
+    other.faces = {{3, 2, 1, 0, 5, 4}};
+    const auto edges = [](const Mesh& m) {
+      std::set<std::pair<std::int32_t, std::int32_t>> out;
+      for (const auto& loop : m.faces) {
+        for (std::size_t i = 0; i < loop.size(); ++i) out.insert(std::minmax({loop[i], loop[(i + 1) % loop.size()]}));
+      }
+      return out;
+    };
+    one = geometry::with_parted_faces(one, 1e-3, parted);
+    CHECK(one.faces.size() == 4);
+    CHECK(edges(one) == edges(geometry::with_parted_faces(other, 1e-3, parted)));
+    CHECK(parted == 2);
   }
 }
