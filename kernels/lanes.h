@@ -41,7 +41,7 @@ VOUSSOIR_INLINE void store_lanes(double* p, Lanes x) noexcept { __builtin_memcpy
 VOUSSOIR_INLINE Lanes lanes(double x) noexcept { return x - Lanes{}; }
 
 VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
-  Lanes y;
+  Lanes y{};
   for (int i = 0; i < kWidth; ++i) y[i] = std::sqrt(x[i]);
   return y;
 }
