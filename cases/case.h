@@ -117,6 +117,10 @@ struct Contact {
   std::vector<ContactRule> between;  // a pair of materials at most once
   double damping = 1.0;              // h_n = h_s
   ContactNormal normal = ContactNormal::slave;
+  double compression = 0.0;           // Pa; 0: contacts bear any pressure
+  double crushing_energy = 0.0;       // J/m2, above what the residual takes; 0: the strength does not fall
+  double residual_compression = 0.0;  // Pa
+  double crushing_depth = 0.01;       // m
 };
 
 enum class Baseline { none, mean, linear, parabolic };

@@ -115,12 +115,22 @@ VOUSSOIR_INLINE LaneMask touching_lanes(ContactPoints q, const Candidate& c, std
   return equal(q.partner + i, c.element) & equal(q.face + i, face);
 }
 
+/// Those of a chunk that touch one face and are pressed harder than they bear.
+[[gnu::noinline]] void crush(Work& w, const Facing& f, int i, unsigned mine) noexcept {
+  for (; mine != 0; mine &= mine - 1) {
+    const int k = i + std::countr_zero(mine);
+    crush_point(f, w.points.s[k], w.points.t[k], w.points.area[k], w.q, k, w.o, w.r);
+  }
+}
+
 /// Points of the patch in the range of a candidate that touch one face of it.
 void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face, Touching& sum) noexcept {
   const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
   for (int i = c.first; i < c.last; i += kWidth) {
     const LaneMask mine = touching_lanes(w.q, c, face, i);
-    if (bits(mine) != 0) touch(f, g, w.points, w.q, i, mine, sum);
+    if (bits(mine) == 0) continue;
+    if (w.q.crushed != nullptr) crush(w, f, i, bits(mine));
+    touch(f, g, w.points, w.q, i, mine, sum);
   }
 }
 

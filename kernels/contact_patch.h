@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "kernels/crushing.h"
 #include "kernels/lanes.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
@@ -64,7 +65,10 @@ struct ContactPoints {
   std::int32_t* partner = nullptr;  // element, kNobody: free
   std::int32_t* face = nullptr;     // of the partner, in the table of faces; kNoFace: inside but carries no force
   PointSprings* springs = nullptr;
+  double* crushed = nullptr;  // m, by point; nullptr: contacts bear any pressure
 
+  /// Closure of a free point: by what it has been crushed.
+  [[nodiscard]] double recess(int i) const noexcept { return crushed == nullptr ? 0.0 : -crushed[i]; }
   [[nodiscard]] PointSprings& springs_at(int i) const noexcept { return springs[i / kWidth]; }
   [[nodiscard]] double& closure(int i) const noexcept { return springs_at(i).closure[i % kWidth]; }
   [[nodiscard]] Vec3 slip(int i) const noexcept {
@@ -114,6 +118,7 @@ struct ContactOptions {
   // Points also meet the face through which they came, if it does not oppose theirs (see patch_work.h). false, where points lie on the
   // edges of their faces: such a point stands on the faces beside it too, whose own points carry it. It stays free, and whole bodies meet.
   bool crossed_faces = true;
+  Crushing crushing{};
 };
 
 /// What never changes of a body.
@@ -138,8 +143,8 @@ struct PatchScratch {
 };
 
 struct PatchResult {
-  double stored = 0.0, friction = 0.0, impact = 0.0;  // J
-  int touching = 0;                                   // points with a partner after the step
+  double stored = 0.0, friction = 0.0, impact = 0.0, fracture = 0.0;  // J
+  int touching = 0;                                                   // points with a partner after the step
 };
 
 /// Depth u_n [m] (negative: inside) of the point (s, t) of a patch under a face of another element, along the normal that the law uses.

@@ -119,6 +119,14 @@ struct SumRows {
   double total[12], dash[12];
 };
 
+/// Lets contacts of one side give way that are pressed too hard. \return J, lost by it
+[[gnu::noinline]] double crush_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
+                                    const BlockState& state, double step) noexcept {
+  const auto normal = [&](int k) { return f.value[k][0][lane]; };
+  return crush_segments({normal(0), normal(1), normal(2), normal(3), normal(4), normal(5)}, block.constants->kn[l], parts.factor,
+                        parts.points, parts.segments, step, *state.crushing, state.crushed[l]);
+}
+
 /// All segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
                                   const SoftSide* soft, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
@@ -194,9 +202,8 @@ void report_facing(const SideBlock& block, int at, const LaneFields& f, unsigned
 
 }  // namespace
 
-unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::int64_t first, const SideParts* parts, const SoftSide* soft,
-                         Kinematics& k, const Rows& rows, StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result,
-                         EventSink& sink) noexcept {
+unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
+                         StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   LaneFields fields;
   const FrameLanes f = frame_of(block, at, k, k.n);
@@ -210,14 +217,17 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, std::i
       std::fill_n(by_lane[l].dash, 12, 0.0);
       continue;
     }
-    const SoftSide* softens = soft != nullptr && soft[l].wear != nullptr ? soft + l : nullptr;
-    advance_side(block, at + l, fields, l, parts[l], softens, clock, o, found_literally, by_lane[l], result[l], sink);
+    const SideParts& parts = state.parts[at + l];
+    const SoftSide* softens = state.soft != nullptr && state.soft[at + l].wear != nullptr ? state.soft + at + l : nullptr;
+    const double crushing = state.crushing == nullptr ? 0.0 : crush_side(block, at + l, fields, l, parts, state, clock.dt);
+    advance_side(block, at + l, fields, l, parts, softens, clock, o, found_literally, by_lane[l], result[l], sink);
+    result[l].fracture += crushing;
     touching |= static_cast<unsigned>(result[l].touching) << l;
   }
   const LaneMask mask = lanes_of(chosen);
   const SumLanes found = global_sums(f, by_lane, &SumRows::total);
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
-  if (touching != 0) assemble(block, at, first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
+  if (touching != 0) assemble(block, at, state.first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
   report_facing(block, at, fields, chosen, result);
   return touching;
 }

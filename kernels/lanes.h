@@ -51,7 +51,7 @@ VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(x);
 #else
-  Lanes y;
+  Lanes y{};
   for (int i = 0; i < kWidth; ++i) y[i] = std::sqrt(x[i]);
   return y;
 #endif

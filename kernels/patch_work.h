@@ -108,7 +108,7 @@ inline void release(ContactPoints q, int i) noexcept {
   q.partner[i] = kNobody;
   q.face[i] = kNoFace;
   q.set_slip(i, {});
-  q.closure(i) = 0.0;
+  q.closure(i) = q.recess(i);
 }
 
 /// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
@@ -174,6 +174,17 @@ inline void record_opening(const Facing& f, const Pose& master, double s, double
   const double da = f.factor * area;
   r.impact += 0.5 * da * f.k.kn * (before * before + before * step * vn);
   r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
+}
+
+/// Lets point i, which touches, give way if it is pressed harder than it bears, before the law of contact is asked (kernels/crushing.h).
+inline void crush_point(const Facing& f, double s, double t, double area, ContactPoints q, int i, const ContactOptions& o,
+                        PatchResult& r) noexcept {
+  const double xn = f.depth.at(s, t) - q.closure(i), by = crushed_further(xn, q.crushed[i], f.k.kn, o.crushing);
+  if (by == 0.0) return;
+  const double du = o.step * dot(f.v0 + s * f.vs + t * f.vt, f.n);
+  r.fracture += f.factor * area * lost_by_crushing(xn, by, du, f.k.kn);
+  q.crushed[i] += by;
+  q.closure(i) -= by;
 }
 
 /// What a look at a pair has worked out for its forces.
@@ -314,7 +325,7 @@ inline void take_partners(Work& w) noexcept {
     w.q.partner[i] = w.candidates[static_cast<std::size_t>(k)].element;
     w.q.face[i] = w.scratch.face[i];
     w.changed = true;
-    if (w.q.face[i] != kNoFace) w.q.closure(i) = std::min(0.0, -w.scratch.depth[i]);
+    if (w.q.face[i] != kNoFace) w.q.closure(i) = std::min(w.q.recess(i), -w.scratch.depth[i]);
   }
 }
 

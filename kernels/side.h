@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "kernels/crushing.h"
 #include "kernels/lanes.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
@@ -129,6 +130,17 @@ struct EventSink {
 SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
                                double time, FailureOptions o, EventSink& sink) noexcept;
 
+/// What the faces of a side do along their normal: u_n(s,t) [m] and its rate [m/s], d + s·ds + t·dt.
+struct NormalFields {
+  double d, ds, dt, v, vs, vt;
+};
+/// Lets segments without a bond give way that are pressed harder than they bear, before the law of contact is asked (kernels/crushing.h).
+/// \param factor   of Eq. 11, on the segment areas
+/// \param crushed  m, by segment
+/// \return J, lost by it
+double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
+                      double* crushed) noexcept;
+
 /// Elastic energy in the springs of a side as they are [J]: of bonded segments, of contacts.
 struct SideEnergy {
   double bonds = 0.0, contact = 0.0;
@@ -200,12 +212,14 @@ struct alignas(64) SteadySides {
 struct BlockState {
   const SideState* side_state = nullptr;  // kLanes
   const SteadySides* steady = nullptr;
-  const SideParts* parts = nullptr;  // kLanes
-  const SoftSide* soft = nullptr;    // kLanes; nullptr: no law of the model softens
-  std::int64_t first = 0;            // number of the first side
-  unsigned live = 0;                 // bit mask of the lanes that take part
-  bool look_closely = false;         // look also at open sides, which may have come apart
-  bool bound_tried = false;          // in this step advance_whole has not found the lanes that take part certain to stay whole
+  const SideParts* parts = nullptr;    // kLanes
+  const SoftSide* soft = nullptr;      // kLanes; nullptr: no law of the model softens
+  const Crushing* crushing = nullptr;  // of all contacts; nullptr: they bear any pressure
+  double* const* crushed = nullptr;    // kLanes, then by segment [m]
+  std::int64_t first = 0;              // number of the first side
+  unsigned live = 0;                   // bit mask of the lanes that take part
+  bool look_closely = false;           // look also at open sides, which may have come apart
+  bool bound_tried = false;            // in this step advance_whole has not found the lanes that take part certain to stay whole
 };
 
 /// The clock of a step.

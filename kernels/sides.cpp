@@ -44,8 +44,7 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   const unsigned left = live & ~(certain | still_open);
   unsigned touching = 0;
   if (left != 0) {
-    const SoftSide* soft = state.soft == nullptr ? nullptr : state.soft + at;
-    touching = advance_damaged(block, at, left, state.first, state.parts + at, soft, k, rows, clock, o, sums, result + at, sink);
+    touching = advance_damaged(block, at, left, state, k, rows, clock, o, sums, result + at, sink);
   }
   assemble(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
   note_left(rows, state.first + at, certain | left, touching);

@@ -96,11 +96,12 @@ void check_softening(const JointLaw& s, const RuleCheck& check) {
     check.fault("fracture_energy_shear", "does not go with cohesion = 0; allowed: 0, or with a cohesion above 0 Pa");
   const bool softens = s.fracture_energy_tension > 0.0 || s.fracture_energy_shear > 0.0;
   // A resolved case gives every key: the default says nothing.
-  if (s.softening != cases::SofteningCurve::exponential && !softens)
+  if (s.softening != SofteningCurve::exponential && !softens)
     check.fault("softening", "needs fracture_energy_tension or fracture_energy_shear (J/m2, > 0)");
   if (s.dilatancy > 0.0 && s.fracture_energy_shear <= 0.0)
     check.fault("dilatancy", "needs fracture_energy_shear (J/m2, > 0), over which it dies");
-  if (s.dilatancy > s.friction) check.fault("dilatancy", "is more than friction = " + value_text(s.friction) + " degrees; allowed: 0 to friction");
+  if (s.dilatancy > s.friction)
+    check.fault("dilatancy", "is more than friction = " + value_text(s.friction) + " degrees; allowed: 0 to friction");
 }
 
 void check_stiffness(const JointLaw& s, const RuleCheck& check) {
@@ -118,7 +119,7 @@ Table<JointLaw> joint_law_table() {
            required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
                              "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
            required(value<S>("compression", &S::compression, "Pa", above(0.0),
-                             "compressive strength f_m of the bond; contacts bear any pressure")),
+                             "compressive strength f_m of the bond; of contacts: contact.compression")),
            value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
            value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
            value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
@@ -201,6 +202,19 @@ Table<ContactRule> contact_rule_table() {
           nullptr};
 }
 
+void check_crushing(const Contact& c, const RuleCheck& check) {
+  if (c.compression <= 0.0) {
+    const char* why = "needs compression (Pa, > 0): without it contacts bear any pressure";
+    if (c.crushing_energy > 0.0) check.fault("crushing_energy", why);
+    if (c.residual_compression > 0.0) check.fault("residual_compression", why);
+    return;
+  }
+  if (c.residual_compression > 0.0 && c.crushing_energy <= 0.0)
+    check.fault("residual_compression", "needs crushing_energy (J/m2, > 0), over which strength falls to it");
+  if (c.residual_compression >= c.compression)
+    check.fault("residual_compression", "is no less than compression = " + value_text(c.compression) + " Pa; allowed: 0 to below that");
+}
+
 Table<Contact> contact_table() {
   using S = Contact;
   return {
@@ -210,8 +224,16 @@ Table<Contact> contact_table() {
        value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
+       value<S>("compression", &S::compression, "Pa", at_least(0.0),
+                "pressure at which contacts crush: broken joints and bodies that meet at their points; 0: they bear any pressure"),
+       value<S>("crushing_energy", &S::crushing_energy, "J/m2", at_least(0.0),
+                "that crushing takes above the residual, more than (compression - residual)^2 / (2 k_n); 0: strength does not fall"),
+       value<S>("residual_compression", &S::residual_compression, "Pa", at_least(0.0),
+                "that crushed contacts still bear, less than compression; needs crushing_energy"),
+       value<S>("crushing_depth", &S::crushing_depth, "m", above(0.0),
+                "most that a contact point is crushed: what is crushed so far is compacted and bears any pressure"),
        table<S>("between", &S::between, contact_rule_table())},
-      nullptr};
+      [](const S& s, const RuleCheck& check) { check_crushing(s, check); }};
 }
 
 Table<Case> segments_table() {

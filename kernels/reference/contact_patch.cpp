@@ -67,7 +67,7 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
   if (first == w.points.n) return false;
   const InSlave y = slave_frame(w, c);
   GlobalSums total, dash;
-  Facing f;
+  Facing f{};
   std::int32_t face = kNoFace;
   for (int i = first; i < w.points.n; ++i) {
     if (w.q.partner[i] != c.element) continue;
@@ -77,6 +77,7 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
       face = w.q.face[i];
       f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
     }
+    if (w.q.crushed != nullptr) crush_point(f, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o, w.r);
     touch(f, w.m.pose, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o.step, total, dash, w.r);
   }
   if (face == kNoFace) return false;

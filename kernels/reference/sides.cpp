@@ -73,9 +73,9 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
     const Local u = f.d + s * f.ds + t * f.dt;
     const Local rate = f.v + s * f.vs + t * f.vt;
     SegmentState state{q.bond[i], q.slip1(i), q.slip2(i), q.closure(i)};
-    const SegmentStep out = side.soft == nullptr ? advance_segment(state, u, rate, step, side.k, side.strength, o)
-                                                 : advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength,
-                                                                        side.soft->law, o);
+    const SegmentStep out = side.soft == nullptr
+                                ? advance_segment(state, u, rate, step, side.k, side.strength, o)
+                                : advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength, side.soft->law, o);
     q.bond[i] = state.bond;
     q.slip1(i) = state.slip1, q.slip2(i) = state.slip2, q.closure(i) = state.closure;
     record(out, q, i, id, time, sink);
@@ -91,6 +91,21 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
   return r;
 }
 
+double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
+                      double* crushed) noexcept {
+  double lost = 0.0;
+  for (int i = 0; i < p.n; ++i) {
+    if (holds(q.bond[i])) continue;
+    const double s = p.s[i], t = p.t[i], xn = f.d + s * f.ds + t * f.dt - q.closure(i);
+    const double by = crushed_further(xn, crushed[i], kn, a);
+    if (by == 0.0) continue;
+    lost += factor * p.area[i] * lost_by_crushing(xn, by, step * (f.v + s * f.vs + t * f.vt), kn);
+    crushed[i] += by;
+    q.closure(i) -= by;
+  }
+  return lost;
+}
+
 SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept {
   SideEnergy e;
   for (int i = 0; i < p.n; ++i) {
@@ -99,8 +114,8 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
     const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
     const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};
-    const double stored = held && side.soft != nullptr ? stored_when_worn(x, side.soft->wear[i], side.k, side.soft->law)
-                                                       : detail::stored_energy(x, side.k);
+    const double stored =
+        held && side.soft != nullptr ? stored_when_worn(x, side.soft->wear[i], side.k, side.soft->law) : detail::stored_energy(x, side.k);
     (held ? e.bonds : e.contact) += side.factor * p.area[i] * stored;
   }
   return e;
@@ -116,11 +131,15 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
     const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
+    const NormalFields normal{f.d.n, f.ds.n, f.dt.n, f.v.n, f.vs.n, f.vt.n};
+    const double crushing = state.crushing == nullptr ? 0.0
+                                                      : crush_segments(normal, side.k.kn, side.factor, parts.points, parts.segments,
+                                                                       clock.dt, *state.crushing, state.crushed[l]);
     const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
     hand_out(side, state.first + l, f, r, rows);
     result[l] = {.friction = r.friction,
                  .impact = r.impact,
-                 .fracture = r.fracture,
+                 .fracture = r.fracture + crushing,
                  .held = r.held,
                  .events = sink.count - before,
                  .touching = r.touching,

@@ -116,6 +116,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   patch.stored = r.stored;
   patch.friction += r.friction;
   patch.impact += r.impact;
+  patch.fracture += r.fracture;
 }
 
 /// Calls `use(slot, is_slave)` for the slots of an element that push, in their order. (Flags are 0 or 1; the first is the lowest byte.)

@@ -75,7 +75,7 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
     q.partner[i] = kernels::kNobody;
     q.face[i] = kernels::kNoFace;
     q.set_slip(i, {});
-    q.closure(i) = 0.0;
+    q.closure(i) = q.recess(i);
     --patch.touching;
   }
   if (patch.touching > 0) return;

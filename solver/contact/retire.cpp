@@ -62,6 +62,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
+    if (to.crushed != nullptr) to.crushed[k] = w.sides.crushed_of[i][k], to.closure(k) = to.recess(k);
     if (u.n - q.closure(k) >= 0.0) continue;
     // Still bonded while it slid half a segment: only the elastic part of its shear lives on.
     const bool held = kernels::holds(q.bond[k]);

@@ -57,6 +57,8 @@ void advance_block(const BlockStep& step, std::int32_t number, std::optional<uns
                                       .steady = &s.steady[block],
                                       .parts = s.parts.data() + first,
                                       .soft = s.soft.empty() ? nullptr : s.soft.data() + first,
+                                      .crushing = s.crushed_of.empty() ? nullptr : &w.contact.crushing,
+                                      .crushed = s.crushed_of.empty() ? nullptr : s.crushed_of.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block] & ~whole.value_or(0U),
                                       .look_closely = look.closely,

@@ -30,6 +30,17 @@ bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
                               w.sides.steady[block]);
 }
 
+/// Slip has opened the joint for good (THEORY.md (13e)), so that it touches before its faces meet: then an opening is no proof of no force.
+bool stands_out(const World& w, std::size_t id) {
+  const kernels::SoftSide* soft = w.sides.soft_side(static_cast<std::int64_t>(id));
+  if (soft == nullptr || soft->law.dilatancy == 0.0) return false;
+  const kernels::SideParts& parts = w.sides.parts[id];
+  for (int i = 0; i < parts.points.n; ++i) {
+    if (parts.segments.closure(i) > 0.0) return true;
+  }
+  return false;
+}
+
 /// Most looks find nothing lost: then the sum, which lies elsewhere, is not even fetched.
 void add_loss(double& sum, double loss) {
   if (loss != 0.0) sum += loss;
@@ -47,7 +58,7 @@ bool record_side(World& w, std::size_t id, const kernels::DamagedSide& r, SideLo
   add_loss(s.fracture[id], r.fracture);
   // A whole side that failed its certificate, but in which nothing happened, is still whole.
   if (s.side_state[id] == kernels::SideState::whole && r.events == 0) return false;
-  s.side_state[id] = r.held == 0 && !r.touching ? kernels::SideState::open : kernels::SideState::segments;
+  s.side_state[id] = r.held == 0 && !r.touching && !stands_out(w, id) ? kernels::SideState::open : kernels::SideState::segments;
   if (comes_apart(w, id, r)) return true;
   if (look.for_steady && found_steady(w, id, r)) s.side_state[id] = kernels::SideState::steady;
   return false;

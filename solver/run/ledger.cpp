@@ -51,7 +51,7 @@ double total(const Elements& e, kernels::Tally book) {
 void Ledger::restart(World& w) {
   std::ranges::fill(w.elements.tally, 0.0);
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
-  for (FreePatch& p : w.patches.patch) p.friction = p.impact = 0.0;
+  for (FreePatch& p : w.patches.patch) p.friction = p.impact = p.fracture = 0.0;
   w.overlaps.friction = w.overlaps.impact = 0.0;
   for (kernels::TieState& s : w.ties.state) s.lost = s.released = 0.0;
   *this = Ledger(w);
@@ -111,7 +111,7 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
                 w.overlaps.impact;
   row.friction =
       total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
-  row.fracture = total(w.sides.fracture) + total(w.ties, &kernels::TieState::released);
+  row.fracture = total(w.sides.fracture) + total(w.patches, &FreePatch::fracture) + total(w.ties, &kernels::TieState::released);
 }
 
 EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) {

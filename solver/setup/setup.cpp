@@ -28,6 +28,7 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   p.partner.resize(end, kernels::kNobody);
   p.face.resize(end, kernels::kNoFace);
   p.springs.resize(end / kernels::kWidth);
+  if (w.contact.crushing.on()) p.crushed.resize(end, 0.0);
 }
 
 void set_up_patches(World& w) {
@@ -108,6 +109,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
                 .friction = {w->friction.data(), static_cast<std::int32_t>(m.materials.size()) + 1},
                 .master_normal = c.contact.normal == cases::ContactNormal::master};
   w->contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
+  w->contact.crushing = crushing_of(c.contact);
   set_up_elements(*w, c);
   w->contact.base = w->elements.base;
   set_up_faces(*w);
@@ -117,6 +119,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_overlaps(*w);
   set_up_side_views(*w);
   set_up_softening(*w);
+  set_up_crushing(*w, c.contact);
   set_up_side_gather(*w, c);
   set_up_ties(*w);
   set_up_loads(*w, c);

@@ -28,6 +28,10 @@ void set_up_overlaps(World& w);
 void set_up_side_views(World& w);
 /// How bonds soften, and what each has gone through, where a law asks for it. \pre sides have their views
 void set_up_softening(World& w);
+/// How contacts give way under pressure, as the case says it.
+kernels::Crushing crushing_of(const cases::Contact& c);
+/// What each segment has gone through of it. \pre sides have their views
+void set_up_crushing(World& w, const cases::Contact& c);
 /// The buffer for pairs, for --scatter gather and for cuts, and the lists of the former.
 void set_up_side_gather(World& w, const cases::Case& c);
 /// Ties, their stiffness no more than the step allows. \pre sides have their views

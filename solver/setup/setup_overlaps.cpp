@@ -82,7 +82,7 @@ void set_up_overlaps(World& w) {
     const double edge = std::cbrt(m.assembly.elements[i].mass.volume);
     o.stiffness_n.push_back(2.0 * edge * material.young / (1.0 - material.poisson * material.poisson));
     o.stiffness_s.push_back(edge * material.young / (1.0 + material.poisson));
-    o.allowed.push_back(allowed * m.blocks[i].segment_size);
+    o.allowed.push_back(allowed * m.blocks[i].segment_size + (w.contact.crushing.on() ? w.contact.crushing.depth : 0.0));
   }
 }
 

@@ -97,6 +97,7 @@ void add_sides(Table& t, Sides& s) {
                      field("segment_first_time", "s", "segment", s.first_time), of_segments("segment_slip1", first.slip1),
                      of_segments("segment_slip2", first.slip2), of_segments("segment_closure", first.closure)});
   if (s.wear.size() != 0) t.push_back(field("segment_wear", "-", "segment of a side that softens", s.wear));
+  if (s.crushed.size() != 0) t.push_back(field("segment_crushed", "m", "segment", s.crushed));
   t.push_back(rows<double>("side_steady", "SI", "block of sides", s.steady, sizeof(kernels::SteadySides) / sizeof(double)));
 }
 
@@ -117,6 +118,9 @@ void add_patches(Table& t, World& w) {
             field("point_partner", "-", "point", p.partner, -1, elements - 1), field("point_face", "-", "point", p.face, -1, faces - 1),
             of_points("point_slip_x", springs.slip_x), of_points("point_slip_y", springs.slip_y), of_points("point_slip_z", springs.slip_z),
             of_points("point_closure", springs.closure)});
+  if (!w.contact.crushing.on()) return;
+  t.push_back(of_patch("patch_fracture", "J", &first.fracture));
+  t.push_back(field("point_crushed", "m", "point", p.crushed));
 }
 
 void add_overlaps(Table& t, World& w) {

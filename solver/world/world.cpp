@@ -73,7 +73,8 @@ kernels::Side Sides::side(std::int64_t id) const noexcept {
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
   const auto at = static_cast<std::size_t>(patch[static_cast<std::size_t>(p)].first_point);
-  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth};
+  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth,
+          crushed.size() == 0 ? nullptr : crushed.data() + at};
 }
 
 }  // namespace voussoir::solver

@@ -99,6 +99,8 @@ struct Sides {
   ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
   std::vector<kernels::SoftSide> soft;             // by side; empty: no law of the model softens
   ZeroArray<double> wear;                          // State by segment of the sides that soften, kernels/softening.h
+  std::vector<double*> crushed_of;                 // by side, into `crushed`; empty: contacts bear any pressure
+  ZeroArray<double> crushed;                       // m, State by segment, kernels/crushing.h
   // State by side.
   Array<kernels::SideState> side_state;
   Array<std::uint8_t> retired;               // lives on as free patches
@@ -121,10 +123,10 @@ struct Sides {
 
 /// A free patch and what it has been through: three cache lines, all of which a patch needs that is pushed.
 struct alignas(64) FreePatch : kernels::Patch {
-  std::int32_t set = 0;                               // of its points in World::points
-  std::int32_t touching = 0;                          // points with a partner (state)
-  std::int64_t first_point = 0;                       // into the arrays by point, a multiple of kLanes
-  double stored = 0.0, friction = 0.0, impact = 0.0;  // J (state)
+  std::int32_t set = 0;                                               // of its points in World::points
+  std::int32_t touching = 0;                                          // points with a partner (state)
+  std::int64_t first_point = 0;                                       // into the arrays by point, a multiple of kLanes
+  double stored = 0.0, friction = 0.0, impact = 0.0, fracture = 0.0;  // J (state)
 };
 static_assert(sizeof(FreePatch) == 192);
 
@@ -137,6 +139,7 @@ struct Patches {
   // State by point.
   Array<std::int32_t> partner, face;
   Array<kernels::PointSprings> springs;  // of kWidth points each
+  Array<double> crushed;                 // m; empty: contacts bear any pressure
 
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };

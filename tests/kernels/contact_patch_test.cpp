@@ -44,6 +44,7 @@ struct Twin {
   std::vector<kernels::PointSprings> springs = std::vector<kernels::PointSprings>(kPadded / kernels::kWidth);
   std::vector<std::int32_t> partner = std::vector<std::int32_t>(kPadded, kernels::kNobody),
                             face = std::vector<std::int32_t>(kPadded, kernels::kNoFace);
+  std::vector<double> crushed{};  // m, by point; empty: contacts bear any pressure
   kernels::Patch patch;
   std::vector<kernels::Candidate> candidates{{1, 6, 6}, {2, 12, 1}};
   kernels::PairWrench wrench[2];
@@ -67,8 +68,9 @@ struct Twin {
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, travel};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
-    last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, {partner.data(), face.data(), springs.data()}, last.touching,
-                   candidates, bodies, bricks.faces.data(), o, {depth.data(), candidate.data(), new_face.data()}, wrench, on);
+    const kernels::ContactPoints points{partner.data(), face.data(), springs.data(), crushed.empty() ? nullptr : crushed.data()};
+    last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, points, last.touching, candidates, bodies, bricks.faces.data(), o,
+                   {depth.data(), candidate.data(), new_face.data()}, wrench, on);
   }
 };
 
@@ -125,6 +127,46 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
   CHECK(in_over_face > 50);  // beside others that touch, before both bodies have gone what is safe for the rest
   MESSAGE("steps in touch " << touching << ", letting go " << letting_go << ", on the base " << on_base << ", without a look "
                             << not_looked << ", points in over the face " << in_over_face);
+}
+
+TEST_CASE("vector and plain patches crush the same way, and what is crushed stays so when a point lets go") {
+  const Bricks bricks;
+  int crushed = 0, recessed = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+    for (Twin* t : {&fast, &plain}) t->crushed.assign(kPadded, 0.0);
+    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0, 2};
+    o.crushing = seed % 2 ? kernels::Crushing{.strength = 4e4, .residual = 1e4, .slope = 2e8, .depth = 5e-4}
+                          : kernels::Crushing{.strength = 3e4, .depth = 2e-4};
+    Noise noise(100 + seed);
+    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
+      w = 0.99 * w + noise.vector(3e-2);
+      u = u + kStep * v, turn = turn + kStep * w;
+      TwoBodies b;
+      b.place(0, u, turn), b.move(0, v, w);
+      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
+      fast.step(b, bricks, o), plain.step(b, bricks, o);
+      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
+      compare(fast, plain, unit);
+      lost_fast += fast.last.fracture, lost_plain += plain.last.fracture;
+      REQUIRE(plain.last.fracture >= -1e-12);
+      for (int k = 0; k < kPoints; ++k) {
+        const auto p = static_cast<std::size_t>(k);
+        REQUIRE(fast.crushed[p] == doctest::Approx(plain.crushed[p]).epsilon(1e-8).scale(1e-6));
+        const kernels::ContactPoints q{plain.partner.data(), plain.face.data(), plain.springs.data(), plain.crushed.data()};
+        if (plain.partner[p] != kernels::kNobody || plain.crushed[p] == 0.0) continue;
+        REQUIRE(q.closure(k) == -plain.crushed[p]);
+        ++recessed;
+      }
+    }
+    CHECK(lost_fast == doctest::Approx(lost_plain).epsilon(1e-7).scale(1e-4));
+    for (const double depth : plain.crushed) crushed += depth > 0.0;
+  }
+  CHECK(crushed > 50);
+  CHECK(recessed > 500);
 }
 
 TEST_CASE("a patch keeps the stiffness of its broken joint against the face it was joined to, and against no other") {

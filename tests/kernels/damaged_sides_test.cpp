@@ -63,6 +63,11 @@ kernels::Softening soft_law(int option) {
   return {.opening = 1.5, .slip = 1e-4, .dilatancy = option % 2 == 0 ? 0.3 : 0.0, .linear = option > 1};
 }
 
+/// Shaker presses broken segments harder than this, some of them beyond the depth.
+kernels::Crushing crushing_law(int option) {
+  return option % 2 == 0 ? kernels::Crushing{.strength = 8e4, .residual = 2e4, .slope = 3e8, .depth = 4e-4}
+                         : kernels::Crushing{.strength = 5e4, .depth = 2e-4};
+}
 
 }  // namespace
 
@@ -135,13 +140,45 @@ TEST_CASE("vector and plain segments of a side that softens go the same way") {
   }
 }
 
+TEST_CASE("vector and plain segments of a side whose contacts crush go the same way") {
+  for (int option = 0; option < 4; ++option) {
+    CAPTURE(option);
+    int crushed = 0, at_depth = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);
+      if (seed % 3 == 0) u.put_onto_base();
+      if (option > 1) u.soften(soft_law(option));
+      u.crush(crushing_law(option));
+      Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
+      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
+      double unit = 1.0;
+      for (int i = 0; i < 800; ++i) {
+        const TwoBodies b = shaker.at(1e-2);
+        fast.step(b, i * kStep, {});
+        plain.step(b, i * kStep, {});
+        unit = std::max({unit, norm(plain.last.force_a)});
+        compare(fast, plain, unit);
+        for (std::size_t k = 0; k < u.crushed.size(); ++k) {
+          CHECK(fast.u.crushed[k] == doctest::Approx(plain.u.crushed[k]).epsilon(1e-8).scale(1e-6));
+        }
+      }
+      for (const double depth : plain.u.crushed) crushed += depth > 0.0, at_depth += depth == u.crushing.depth;
+      CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
+    }
+    CHECK(crushed > 20);
+    MESSAGE(crushed << " points crushed, " << at_depth << " as far as they can be");
+  }
+}
+
 TEST_CASE("what the springs of a side take is stored or lost, whatever path they are led along, and no loss is a gain") {
   for (kernels::AdvanceSides* kernel : {&kernels::advance_sides, &kernels::advance_sides_reference}) {
-    for (std::uint64_t seed = 1; seed <= 32; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       Twin t{SideUnderTest(4, 4, 0.5), *kernel};
+      const std::uint64_t path = seed > 32 ? seed - 20 : seed;
+      if (seed > 32) t.u.crush(crushing_law(static_cast<int>(seed)));
       if (seed > 20) t.u.soften(soft_law(static_cast<int>(seed) % 4));
       t.u.side.k.cn = t.u.side.k.cs = 0.0;
-      Shaker shaker{Noise(100 + seed)};
+      Shaker shaker{Noise(100 + path)};
       double work = 0.0, most = 0.0, off = 0.0, least_loss = 0.0;  // J; work on the springs by the trapezoid rule
       Vec3 force{}, torque{};
       for (int i = 0; i < 600; ++i) {

@@ -57,6 +57,8 @@ struct SideUnderTest {
   std::vector<kernels::SegmentSprings> springs;
   kernels::Softening softening;
   std::vector<double> wear;  // by segment; empty: its bonds do not soften
+  kernels::Crushing crushing;
+  std::vector<double> crushed;  // by segment; empty: its contacts bear any pressure
   int n = 0;
 
   SideUnderTest(int ns, int nt, double mean) {
@@ -82,6 +84,7 @@ struct SideUnderTest {
   }
 
   void soften(kernels::Softening law) { softening = law, wear.assign(s.size(), 0.0); }
+  void crush(kernels::Crushing law) { crushing = law, crushed.assign(s.size(), 0.0); }
   kernels::SoftSide soft() { return {softening, wear.empty() ? nullptr : wear.data()}; }
 
   /// Against the base instead of the other body.
@@ -150,8 +153,16 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  const kernels::BlockState block{
-      .side_state = states, .steady = &u.steady, .parts = parts, .soft = u.wear.empty() ? nullptr : soft, .first = 0, .live = 1U << kLane};
+  double* crushed[kernels::kLanes] = {};
+  crushed[kLane] = u.crushed.data();
+  const kernels::BlockState block{.side_state = states,
+                                  .steady = &u.steady,
+                                  .parts = parts,
+                                  .soft = u.wear.empty() ? nullptr : soft,
+                                  .crushing = u.crushed.empty() ? nullptr : &u.crushing,
+                                  .crushed = u.crushed.empty() ? nullptr : crushed,
+                                  .first = 0,
+                                  .live = 1U << kLane};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, dashpot, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));

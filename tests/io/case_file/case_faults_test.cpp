@@ -100,6 +100,15 @@ TEST_CASE("faults: ranges name the value and what is allowed") {
   CHECK(refusal(material, {"materials.m.young=0"}) != "accepted");
   CHECK(refusal("[contact]\nfriction = 90") == "test.toml:2: contact.friction = 90 degrees: must be in [0, 90)");
   CHECK(refusal("[contact]\nfriction = 0") == "accepted");
+  CHECK(refusal("[contact]\ncompression = -1") == "test.toml:2: contact.compression = -1 Pa: must be >= 0");
+  CHECK(refusal("[contact]\ncompression = 1e6\ncrushing_depth = 0").starts_with("test.toml:3: contact.crushing_depth = 0 m"));
+  CHECK(refusal("[contact]\ncrushing_energy = 5").starts_with("test.toml:2: contact.crushing_energy = 5 J/m2 needs compression"));
+  CHECK(refusal("[contact]\nresidual_compression = 5").starts_with("test.toml:2: contact.residual_compression = 5 Pa needs compression"));
+  CHECK(refusal("[contact]\ncompression = 2e6\nresidual_compression = 1e5")
+            .starts_with("test.toml:3: contact.residual_compression = 1e+05 Pa needs crushing_energy"));
+  CHECK(refusal("[contact]\ncompression = 2e6\ncrushing_energy = 900\nresidual_compression = 2e6")
+            .starts_with("test.toml:4: contact.residual_compression = 2e+06 Pa is no less than compression"));
+  CHECK(refusal("[contact]\ncompression = 2e6\ncrushing_energy = 900\nresidual_compression = 2e5") == "accepted");
   CHECK(refusal("[[contact.between]]\nmaterials = [\"a\", \"base\"]\nfriction = 90") ==
         "test.toml:3: contact.between[0].friction = 90 degrees: must be in [0, 90)");
   CHECK(refusal("[contact]\nbetween = [ {friction = 30} ]").starts_with("test.toml:2: contact.between[0].materials is missing"));
@@ -180,6 +189,7 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(softening("fracture_energy_shear = -1").starts_with("test.toml:6: joint_laws.n.fracture_energy_shear = -1"));
   CHECK(softening("fracture_energy_shear = 1\nsoftening = \"steep\"").starts_with("test.toml:7: joint_laws.n.softening = \"steep\""));
   CHECK(softening("softening = \"linear\"").find("needs fracture_energy_tension or fracture_energy_shear") != std::string::npos);
+  CHECK(softening("softening = \"exponential\"") == "accepted");  // as a resolved case says of a brittle law
   CHECK(softening("residual_friction = 90").starts_with("test.toml:6: joint_laws.n.residual_friction = 90"));
   CHECK(softening("dilatancy = 10").find("needs fracture_energy_shear") != std::string::npos);
   CHECK(softening("fracture_energy_shear = 1\ndilatancy = 31").find("is more than friction = 30") != std::string::npos);
@@ -189,7 +199,8 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal(law + "normal_stiffness = 1e9\nshear_stiffness = 4e8\n") == "accepted");
   CHECK(refusal(law + "normal_stiffness = 1e9").starts_with("test.toml:1: joint_laws.n.shear_stiffness is missing"));
   CHECK(refusal(law + "shear_stiffness = 1e9").starts_with("test.toml:1: joint_laws.n.normal_stiffness is missing"));
-  CHECK(refusal(law + "normal_stiffness = 0\nshear_stiffness = 1").starts_with("test.toml:6: joint_laws.n.normal_stiffness = 0 Pa/m: must be"));
+  CHECK(refusal(law + "normal_stiffness = 0\nshear_stiffness = 1")
+            .starts_with("test.toml:6: joint_laws.n.normal_stiffness = 0 Pa/m: must be"));
   CHECK(refusal(law + "normal_stiffness = 1\nshear_stiffness = inf").starts_with("test.toml:7: joint_laws.n.shear_stiffness"));
   CHECK(refusal(law + "thickness = 0.01\nyoung = 1\npoisson = 0\nnormal_stiffness = 1\nshear_stiffness = 1")
             .starts_with("test.toml:6: joint_laws.n.thickness = 0.01 m does not go with normal_stiffness"));

@@ -64,6 +64,10 @@ TEST_CASE("case file: every key of the analysis is read") {
   CHECK(c.contact.friction == 30.0);
   CHECK(c.contact.damping == 0.5);
   CHECK(c.contact.normal == cases::ContactNormal::master);
+  CHECK(c.contact.compression == 6.5e6);
+  CHECK(c.contact.crushing_energy == 4000.0);
+  CHECK(c.contact.residual_compression == 7.0e5);
+  CHECK(c.contact.crushing_depth == 0.008);
   REQUIRE(c.contact.between.size() == 2);
   CHECK(c.contact.between[0].materials == std::array<std::string, 2>{"old wood", "base"});
   CHECK(c.contact.between[0].friction == 20.0);

@@ -44,6 +44,7 @@ cases::Case everything() {
   c.loads.push_back(load);
   cases::JointLaw& mortar = c.joint_laws["mortar"];  // bonds that soften; nails do not
   mortar.fracture_energy_tension = 0.1, mortar.fracture_energy_shear = 0.2, mortar.dilatancy = 10.0;
+  c.contact.compression = 2e4, c.contact.residual_compression = 4e3, c.contact.crushing_energy = 2.0, c.contact.crushing_depth = 2e-3;
   // One that yields, one under pretension that breaks, one that goes slack.
   c.ties.push_back({.name = "rod", .from = {0.1, 0.05, 0.05}, .to = {0.5, 0.05, 0.75}, .area = 1e-6, .young = 2e9, .yield = 2e5});
   c.ties.push_back({.name = "wire",
@@ -66,6 +67,7 @@ struct Outcome {
   solver::Summary summary;
   std::int64_t retired = 0, searches = 0, touching = 0;
   std::vector<kernels::TieState> ties;
+  std::ptrdiff_t crushed_in_joints = 0, crushed_on_patches = 0;  // points
 };
 
 /// Lanes that no side has count as retired from the start.
@@ -103,7 +105,9 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
             retired_of(w.sides),
             w.contacts.searches,
             std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; }),
-            w.ties.state};
+            w.ties.state,
+            std::count_if(w.sides.crushed.data(), w.sides.crushed.data() + w.sides.crushed.size(), [](double x) { return x > 0.0; }),
+            std::ranges::count_if(w.patches.crushed, [](double x) { return x > 0.0; })};
   }
 }
 
@@ -137,6 +141,8 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
   CHECK(straight.searches > 20);
   CHECK(straight.summary.first_crack_time >= 0.0);
   CHECK(straight.summary.fallen_mass_fraction > 0.1);
+  CHECK(straight.crushed_in_joints > 0);
+  CHECK(straight.crushed_on_patches > straight.crushed_in_joints / 2);
   CHECK(straight.ties[0].plastic > 0.0);
   CHECK(straight.ties[1].broken == 1);
   const std::int64_t all = 500 + std::int64_t(kEnd / 2e-4) + 1;  // 0.1 s of settling at most
