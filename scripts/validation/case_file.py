@@ -74,8 +74,9 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
     lines += law_lines("bed", wall.bond or {"tension": 0.0, "cohesion": 0.0, "friction": angle, "compression": wall.crushing}, own)
     if wall.unit_bond:
         lines += law_lines("unit", wall.unit_bond)
+    if wall.bond:
         lines += law_lines("glue", {"tension": 1e12, "cohesion": 1e12, "friction": 30.0, "compression": 1e12})
-    lines += ["[joints]", 'default = "bed"'] + (['between = [ { materials = ["unit", "beam"], law = "glue" } ]'] if wall.unit_bond else [])
+    lines += ["[joints]", 'default = "bed"'] + (['between = [ { materials = ["unit", "beam"], law = "glue" } ]'] if wall.bond else [])
     lines += ["",
               "[contact]", f"friction = {rounded(angle)}", "",
               "[segments]", f"size = {segment or wall.segment}", 'rule = "rim"', "", "[base]", "",
