@@ -34,7 +34,8 @@ class JointRules {
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
   std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0;  // of the house
-  std::vector<std::int32_t> made_from_;                                                                            // by material
+  std::vector<std::int32_t> floors_;     // of beams with walls, by House::floors
+  std::vector<std::int32_t> made_from_;  // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };

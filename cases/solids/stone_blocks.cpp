@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "cases/blocks.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -28,7 +29,7 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
 }
 
 /// Appends one stone. \param number  of the stone in the model
-void add_stone(const Stone& stone, const Block& like, Model& model) {
+void add_stone(const Stone& stone, const Block& like, const std::string& part, Model& model) {
   for (std::size_t i = 0; i < stone.pieces.size(); ++i) {
     Block block = like;
     if (stone.pieces.size() > 1) {
@@ -36,6 +37,7 @@ void add_stone(const Stone& stone, const Block& like, Model& model) {
       block.name += "/" + std::to_string(i + 1);
     }
     block.tag = block.name;
+    set_part(part, block);
     block.shape = stone.pieces[i].shape;
     block.beds = stone.pieces[i].beds;
     block.segment_size = geometry::least_width(block.shape) / 4.0;
@@ -91,7 +93,7 @@ void add_stone_blocks(const Case& c, Model& model) {
       like.groups.clear();
       for (const std::string& group : stone.groups) like.groups.push_back(stone_name(spec, group));
       like.fixed = stone.fixed;
-      add_stone(stone, like, model);
+      add_stone(stone, like, spec.part, model);
     }
   }
 }
