@@ -123,6 +123,7 @@ void add_free_blocks(const Case& c, Model& model) {
     Block block;
     block.name = spec.name;
     block.tag = spec.name;
+    set_part(spec.part, block);
     block.material = find_material(model.materials, spec.material, key + ".material");
     block.shape = shape_of(spec, key);
     block.segment_size = (spec.faces.empty() ? shortest_edge(block.shape) : geometry::least_width(block.shape)) / 4.0;
@@ -147,6 +148,13 @@ void add_free_blocks(const Case& c, Model& model) {
       model.blocks.push_back(std::move(half));
     }
   }
+}
+
+void set_part(const std::string& part, Block& block) {
+  if (part.empty()) return;
+  block.tag = part;
+  const std::string name = part.substr(0, part.find(", storey "));
+  if (name.ends_with(" wall") || name.ends_with(" gable")) block.kind = PartKind::walling;
 }
 
 void check_loads(const Case& c) {

@@ -11,6 +11,10 @@ namespace voussoir::cases {
 /// \throw InputError with the key at fault.
 void add_free_blocks(const Case& c, Model& model);
 
+/// Makes a block that stands by itself a part of a building: its tag, and PartKind::walling if it is of a wall ("left wall",
+/// "front gable, storey 2"). \param part  empty: nothing changes
+void set_part(const std::string& part, Block& block);
+
 /// Checks that every load names a free-standing block that can move. \throw InputError with the key at fault.
 void check_loads(const Case& c);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/analysis.h"
+#include "cases/house/house_case.h"
 #include "cases/solids/stones.h"
 #include "geometry/segment_rule.h"
 #include "geometry/vec3.h"
@@ -175,6 +176,7 @@ struct SupportMotion {
 /// VTK's order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
   std::string name, material;
+  std::string part;  // of a building: "front wall", "front wall, storey 2"; empty: of none
   std::optional<std::array<Vec3, 2>> box;
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
@@ -199,105 +201,6 @@ struct Load {
 struct Base {
   double z = 0.0;                        // m
   std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
-};
-
-struct Lintel {
-  double length = 0.0, height = 0.1, element = 0.2;  // m
-};
-struct Opening {
-  std::string wall;                                          // front | rear | left | right
-  double from = 0.0, width = 0.0, sill = 0.0, height = 0.0;  // m
-  std::optional<Lintel> lintel;
-};
-struct HouseWood {
-  std::string material = "wood", within_member = "wood", between_members = "normal";
-  std::optional<std::string> timber_on_timber;  // between members of timber alone; none: between_members
-};
-/// gables: the non-bearing walls go on as under a vault, but there is none.
-enum class RoofKind { none, flat, vault, gables };
-struct Roof {
-  RoofKind kind = RoofKind::none;
-  std::array<double, 2> beam{0.2, 0.2};  // width along x, height, m (flat)
-  double element = 0.2;                  // m (flat)
-  std::string between_beams = "normal";
-  double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault; radius also gables)
-  int voussoirs = 25;                                // of a ring (vault, gables)
-  double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault)
-};
-/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
-struct Tie {
-  std::string name;
-  Vec3 from, to;                                 // m
-  double area = 0.0;                             // m2, of the section
-  double young = 2.1e11;                         // Pa
-  std::optional<double> yield{};                 // Pa; none: elastic
-  double hardening = 0.0;                        // Pa, slope of stress over strain beyond yield
-  std::optional<double> elongation{};            // strain at which it breaks; none: never
-  double pretension = 0.0;                       // N, if its ends did not move
-  bool compression = false;                      // true: a bar; false: goes slack
-  std::optional<std::array<double, 2>> plate{};  // m, width and height of the anchor plates; none: each end holds one element
-};
-/// Rods of a house, by wall and height (cases/house/house_ties.h).
-enum class HouseTieKind { along, across, corner };
-struct HouseTie {
-  HouseTieKind kind = HouseTieKind::along;
-  std::vector<std::string> walls;  // empty: all that are built
-  std::vector<double> heights;     // m, above the foot of the walls
-  std::vector<double> at;          // m, across: along the wall from the outer corner
-  std::optional<double> depth;     // m, along: from the outer face of the wall; none: in its middle
-  double reach = 0.0;              // m, corner: along both walls, from the outer corner to the rod's ends
-  Tie bar;                         // without ends
-};
-/// Bars through the wall from node to node of a mesh.
-struct MeshConnectors {
-  int every = 2;                            // nodes, along and up
-  double area = 0.0, young = 2.1e11;        // m2, Pa
-  std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
-};
-/// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
-enum class MeshFaces { both, outside, inside };
-struct HouseMesh {
-  std::string name;
-  std::vector<std::string> walls;           // empty: all that are built
-  double from = 0.0;                        // m, above the foot of the walls
-  std::optional<double> to;                 // m; none: the top of the walls
-  std::array<double, 2> spacing{0.2, 0.2};  // m, of the nodes along and up
-  MeshFaces faces = MeshFaces::both;
-  double stiffness = 0.0;            // N per m of width, force over strain
-  std::optional<double> strength;    // N per m of width, at which it yields; none: elastic
-  std::optional<double> elongation;  // strain at which it breaks; none: never
-  std::optional<MeshConnectors> connectors;
-};
-
-/// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
-enum class RingPlace { inside, middle };
-struct Reinforcement {
-  std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
-  std::vector<double> bearing, nonbearing;                      // column axes, m
-  double element = 0.2;                                         // length of an element of a member, m
-  RingPlace ring_beam_place = RingPlace::inside;
-};
-enum class Bond { english, running };
-struct House {
-  std::array<double, 2> inner_size{5.0, 3.0};  // m
-  double height = 2.4;                         // m
-  std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m
-  double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
-  Bond bond = Bond::english;
-  std::string material = "adobe", joint = "normal";
-  bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between them
-  HouseWood wood;
-  std::array<double, 2> origin{0.0, 0.0};  // m
-  double turn = 0.0;                       // degrees about z: 0, 90, 180, 270
-  std::array<int, 2> copies{1, 1};
-  std::array<double, 2> spacing{8.0, 6.0};                           // m
-  double bearing_wall = 0.2, nonbearing_wall = 0.2;                  // m
-  std::vector<std::string> walls{"front", "right", "rear", "left"};  // those that are built
-  Roof roof;
-  std::vector<Opening> openings;  // key: opening
-  std::optional<Reinforcement> reinforcement;
-  std::vector<HouseTie> ties;     // key: tie
-  std::vector<HouseMesh> meshes;  // key: mesh
 };
 
 /// The whole case file.

@@ -18,6 +18,7 @@ namespace {
 /// "roof beam 12" and "roof beam 3" are one group.
 std::string group_name(const Model& model, const Block& block) {
   if (block.house < 0) return "blocks of " + model.materials[static_cast<std::size_t>(block.material)].name;
+  if (block.tag.find(", storey ") != std::string::npos) return block.tag;
   const std::size_t last = block.tag.find_last_not_of("0123456789");
   const bool numbered = last != std::string::npos && last + 1 < block.tag.size() && block.tag[last] == ' ';
   return numbered ? block.tag.substr(0, last) : block.tag;

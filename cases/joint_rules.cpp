@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases/joint_rules.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/house/house.h"
@@ -31,8 +32,10 @@ JointRules::JointRules(const Case& c, const Model& model) {
       const auto& timber = c.house->wood.timber_on_timber;
       timber_on_timber_ = timber ? find_law(model.laws, *timber, "house.wood.timber_on_timber") : between_members_;
     }
-    if (c.house->roof.kind == RoofKind::flat)
+    if (c.house->roof.kind == RoofKind::flat || c.house->roof.kind == RoofKind::pitched)
       between_beams_ = find_law(model.laws, c.house->roof.between_beams, "house.roof.between_beams");
+    for (std::size_t i = 0; i < c.house->floors.size(); ++i)
+      floors_.push_back(find_law(model.laws, c.house->floors[i].joint, indexed_key("house.floor", i, "joint")));
   }
   for (std::size_t i = 0; i < c.joints.between.size(); ++i) {
     const JointRule& rule = c.joints.between[i];
@@ -62,7 +65,10 @@ std::int32_t JointRules::rule_material(const Block& block) const noexcept {
 
 std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noexcept {
   if (a.member < 0 && b.member < 0) return masonry_;
-  if (a.member < 0 || b.member < 0) return between_members_;
+  if (a.member < 0 || b.member < 0) {
+    const std::int32_t floor = std::max(a.floor, b.floor);
+    return floor < 0 ? between_members_ : floors_[static_cast<std::size_t>(floor)];
+  }
   if (a.member == b.member) return within_member_;
   if (a.kind == PartKind::beam && b.kind == PartKind::beam) return between_beams_;
   return timber_on_timber_;

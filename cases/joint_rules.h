@@ -37,6 +37,7 @@ class JointRules {
 
   std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0;  // of the house
   std::vector<std::int32_t> inside_;     // by material, between the halves of a unit; -1: none has any
+  std::vector<std::int32_t> floors_;     // of beams with walls, by House::floors
   std::vector<std::int32_t> made_from_;  // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;

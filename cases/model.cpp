@@ -165,7 +165,7 @@ Model model_of_blocks(const Case& c) {
   if (!c.house && c.blocks.empty() && c.stones.empty())
     throw InputError("", "describes nothing to simulate; give [house], [[block]] or [[stones]], or some of them");
   if (c.house) {
-    if (auto loaded = surcharged_roof(*c.house, model.materials)) model.materials.push_back(*std::move(loaded));
+    for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
   }
   model.contact_friction = contact_friction(c.contact, model.materials);
   check_loads(c);
@@ -251,6 +251,10 @@ const char* name(PartKind kind) noexcept {
       return "column";
     case PartKind::ring_beam:
       return "ring beam";
+    case PartKind::floor_beam:
+      return "floor beam";
+    case PartKind::walling:
+      return "walling";
     case PartKind::block:
       break;
   }

@@ -13,7 +13,7 @@
 namespace voussoir::cases {
 
 /// What a block is in a house; decides which law its joints get.
-enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam };
+enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling };
 /// What people call it: "brick", "ring beam".
 const char* name(PartKind kind) noexcept;
 
@@ -27,6 +27,7 @@ struct Block {
   PartKind kind = PartKind::block;
   std::int32_t house = -1;   // copy number of the house, −1: a free block
   std::int32_t member = -1;  // timber member in its house (elements of one beam share it), −1: none
+  std::int32_t floor = -1;   // into House::floors, of a floor beam
   std::int32_t built = -1;   // its place in the order in which the house was built, −1: a free block
   bool whole = true;         // false: a cut brick
   bool fixed = false, free = false;
@@ -84,7 +85,7 @@ struct TieBar {
   double breaking = 0.0;                     // m, elongation; infinite: never
   double pretension = 0.0;                   // N
   bool compression = false;
-  std::int32_t mesh = -1;  // of House::meshes; −1: a tie by itself
+  std::int32_t mesh = -1;  // of House::meshes, beyond them the decks of House::floors and the roof's; −1: a tie by itself
 };
 
 /// What strengthening takes of material: all of a [[tie]], a [[house.tie]] or a [[house.mesh]].

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
+#include "cases/house/house_decks.h"
+#include "cases/house/house_floors.h"
+#include "cases/house/house_pitched.h"
 #include "cases/house/house_ties.h"
 #include "cases/names.h"
 #include "geometry/polygon.h"
@@ -145,7 +149,9 @@ bool is_one_element(const TieBar& bar) {
   return elements.size() == 1;
 }
 
-TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array<std::string, 2>& keys, const std::string& key) {
+/// \param plates  at which ends the tie's plate is
+TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array<std::string, 2>& keys, const std::string& key,
+             std::array<bool, 2> plates = {true, true}) {
   const double apart = norm(tie.to - tie.from);
   if (apart < kShortest)
     throw InputError(keys[1], "is " + text(apart) + " m from tie.from; a tie has a length of " + text(kShortest) + " m or more");
@@ -154,7 +160,8 @@ TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array
   bar.name = tie.name;
   const std::array<End, 2> ends{End{keys[0], tie.from, along}, End{keys[1], tie.to, -along}};
   for (std::size_t k = 0; k < 2; ++k)
-    bar.ends[k] = tie.plate && !anchored_in_base(c, ends[k]) ? hold_by_plate(model, ends[k], *tie.plate) : hold_at_point(c, model, ends[k]);
+    bar.ends[k] = tie.plate && plates[k] && !anchored_in_base(c, ends[k]) ? hold_by_plate(model, ends[k], *tie.plate)
+                                                                          : hold_at_point(c, model, ends[k]);
   if (is_one_element(bar)) throw InputError(key, "holds one element alone: both ends are on it");
   bar.length = norm(middle(bar.ends[1]) - middle(bar.ends[0]));
   bar.stiffness = tie.young * tie.area / bar.length;
@@ -190,6 +197,60 @@ void add_house_ties(const Case& c, double foot, Model& model) {
     model.ties.push_back(std::move(bar));
   }
   model.tie_bill.insert(model.tie_bill.end(), bills.begin(), bills.end());
+}
+
+void add_beam_anchors(const Case& c, double foot, Model& model) {
+  std::vector<TieBill> bills(c.house->floors.size());
+  for (const PlannedTie& planned : beam_anchors(*c.house, foot)) {
+    const std::string key = indexed_key("house.floor", planned.index, "anchor");
+    TieBar bar = place(c, model, planned.tie, {key, key}, key, {false, true});  // nailed to the beam
+    TieBill& bill = bills[planned.index];
+    bill.name = "floor " + std::to_string(c.house->floors[planned.index].storey) + " anchors";
+    ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
+    model.ties.push_back(std::move(bar));
+  }
+  std::ranges::copy_if(bills, std::back_inserter(model.tie_bill), [](const TieBill& b) { return b.ties > 0; });
+}
+
+void add_roof_ties(const Case& c, double foot, Model& model) {
+  TieBill bill;
+  bill.name = "roof ties";
+  for (const PlannedTie& planned : roof_ties(*c.house, foot)) {
+    TieBar bar = place(c, model, planned.tie, {"house.roof.tie", "house.roof.tie"}, "house.roof.tie", {false, false});
+    ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
+    model.ties.push_back(std::move(bar));
+  }
+  if (bill.ties > 0) model.tie_bill.push_back(bill);
+}
+
+/// \param number  behind those of meshes, as TieBar::mesh counts
+void add_deck(const PlannedDeck& planned, const std::string& name, std::size_t number, Model& model) {
+  TieBill bill;
+  bill.name = name;
+  bill.area = planned.area;
+  for (const DeckBar& bar : planned.bars) {
+    TieBar tie;
+    tie.name = bill.name + " " + std::to_string(++bill.ties);
+    for (std::size_t k = 0; k < 2; ++k) tie.ends[k] = {{element_at(model, bar.ends[k]), 1.0, bar.ends[k]}};
+    tie.length = norm(bar.ends[1] - bar.ends[0]);
+    tie.stiffness = bar.stiffness;
+    tie.yield = bar.strength.value_or(kNever);
+    tie.breaking = kNever;
+    tie.compression = true;
+    tie.mesh = static_cast<std::int32_t>(number);
+    model.ties.push_back(std::move(tie));
+  }
+  model.tie_bill.push_back(bill);
+}
+
+void add_decks(const Case& c, double foot, Model& model) {
+  const House& house = *c.house;
+  for (std::size_t i = 0; i < house.floors.size(); ++i) {
+    const std::string name = "floor " + std::to_string(house.floors[i].storey) + " deck";
+    if (house.floors[i].deck) add_deck(house_deck(house, i, foot), name, house.meshes.size() + i, model);
+  }
+  const bool boards = house.roof.kind == RoofKind::pitched && house.roof.deck;
+  if (boards) add_deck(roof_deck(house, foot), "roof deck", house.meshes.size() + house.floors.size(), model);
 }
 
 /// A bar from node to node, if they stand on two elements.
@@ -264,7 +325,10 @@ void place_ties(const Case& c, Model& model) {
   if (c.house) {
     const double foot = c.base ? c.base->z : 0.0;
     add_house_ties(c, foot, model);
+    add_beam_anchors(c, foot, model);
+    add_roof_ties(c, foot, model);
     for (std::size_t i = 0; i < c.house->meshes.size(); ++i) add_mesh(c, i, foot, model);
+    add_decks(c, foot, model);
   }
   check_names(c, model);
 }

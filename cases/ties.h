@@ -9,7 +9,8 @@
 /// Where ties hold: from the points and plates of the case file to elements.
 namespace voussoir::cases {
 
-/// Sets model.ties, those of `c.ties`, of the house, and of its meshes, in this order, and model.tie_bill.
+/// Sets model.ties, those of `c.ties`, of the house, of its floors' anchors, of its roof, of its meshes, and of its decks, in this order,
+/// and model.tie_bill.
 ///
 /// Without a plate an end holds the base if it lies on it (within 1 mm), else the element that has the point in it or on it (within 1 mm;
 /// the one it lies deepest in, the lowest number of equals). With plates each end must lie in the plane of a face that looks away from the

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cases/house/house_parts.h"
+#include "cases/house/house_pitched.h"
 #include "cases/house/house_vault.h"
 #include "cases/names.h"
 
@@ -33,9 +34,10 @@ std::vector<Block> placed_copies(const House& house, const HousePlan& plan, cons
   return all;
 }
 
-const std::string& bare_roof_material(const House& house) {
-  return house.roof.kind == RoofKind::flat ? house.wood.material : house.material;
-}
+/// Flat and pitched roofs are.
+bool is_of_timber(const Roof& roof) noexcept { return roof.kind == RoofKind::flat || roof.kind == RoofKind::pitched; }
+
+const std::string& bare_roof_material(const House& house) { return is_of_timber(house.roof) ? house.wood.material : house.material; }
 
 std::string surcharged_name(const House& house) {
   return bare_roof_material(house) + " with roof surcharge " + text(house.roof.surcharge) + " kg/m2";
@@ -44,23 +46,55 @@ std::string surcharged_name(const House& house) {
 /// The material of beams or voussoirs.
 std::int32_t roof_material(const House& house, std::span<const NamedMaterial> materials, const HouseParts& parts) {
   if (house.roof.surcharge > 0.0) return find_material(materials, surcharged_name(house), "house.roof.surcharge");
-  return house.roof.kind == RoofKind::flat ? parts.timber : parts.masonry;
+  return is_of_timber(house.roof) ? parts.timber : parts.masonry;
 }
 
-}  // namespace
+std::string floor_name(const House& house, std::size_t index) {
+  const Floor& floor = house.floors[index];
+  return house.wood.material + " of floor " + std::to_string(floor.storey) + " with " + text(floor.load) + " kg/m2";
+}
+
+/// The material of a floor's beams.
+std::int32_t floor_material(const House& house, std::size_t index, std::span<const NamedMaterial> materials, const HouseParts& parts) {
+  if (house.floors[index].load == 0.0) return parts.timber;
+  return find_material(materials, floor_name(house, index), indexed_key("house.floor", index, "load"));
+}
 
 std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const NamedMaterial> materials) {
   const Roof& roof = house.roof;
   if (roof.surcharge == 0.0) return std::nullopt;
   if (!(roof.surcharge > 0.0 && roof.surcharge < 1e5))
     throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2 is out of range; allowed: 0 to 100000");
-  if (roof.kind != RoofKind::flat && roof.kind != RoofKind::vault)
+  if (!is_of_timber(roof) && roof.kind != RoofKind::vault)
     throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2, but there is no roof to carry it; allowed: 0");
-  const char* key = roof.kind == RoofKind::flat ? "house.wood.material" : "house.material";
+  const char* key = is_of_timber(roof) ? "house.wood.material" : "house.material";
   const std::int32_t bare = find_material(materials, bare_roof_material(house), key);
   NamedMaterial loaded{surcharged_name(house), materials[static_cast<std::size_t>(bare)].value, bare};
-  loaded.value.density += surcharge_density(house);
+  loaded.value.density += roof.kind == RoofKind::pitched ? rafter_surcharge(house, plan_house(house)) : surcharge_density(house);
   return loaded;
+}
+
+/// The load of a strip as wide as the beams are apart, smeared over the beam in it.
+std::optional<NamedMaterial> loaded_floor(const House& house, std::size_t index, std::span<const NamedMaterial> materials) {
+  const Floor& floor = house.floors[index];
+  if (floor.load == 0.0) return std::nullopt;
+  if (!(floor.load > 0.0 && floor.load < 1e5))
+    throw InputError(indexed_key("house.floor", index, "load"), text(floor.load) + " kg/m2 is out of range; allowed: 0 to 100000");
+  const std::int32_t bare = find_material(materials, house.wood.material, "house.wood.material");
+  NamedMaterial loaded{floor_name(house, index), materials[static_cast<std::size_t>(bare)].value, bare};
+  loaded.value.density += floor.load * floor.spacing / (floor.beam[0] * floor.beam[1]);
+  return loaded;
+}
+
+}  // namespace
+
+std::vector<NamedMaterial> loaded_materials(const House& house, std::span<const NamedMaterial> materials) {
+  std::vector<NamedMaterial> all;
+  if (auto roof = surcharged_roof(house, materials)) all.push_back(*std::move(roof));
+  for (std::size_t i = 0; i < house.floors.size(); ++i) {
+    if (auto floor = loaded_floor(house, i, materials)) all.push_back(*std::move(floor));
+  }
+  return all;
 }
 
 Vec3 in_case(const House& house, const HousePlan& plan, int i, int j, Vec3 v) noexcept {
@@ -69,6 +103,10 @@ Vec3 in_case(const House& house, const HousePlan& plan, int i, int j, Vec3 v) no
 
 HouseBox in_house(const HousePlan& plan, const WallPlan& wall, Interval along, Interval depth, Interval height) noexcept {
   const auto from_far_side = [&](Tick outer) { return Interval{outer - depth.high, outer - depth.low}; };
+  if (!wall.outer()) {
+    const Interval inside{wall.at + depth.low, wall.at + depth.high};
+    return wall.along_x ? HouseBox{along, inside, height} : HouseBox{inside, along, height};
+  }
   switch (wall.side) {
     case Side::front:
       return {along, depth, height};
@@ -92,7 +130,7 @@ Block box_block(const HouseBox& box, const Block& prototype) {
 }
 
 bool has_timber(const House& house) noexcept {
-  return house.roof.kind == RoofKind::flat || house.reinforcement ||
+  return is_of_timber(house.roof) || house.reinforcement || !house.floors.empty() ||
          std::any_of(house.openings.begin(), house.openings.end(), [](const Opening& o) { return o.lintel.has_value(); });
 }
 
@@ -102,7 +140,9 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
   parts.masonry = find_material(materials, house.material, "house.material");
   if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
   parts.roof = roof_material(house, materials, parts);
+  for (std::size_t i = 0; i < house.floors.size(); ++i) parts.floors.push_back(floor_material(house, i, materials, parts));
   build_walls(house, plan, parts);
+  build_floors(house, plan, parts);
   if (house.reinforcement) build_reinforcement(house, plan, parts);
   switch (house.roof.kind) {
     case RoofKind::flat:
@@ -114,6 +154,10 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
       break;
     case RoofKind::gables:
       build_gables(house, plan, parts);
+      break;
+    case RoofKind::pitched:
+      build_gables(house, plan, parts);
+      build_pitched_roof(house, plan, parts);
       break;
     case RoofKind::none:
       break;

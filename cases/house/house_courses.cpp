@@ -13,36 +13,45 @@ namespace {
 /// A height at which a course must end, and the key that asks for it.
 struct Level {
   Tick at = 0;
-  std::string key;     // empty: the foot of the walls
-  double value = 0.0;  // of the key, m
+  std::string key;       // empty: the foot of the walls
+  double value = 0.0;    // of the key, m
   bool is_size = false;  // the key is a height above another level, so above zero
+  int sign = 1;          // the level moves up (1) or down with the value
 };
 
 std::string metres_text(Tick t) { return text(metres(t)); }
 
-/// The foot, the top, then the openings in the order of the case.
+/// The foot, the tops of storeys, then the openings in the order of the case, then the beams of floors and the tops of piers.
 std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
-  std::vector<Level> levels{{0, "", 0.0, false}, {plan.height, "house.height", house.height, true}};
+  std::vector<Level> levels{{}, {plan.storeys[0].high, "house.height", house.height, true}};
+  for (std::size_t i = 0; i < house.storeys.size(); ++i)
+    levels.push_back({plan.storeys[i + 1].high, indexed_key("house.storey", i, "height"), house.storeys[i].height, true});
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
     const Opening& opening = house.openings[i];
     const auto key = [i](const char* field) { return indexed_key("house.opening", i, field); };
-    const Tick sill = ticks(opening.sill), head = sill + ticks(opening.height);
-    levels.push_back({sill, key("sill"), opening.sill, false});
+    const Tick foot = plan.storeys[static_cast<std::size_t>(opening.storey) - 1].low;
+    const Tick sill = foot + ticks(opening.sill), head = sill + ticks(opening.height);
+    levels.push_back({sill, key("sill"), opening.sill});
     levels.push_back({head, key("height"), opening.height, true});
     if (opening.lintel) levels.push_back({head + ticks(opening.lintel->height), key("lintel.height"), opening.lintel->height, true});
+  }
+  for (std::size_t i = 0; i < house.floors.size(); ++i)
+    levels.push_back({plan.floors[i].height.low, indexed_key("house.floor", i, "beam"), house.floors[i].beam[1], true, -1});
+  for (std::size_t i = 0; i < house.piers.size(); ++i) {
+    if (const std::optional<double> height = house.piers[i].height)
+      levels.push_back({ticks(*height), indexed_key("house.pier", i, "height"), *height, true});
   }
   return levels;
 }
 
 /// Two levels with less than the lowest course between them; the later of the case is at fault.
 [[noreturn]] void refuse(const Level& first, const Level& later, Tick lowest) {
-  const Tick onto = ticks(later.value) + first.at - later.at;
+  const Tick onto = ticks(later.value) + later.sign * (first.at - later.at);
   const Tick nearest = later.is_size && onto <= 0 ? lowest : onto;
-  throw InputError(later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
-                                  metres_text(std::abs(later.at - first.at)) + " m from where " +
-                                  (first.key.empty() ? "the walls begin" : first.key + " ends one") +
-                                  "; a course of cut bricks is at least " + metres_text(lowest) + " m high; nearest: " +
-                                  metres_text(nearest) + " m");
+  throw InputError(
+      later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " + metres_text(std::abs(later.at - first.at)) +
+                     " m from where " + (first.key.empty() ? "the walls begin" : first.key + " ends one") +
+                     "; a course of cut bricks is at least " + metres_text(lowest) + " m high; nearest: " + metres_text(nearest) + " m");
 }
 
 void check(const std::vector<Level>& levels, Tick lowest) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/house/house_parts.h"
+#include "cases/house/house_pitched.h"
 #include "cases/house/house_vault.h"
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
@@ -170,11 +171,12 @@ class Gable {
   double height_ = 0.0, brick_ = 0.0;  // m, m3
 };
 
-void add_course(const HousePlan& plan, const WallPlan& wall, const Gable& gable, const GableCourse& course, HouseParts& parts) {
+void add_course(const House& house, const HousePlan& plan, const WallPlan& wall, const Gable& gable, const GableCourse& course,
+                HouseParts& parts) {
   Block prototype;
   prototype.kind = PartKind::brick;
   prototype.material = parts.masonry;
-  prototype.tag = std::string(name(wall.side)) + " gable";
+  prototype.tag = wall_tag(house, wall, "gable");
   prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
   for (const Wythe& wythe : wythes(plan, wall.thickness, course.number)) {
     const Interval x = in_house(plan, wall, {}, wythe.depth, {}).x;
@@ -191,14 +193,16 @@ void add_course(const HousePlan& plan, const WallPlan& wall, const Gable& gable,
 }  // namespace
 
 void build_gables(const House& house, const HousePlan& plan, HouseParts& parts) {
-  const VaultProfile profile = vault_profile(house, plan);
+  const Polygon profile =
+      house.roof.kind == RoofKind::pitched ? pitched_gable(rafter_profile(house, plan), plan) : vault_profile(house, plan).inner;
   // The corners run from the front over the crown to the rear: clockwise in (y, z).
-  const Polygon under(profile.inner.rbegin(), profile.inner.rend());
+  const Polygon under(profile.rbegin(), profile.rend());
+  const double crown = height_of(profile);
   for (const Side side : {Side::right, Side::left}) {
     const WallPlan& wall = plan.wall(side);
     if (!wall.built) continue;
     const Gable gable(plan, wall, under);
-    for (const GableCourse& course : gable.courses(profile.crown())) add_course(plan, wall, gable, course, parts);
+    for (const GableCourse& course : gable.courses(crown)) add_course(house, plan, wall, gable, course, parts);
   }
 }
 

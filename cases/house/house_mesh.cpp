@@ -76,15 +76,16 @@ class Builder {
   Sheet sheet(Side side, bool inner) {
     const WallPlan& wall = plan_.wall(side);
     const Places columns(0.0, metres(wall.length), mesh_.spacing[0]);
-    const double low = inner && wall.meets[0] ? metres(wall.corner) : 0.0;
-    const double high = metres(wall.length) - (inner && wall.meets[1] ? metres(wall.corner) : 0.0);
     Sheet s{columns.count, rows_.count, {}};
     for (int row = 0; row < s.rows; ++row) {
+      const WallPlan& here = plan_.wall_at(side, ticks(rows_.at(row)));  // of this storey
+      const double low = inner && here.meets[0] ? metres(here.corner) : 0.0;
+      const double high = metres(here.length) - (inner && here.meets[1] ? metres(here.corner) : 0.0);
       for (int column = 0; column < s.columns; ++column) {
         const double along = columns.at(column);
         const bool there = along >= low && along <= high;
         s.nodes.push_back(there ? static_cast<std::int32_t>(out_.nodes.size()) : kNone);
-        if (there) out_.nodes.push_back(on_wall(plan_, side, along, inner ? metres(wall.thickness) : 0.0, rows_.at(row)));
+        if (there) out_.nodes.push_back(on_wall(plan_, side, along, inner ? metres(here.thickness) : 0.0, rows_.at(row)));
       }
     }
     for (int row = 0; row < s.rows; ++row) {

@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "cases/house/house_courses.h"
+#include "cases/house/house_floors.h"
+#include "cases/house/house_wall.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -18,46 +20,71 @@ std::string metres_text(Tick t) { return text(metres(t)); }
 
 std::string from_to(Interval i) { return "from " + metres_text(i.low) + " to " + metres_text(i.high) + " m"; }
 
-std::string wall_name(const WallPlan& wall) { return std::string(name(wall.side)) + " wall"; }
-
-WallPlan& wall_of(const Opening& opening, std::size_t index, HousePlan& plan) {
+WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
+  const Opening& opening = house.openings[index];
+  const int storeys = static_cast<int>(plan.storeys.size());
+  if (opening.storey < 1 || opening.storey > storeys)
+    throw InputError(key_of(index, "storey"),
+                     "there is no storey " + std::to_string(opening.storey) + "; allowed: 1 to " + std::to_string(storeys));
   for (WallPlan& wall : plan.walls) {
-    if (opening.wall != name(wall.side)) continue;
+    if (wall.storey != opening.storey - 1 || opening.wall + " wall" != wall_name(house, wall)) continue;
     if (!wall.built) throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
     return wall;
   }
-  throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is no wall; allowed: front, rear, left, right");
+  std::string allowed = "front, rear, left, right";
+  for (const WallPlan& wall : plan.walls) {
+    if (wall.inner >= 0 && wall.storey == opening.storey - 1)
+      allowed += ", " + house.inner_walls[static_cast<std::size_t>(wall.inner)].name;
+  }
+  throw InputError(
+      key_of(index, "wall"),
+      quoted(opening.wall) + " is no wall" + (storeys > 1 ? " of storey " + std::to_string(opening.storey) : "") + "; allowed: " + allowed);
 }
 
 /// Where a hole may lie: between the inner corners, because the wall it meets owns every second course of the corner.
 Interval between_corners(const WallPlan& wall) { return {wall.corner, wall.length - wall.corner}; }
 
-Hole opening_hole(const Opening& opening, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
+/// Inner walls that end in this wall or cross it, and piers at it, own every second course there.
+void refuse_crossing(const House& house, const Hole& hole, const char* field, double value, const WallPlan& wall, const HousePlan& plan) {
+  for (const WallPlan& other : plan.walls) {
+    const bool here = other.inner >= 0 || (other.pier >= 0 && wall.outer() && other.side == wall.side);
+    if (!here || other.storey != wall.storey || other.along_x == wall.along_x) continue;
+    const Interval crossing{other.at, other.at + other.thickness};
+    if (!hole.along.overlaps(crossing)) continue;
+    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " + (hole.lintel ? "lintel" : "opening") + " (" +
+                                                      from_to(hole.along) + ") where the " + wall_name(house, other) + " meets the " +
+                                                      wall_name(house, wall) + ", " + from_to(crossing));
+  }
+}
+
+Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
+  const Opening& opening = house.openings[index];
   const Interval room = between_corners(wall);
   const Tick width = positive_length(opening.width, key_of(index, "width"));
   if (width > room.length()) {
-    throw InputError(key_of(index, "width"), text(opening.width) + " m is wider than the " + wall_name(wall) + " between its corners (" +
-                                                 metres_text(room.length()) + " m)");
+    throw InputError(key_of(index, "width"), text(opening.width) + " m is wider than the " + wall_name(house, wall) +
+                                                 " between its corners (" + metres_text(room.length()) + " m)");
   }
   const Tick from = std::isfinite(opening.from) && std::abs(opening.from) < 1e4 ? ticks(opening.from) : Tick{-1};
   const Interval along{from, from + width};
   if (along.low < room.low || along.high > room.high) {
-    throw InputError(key_of(index, "from"), text(opening.from) + " m puts the opening outside the " + wall_name(wall) +
+    throw InputError(key_of(index, "from"), text(opening.from) + " m puts the opening outside the " + wall_name(house, wall) +
                                                 ", whose inner corners are at " + metres_text(room.low) + " and " + metres_text(room.high) +
                                                 " m; allowed: " + metres_text(room.low) + " to " + metres_text(room.high - width) + " m");
   }
   const Tick sill = opening.sill == 0.0 ? 0 : positive_length(opening.sill, key_of(index, "sill"));
   const Tick height = positive_length(opening.height, key_of(index, "height"));
-  if (sill >= plan.height) {
-    throw InputError(key_of(index, "sill"),
-                     text(opening.sill) + " m is not below the top of the wall (" + metres_text(plan.height) + " m)");
+  const Tick top = wall.height.length();
+  if (sill >= top) {
+    throw InputError(key_of(index, "sill"), text(opening.sill) + " m is not below the top of the wall (" + metres_text(top) + " m)");
   }
-  if (sill + height > plan.height) {
+  if (sill + height > top) {
     throw InputError(key_of(index, "height"), text(opening.height) + " m above a sill at " + text(opening.sill) +
-                                                  " m is over the height of the wall (" + metres_text(plan.height) + " m); at most " +
-                                                  metres_text(plan.height - sill) + " m");
+                                                  " m is over the height of the wall (" + metres_text(top) + " m); at most " +
+                                                  metres_text(top - sill) + " m");
   }
-  return {along, {sill, sill + height}, index, false};
+  refuse_crossing(house, {along, {}, index, false}, "from", opening.from, wall, plan);
+  return {along, {wall.height.low + sill, wall.height.low + sill + height}, index, false, {0, wall.thickness}};
 }
 
 /// Centred on the opening.
@@ -68,42 +95,44 @@ Interval lintel_span(const Opening& opening) noexcept {
   return {low, low + length};
 }
 
-Hole lintel_hole(const Opening& opening, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
+Hole lintel_hole(const House& house, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
   const std::size_t index = under.opening;
+  const Opening& opening = house.openings[index];
   const Lintel& lintel = *opening.lintel;
   const Interval room = between_corners(wall);
   const Tick length = positive_length(lintel.length, key_of(index, "lintel.length"));
   const Tick height = positive_length(lintel.height, key_of(index, "lintel.height"));
   element_length(lintel.element, length, key_of(index, "lintel.element"));
   if (length > room.length()) {
-    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(wall) +
+    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(house, wall) +
                                                          " between its corners (" + metres_text(room.length()) + " m)");
   }
   if (length <= under.along.length()) {
     throw InputError(key_of(index, "lintel.length"),
                      text(lintel.length) + " m finds no support beside the opening; more than its width, " + text(opening.width) + " m");
   }
-  if (under.height.high + height > plan.height) {
-    throw InputError(key_of(index, "lintel.height"), text(lintel.height) + " m above the opening (top at " +
-                                                         metres_text(under.height.high) + " m) is over the height of the wall (" +
-                                                         metres_text(plan.height) + " m)");
+  if (under.height.high + height > wall.height.high) {
+    throw InputError(key_of(index, "lintel.height"),
+                     text(lintel.height) + " m above the opening (top at " + metres_text(under.height.high - wall.height.low) +
+                         " m) is over the height of the wall (" + metres_text(wall.height.length()) + " m)");
   }
   const Interval along = lintel_span(opening);
   if (along.low < room.low || along.high > room.high) {
     const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
     throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m makes the lintel reach " + from_to(along) +
-                                                         ", into a corner of the " + wall_name(wall) + " (inner corners at " +
+                                                         ", into a corner of the " + wall_name(house, wall) + " (inner corners at " +
                                                          metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
                                                          metres_text(under.along.length() + 2 * spare) + " m here");
   }
-  return {along, {under.height.high, under.height.high + height}, index, true};
+  refuse_crossing(house, {along, {}, index, true}, "lintel.length", lintel.length, wall, plan);
+  return {along, {under.height.high, under.height.high + height}, index, true, {0, wall.thickness}};
 }
 
-void add_hole(const Hole& hole, WallPlan& wall) {
+void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
   for (const Hole& other : wall.holes) {
     if (!hole.along.overlaps(other.along) || !hole.height.overlaps(other.height)) continue;
     throw InputError(key_of(hole.opening, hole.lintel ? "lintel" : ""),
-                     "overlaps " + key_of(other.opening, other.lintel ? "lintel" : "") + " in the " + wall_name(wall) + ": " +
+                     "overlaps " + key_of(other.opening, other.lintel ? "lintel" : "") + " in the " + wall_name(house, wall) + ": " +
                          from_to(hole.along) + " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
                          from_to(other.height) + ")");
   }
@@ -112,11 +141,10 @@ void add_hole(const Hole& hole, WallPlan& wall) {
 
 void add_holes(const House& house, HousePlan& plan) {
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
-    const Opening& opening = house.openings[i];
-    WallPlan& wall = wall_of(opening, i, plan);
-    const Hole hole = opening_hole(opening, i, plan, wall);
-    add_hole(hole, wall);
-    if (opening.lintel) add_hole(lintel_hole(opening, hole, plan, wall), wall);
+    WallPlan& wall = wall_of(house, i, plan);
+    const Hole hole = opening_hole(house, i, plan, wall);
+    add_hole(house, hole, wall);
+    if (house.openings[i].lintel) add_hole(house, lintel_hole(house, hole, plan, wall), wall);
   }
   for (WallPlan& wall : plan.walls) {
     std::sort(wall.holes.begin(), wall.holes.end(), [](const Hole& a, const Hole& b) { return a.along.low < b.along.low; });
@@ -130,19 +158,25 @@ struct ShortPiece {
   const Hole* hole = nullptr;
 };
 
+/// Between two openings the later one in the case: the first was there already. A pocket before any opening.
+const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
+  const Hole* found = nullptr;
+  for (const Hole& hole : wall.holes) {
+    const bool beside = hole.along.high == piece.low || hole.along.low == piece.high;
+    if (!beside || !hole.height.overlaps(height)) continue;
+    if (found == nullptr || hole.floor > found->floor || (hole.floor == found->floor && hole.opening > found->opening)) found = &hole;
+  }
+  return found;
+}
+
 std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
   for (const WallPlan& wall : plan.walls) {
     for (int course = 0; course < plan.course_count(); ++course) {
-      for (const Interval piece : free_spans(plan, wall, course)) {
-        if (piece.length() >= plan.shortest_piece()) continue;
-        const Interval height = plan.courses[static_cast<std::size_t>(course)];
-        const Hole* found = nullptr;
-        for (const Hole& hole : wall.holes) {
-          const bool beside = hole.along.high == piece.low || hole.along.low == piece.high;
-          // Between two openings the later one in the case is named: the first was there already.
-          if (beside && hole.height.overlaps(height) && (found == nullptr || hole.opening > found->opening)) found = &hole;
+      for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
+        for (const Interval piece : free_spans(plan, wall, course, wythe.depth)) {
+          if (piece.length() < plan.shortest_piece())
+            return ShortPiece{piece, &wall, hole_beside(wall, piece, plan.courses[static_cast<std::size_t>(course)])};
         }
-        return ShortPiece{piece, &wall, found};
       }
     }
   }
@@ -154,6 +188,7 @@ bool fits(const House& house, HousePlan plan) {
   for (WallPlan& wall : plan.walls) wall.holes.clear();
   try {
     add_holes(house, plan);
+    plan_floors(house, plan);
     plan_courses(house, plan);
   } catch (const InputError&) {
     return false;
@@ -178,9 +213,14 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   if (!found) return;
   const Tick gap = found->piece.length();
   const Tick lack = plan.shortest_piece() - gap;
-  const std::string problem = " leaves a piece of the " + wall_name(*found->wall) + " " + metres_text(gap) + " m long (" +
+  const std::string problem = " leaves a piece of the " + wall_name(house, *found->wall) + " " + metres_text(gap) + " m long (" +
                               from_to(found->piece) + "); a piece is at least " + metres_text(plan.shortest_piece()) + " m, half a brick";
   if (found->hole == nullptr) throw InputError("house.inner_size", "this size" + problem);
+  if (found->hole->floor >= 0) {
+    const auto floor = static_cast<std::size_t>(found->hole->floor);
+    throw InputError(indexed_key("house.floor", floor, "spacing"),
+                     text(house.floors[floor].spacing) + " m" + problem + "; choose another, or move what is beside the beam");
+  }
   const std::size_t index = found->hole->opening;
   const Opening& opening = house.openings[index];
   // A change takes the piece away, or makes it half a brick long.
@@ -199,6 +239,7 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
 
 void plan_openings(const House& house, HousePlan& plan) {
   add_holes(house, plan);
+  plan_floors(house, plan);
   plan_courses(house, plan);
   refuse_short_pieces(house, plan);
 }

@@ -16,6 +16,7 @@ namespace voussoir::cases {
 struct HouseParts {
   std::vector<Block> blocks;
   std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
+  std::vector<std::int32_t> floors;                // materials of their beams
   std::int32_t members = 0;                        // timber members so far
 };
 
@@ -45,6 +46,9 @@ Block box_block(const HouseBox& box, const Block& prototype);
 /// Adds the walls with their lintels, course by course.
 void build_walls(const House& house, const HousePlan& plan, HouseParts& parts);
 
+/// Adds the beams of floors, floor by floor, room by room.
+void build_floors(const House& house, const HousePlan& plan, HouseParts& parts);
+
 /// The height on which a flat roof lies: that of the walls, or of a ring beam upon them.
 Tick roof_seat(const House& house, const HousePlan& plan);
 
@@ -52,11 +56,16 @@ Tick roof_seat(const House& house, const HousePlan& plan);
 /// \throw InputError with the key at fault.
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts);
 
+/// Adds pairs of rafters over the whole house, on the bearing walls.
+/// \throw InputError with the key at fault.
+void build_pitched_roof(const House& house, const HousePlan& plan, HouseParts& parts);
+
 /// Adds the rings of a barrel vault along x over the whole house.
 /// \throw InputError with the key at fault.
 void build_vault(const House& house, const HousePlan& plan, HouseParts& parts);
 
-/// Takes the non-bearing walls on to the underside of the vault, their bricks cut by it: prisms along x of three corners or more.
+/// Takes the non-bearing walls on to the underside of the vault or the rafters, their bricks cut by it: prisms along x of three corners or
+/// more.
 /// \throw InputError with the key at fault.
 void build_gables(const House& house, const HousePlan& plan, HouseParts& parts);
 

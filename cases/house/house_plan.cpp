@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/house/house_inner_walls.h"
 #include "cases/house/house_openings.h"
 #include "cases/names.h"
 
@@ -20,7 +21,7 @@ constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill th
   const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
   const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
   const std::string fitting = joint > 0.0 && joint < 0.25 * house.brick[2] ? ", mortar = " + text(metres(ticks(joint))) : "";
-  throw InputError("house.brick", "English bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
+  throw InputError("house.brick", std::string(house.bond == Bond::header ? "header" : "English") + " bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
                                       text(width) + " m" + with_mortar + "; nearest: [" + text(2.0 * width + house.mortar) + ", " +
                                       text(width) + ", " + text(house.brick[2]) + "]" + fitting + ", or bond = \"running\"");
 }
@@ -34,52 +35,113 @@ void plan_bricks(const House& house, HousePlan& plan) {
   if (mortar >= plan.brick_height - mortar) {
     throw InputError("house.mortar", text(house.mortar) + " m is not less than the height of a brick (" + text(house.brick[2]) + " m)");
   }
-  if (house.bond == Bond::english && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
+  if (house.bond != Bond::running && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
   if (plan.brick_length < plan.brick_width) {
     throw InputError("house.brick",
                      "a brick must not be wider (" + text(house.brick[1]) + " m) than long (" + text(house.brick[0]) + " m)");
   }
 }
 
-void plan_walls(const House& house, HousePlan& plan) {
-  const Tick bearing = multiple_of(house.bearing_wall, plan.brick_width, "house.bearing_wall", "brick widths");
-  const Tick nonbearing = multiple_of(house.nonbearing_wall, plan.brick_width, "house.nonbearing_wall", "brick widths");
+Tick thickness_of(double value, const HousePlan& plan, const std::string& key) {
+  return multiple_of(value, plan.brick_width, key, "brick widths");
+}
+
+/// Heights of the storeys, one upon the other.
+void plan_storeys(const House& house, HousePlan& plan) {
   plan.height = positive_length(house.height, "house.height");
+  plan.storeys = {{0, plan.height}};
+  for (std::size_t i = 0; i < house.storeys.size(); ++i) {
+    const Tick height = positive_length(house.storeys[i].height, indexed_key("house.storey", i, "height"));
+    plan.storeys.push_back({plan.height, plan.height + height});
+    plan.height += height;
+  }
+}
+
+/// Thickness of the bearing and the other walls, by storey.
+std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, const HousePlan& plan) {
+  std::vector<std::array<Tick, 2>> all{
+      {thickness_of(house.bearing_wall, plan, "house.bearing_wall"), thickness_of(house.nonbearing_wall, plan, "house.nonbearing_wall")}};
+  for (std::size_t i = 0; i < house.storeys.size(); ++i) {
+    const std::array given{house.storeys[i].bearing_wall, house.storeys[i].nonbearing_wall};
+    std::array<Tick, 2> here = all.back();
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!given[k]) continue;
+      const std::string key = indexed_key("house.storey", i, k == 0 ? "bearing_wall" : "nonbearing_wall");
+      here[k] = thickness_of(*given[k], plan, key);
+      if (here[k] > all.back()[k])
+        throw InputError(key, text(*given[k]) + " m is thicker than the wall below; at most " + text(metres(all.back()[k])) + " m");
+    }
+    all.push_back(here);
+  }
+  return all;
+}
+
+void plan_walls(const House& house, HousePlan& plan) {
+  const std::vector<std::array<Tick, 2>> thicknesses = plan_thicknesses(house, plan);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const Tick inner = positive_length(house.inner_size[axis], "house.inner_size");
     if (inner < plan.shortest_piece()) {
       throw InputError("house.inner_size", text(house.inner_size[axis]) + " m is less than half a brick; at least " +
                                                text(metres(plan.shortest_piece())) + " m");
     }
-    plan.outer[axis] = inner + 2 * (axis == 0 ? nonbearing : bearing);
+    plan.outer[axis] = inner + 2 * thicknesses[0][axis == 0 ? 1 : 0];
   }
-  for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
-    const bool is_bearing = side == Side::front || side == Side::rear;
-    WallPlan& wall = plan.walls[static_cast<std::size_t>(side)];
-    wall.side = side;
-    wall.bearing = is_bearing;
-    wall.length = plan.outer[is_bearing ? 0 : 1];
-    wall.thickness = is_bearing ? bearing : nonbearing;
-    wall.corner = is_bearing ? nonbearing : bearing;
+  for (std::size_t storey = 0; storey < plan.storeys.size(); ++storey) {
+    const auto [bearing, nonbearing] = thicknesses[storey];
+    for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
+      WallPlan& wall = plan.walls.emplace_back();
+      wall.side = side;
+      wall.storey = static_cast<int>(storey);
+      wall.along_x = side == Side::front || side == Side::rear;
+      wall.length = plan.outer[wall.along_x ? 0 : 1];
+      wall.thickness = wall.along_x ? bearing : nonbearing;
+      wall.corner = wall.along_x ? nonbearing : bearing;
+      wall.height = plan.storeys[storey];
+    }
+    plan_inner_walls(house, static_cast<int>(storey), plan);
   }
 }
 
-/// Which walls are built, and where they meet.
+/// Which outer walls are built.
 void choose_walls(const House& house, HousePlan& plan) {
-  for (WallPlan& wall : plan.walls) wall.built = false;
+  std::array<bool, 4> built{};
   for (std::size_t i = 0; i < house.walls.size(); ++i) {
-    const auto named = [&](const WallPlan& wall) { return house.walls[i] == name(wall.side); };
-    const auto wall = std::find_if(plan.walls.begin(), plan.walls.end(), named);
+    std::size_t side = 0;
+    while (side < 4 && house.walls[i] != name(static_cast<Side>(side))) ++side;
     const std::string key = indexed_key("house.walls", i, "");
-    if (wall == plan.walls.end()) throw InputError(key, quoted(house.walls[i]) + " is no wall; allowed: front, right, rear, left");
-    if (wall->built) throw InputError(key, quoted(house.walls[i]) + " is given twice");
-    wall->built = true;
+    if (side == 4) throw InputError(key, quoted(house.walls[i]) + " is no wall; allowed: front, right, rear, left");
+    if (built[side]) throw InputError(key, quoted(house.walls[i]) + " is given twice");
+    built[side] = true;
   }
   if (house.walls.empty()) throw InputError("house.walls", "names no wall; allowed: front, right, rear, left");
+  const auto has = [&](Side side) { return built[static_cast<std::size_t>(side)]; };
   for (WallPlan& wall : plan.walls) {
-    wall.meets = wall.bearing ? std::array{plan.wall(Side::left).built, plan.wall(Side::right).built}
-                              : std::array{plan.wall(Side::front).built, plan.wall(Side::rear).built};
+    wall.built = !wall.outer() || has(wall.side);
+    wall.meets = wall.along_x ? std::array{has(Side::left), has(Side::right)} : std::array{has(Side::front), has(Side::rear)};
   }
+}
+
+/// Where walls of a storey meet and cross: what the one takes of the other's length.
+void plan_crossings(HousePlan& plan) {
+  for (WallPlan& wall : plan.walls) {
+    if (wall.pier >= 0) continue;
+    if (wall.meets[0]) wall.crossings.push_back({{0, wall.corner}, wall.height});
+    for (const WallPlan& other : plan.walls) {
+      if (other.inner >= 0 && other.storey == wall.storey && other.along_x != wall.along_x)
+        wall.crossings.push_back({{other.at, other.at + other.thickness}, wall.height});
+    }
+    if (wall.meets[1]) wall.crossings.push_back({{wall.length - wall.corner, wall.length}, wall.height});
+  }
+}
+
+/// How far piers on both sides together reach beyond the walls along an axis.
+Tick beyond(const HousePlan& plan, std::size_t axis) {
+  Tick before = 0, behind = 0;
+  for (const WallPlan& wall : plan.walls) {
+    if (wall.pier < 0 || wall.along_x != (axis == 0)) continue;
+    before = std::max(before, -wall.from), behind = std::max(behind, wall.from + wall.length - plan.outer[axis]);
+  }
+  return before + behind;
 }
 
 void plan_copies(const House& house, HousePlan& plan) {
@@ -96,16 +158,18 @@ void plan_copies(const House& house, HousePlan& plan) {
     }
     if (house.copies[axis] < 1) throw InputError("house.copies", std::to_string(house.copies[axis]) + " copies; at least 1");
     count *= house.copies[axis];
-    const double size = metres(plan.outer[plan.quarter_turns % 2 == 0 ? axis : 1 - axis]);
+    const std::size_t own = plan.quarter_turns % 2 == 0 ? axis : 1 - axis;
+    const double size = metres(plan.outer[own] + beyond(plan, own));
     if (house.copies[axis] > 1 && !(house.spacing[axis] >= size && house.spacing[axis] <= kLongest)) {
       throw InputError("house.spacing", text(house.spacing[axis]) + " m makes the copies overlap along " + (axis == 0 ? "x" : "y") +
                                             "; at least " + text(size) + " m, the outer size of the house, at most " + text(kLongest) +
                                             " m");
     }
   }
-  const double area = 2.0 * metres(plan.outer[0]) * house.bearing_wall + 2.0 * house.inner_size[1] * house.nonbearing_wall;
+  double volume = 0.0;
+  for (const WallPlan& wall : plan.walls) volume += metres(wall.length) * metres(wall.thickness) * metres(wall.height.length());
   const std::array<double, 3> brick = brick_with_mortar(house);
-  const double elements = count * area * house.height / (brick[0] * brick[1] * brick[2]);
+  const double elements = count * volume / (brick[0] * brick[1] * brick[2]);
   if (elements > kMostElements) {
     throw InputError("house", "would have about " + text(std::round(elements)) + " bricks; at most " + text(kMostElements));
   }
@@ -162,18 +226,48 @@ Tick element_length(double value, Tick member, const std::string& key) {
   return length;
 }
 
-std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course) {
-  std::vector<Interval> spans;
-  if (!wall.built) return spans;
-  const bool through = wall.bearing == (course % 2 == 0);
+const WallPlan& HousePlan::wall(Side side, int storey) const noexcept {
+  const auto is_it = [&](const WallPlan& w) { return w.outer() && w.storey == storey && w.side == side; };
+  return *std::ranges::find_if(walls, is_it);
+}
+
+const WallPlan& HousePlan::wall_at(Side side, Tick height) const noexcept {
+  int storey = 0;
+  while (storey + 1 < static_cast<int>(storeys.size()) && height >= storeys[static_cast<std::size_t>(storey)].high) ++storey;
+  return wall(side, storey);
+}
+
+std::string wall_name(const House& house, const WallPlan& wall) {
+  if (wall.pier >= 0) return name(wall.side) + std::string(" pier");
+  return (wall.inner < 0 ? name(wall.side) : house.inner_walls[static_cast<std::size_t>(wall.inner)].name) + std::string(" wall");
+}
+
+std::string wall_tag(const House& house, const WallPlan& wall, const char* what) {
+  std::string tag = wall_name(house, wall);
+  if (wall.pier >= 0) return tag + " " + std::to_string(wall.pier);
+  tag.replace(tag.size() - 4, 4, what);
+  return house.storeys.empty() ? tag : tag + ", storey " + std::to_string(wall.storey + 1);
+}
+
+std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course, Interval depth) {
+  std::vector<Interval> gaps;
   const Interval height = plan.courses[static_cast<std::size_t>(course)];
-  Tick from = through || !wall.meets[0] ? 0 : wall.corner;
-  const Tick end = wall.length - (through || !wall.meets[1] ? 0 : wall.corner);
-  for (const Hole& hole : wall.holes) {  // ascending along the wall
-    if (!hole.height.overlaps(height)) continue;
-    if (hole.along.low > from) spans.push_back({from, hole.along.low});
-    from = hole.along.high;
+  if (!wall.built || !height.overlaps(wall.height)) return gaps;
+  if (wall.along_x != (course % 2 == 0)) {
+    for (const Crossing& other : wall.crossings)
+      if (other.height.overlaps(height)) gaps.push_back(other.along);
   }
+  for (const Hole& hole : wall.holes) {
+    if (hole.height.overlaps(height) && hole.depth.overlaps(depth)) gaps.push_back(hole.along);
+  }
+  std::ranges::sort(gaps, {}, &Interval::low);
+  std::vector<Interval> spans;
+  Tick from = wall.from;
+  for (const Interval gap : gaps) {
+    if (gap.low > from) spans.push_back({from, gap.low});
+    from = std::max(from, gap.high);
+  }
+  const Tick end = wall.from + wall.length;
   if (end > from) spans.push_back({from, end});
   return spans;
 }
@@ -195,8 +289,11 @@ std::vector<Interval> cut_member(Interval member, Tick element) {
 HousePlan plan_house(const House& house) {
   HousePlan plan;
   plan_bricks(house, plan);
+  plan_storeys(house, plan);
   plan_walls(house, plan);
   choose_walls(house, plan);
+  plan_crossings(plan);
+  plan_piers(house, plan);
   plan_copies(house, plan);
   plan_openings(house, plan);
   return plan;

@@ -31,41 +31,77 @@ struct Interval {
 enum class Side : std::uint8_t { front, right, rear, left };
 const char* name(Side side) noexcept;
 
-/// A place in a wall without bricks: an opening or the seat of its lintel. `opening` indexes House::openings.
+/// A place in a wall without bricks: an opening, the seat of its lintel, or the pocket of a beam. `opening` indexes House::openings.
 struct Hole {
   Interval along, height;
   std::size_t opening = 0;
   bool lintel = false;
+  Interval depth{};         // through the wall
+  std::int32_t floor = -1;  // into House::floors: a pocket
 };
 
-/// One wall. Its own coordinates: along (x or y of the house), depth (from the outer face), height.
+/// Where another wall meets or crosses one, or a pier stands at it.
+struct Crossing {
+  Interval along, height;
+};
+
+/// One wall of one storey, a line of its plan; or a pier, a short wall out of another one. Its own coordinates: along (x or y of the house),
+/// depth (from the outer face; of an inner wall and a pier from that nearer to the origin), height.
 struct WallPlan {
-  Side side = Side::front;
-  bool bearing = false;
-  Tick length = 0;  // outer
+  Side side = Side::front;  // of an outer wall; of a pier: the wall at which it stands
+  std::int32_t inner = -1;  // into House::inner_walls
+  std::int32_t pier = -1;   // into House::piers
+  int storey = 0;           // from 0
+  bool along_x = false;     // where walls meet, those along x run through even courses
+  Tick at = 0;              // of an inner wall and a pier: depth 0
+  Tick from = 0;            // where it begins; below 0: a pier out of the front or the left wall
+  Tick length = 0;          // outer
   Tick thickness = 0;
-  Tick corner = 0;  // thickness of the walls it meets
+  Tick corner = 0;  // thickness of the outer walls it meets
+  Interval height;
   bool built = true;
-  std::array<bool, 2> meets{true, true};  // a wall at its low and its high end
+  std::array<bool, 2> meets{true, true};  // an outer wall at its low and its high end
+  std::vector<Crossing> crossings;        // what it gives way to in every second course, ascending
   std::vector<Hole> holes;
+
+  /// One side of the house; neither an inner wall nor a pier.
+  [[nodiscard]] bool outer() const noexcept { return inner < 0 && pier < 0; }
+};
+
+/// The beams of House::floors[i], by room; each lies `across` the walls' length.
+struct FloorPlan {
+  Interval length, height;
+  std::vector<std::vector<Interval>> rooms;
 };
 
 struct HousePlan {
   Tick brick_length = 0, brick_width = 0, brick_height = 0;  // with mortar
   Bond bond = Bond::english;
-  Tick height = 0;
+  Tick height = 0;                // of all storeys
   std::vector<Interval> courses;  // heights, of all walls
   std::array<Tick, 2> outer{};    // along x and y
-  std::array<WallPlan, 4> walls;  // by Side
+  std::vector<Interval> storeys;  // heights
+  std::vector<WallPlan> walls;    // storey by storey: the outer ones by Side, then the inner ones; then piers
+  std::vector<FloorPlan> floors;  // by House::floors
   int quarter_turns = 0;          // 0 to 3
 
-  [[nodiscard]] const WallPlan& wall(Side side) const noexcept { return walls[static_cast<std::size_t>(side)]; }
+  /// An outer wall of a storey.
+  [[nodiscard]] const WallPlan& wall(Side side, int storey) const noexcept;
+  /// That of the uppermost storey, on which the roof lies.
+  [[nodiscard]] const WallPlan& wall(Side side) const noexcept { return wall(side, static_cast<int>(storeys.size()) - 1); }
+  /// That in whose storey a height lies.
+  [[nodiscard]] const WallPlan& wall_at(Side side, Tick height) const noexcept;
   [[nodiscard]] int course_count() const noexcept { return static_cast<int>(courses.size()); }
   /// No course is lower than half a brick.
   [[nodiscard]] Tick lowest_course() const noexcept { return (brick_height + 1) / 2; }
   /// No piece of a wall is shorter than half a brick.
   [[nodiscard]] Tick shortest_piece() const noexcept { return brick_length / 2; }
 };
+
+/// "front wall", "middle wall", "front pier": without its storey.
+std::string wall_name(const House& house, const WallPlan& wall);
+/// Tags its bricks: "front wall", in a house of several storeys "front wall, storey 1". \param what  "wall", "gable"
+std::string wall_tag(const House& house, const WallPlan& wall, const char* what = "wall");
 
 /// Checks everything a house can get wrong in itself, and lays out walls and holes.
 /// \throw InputError with the key at fault.
@@ -74,9 +110,10 @@ HousePlan plan_house(const House& house);
 /// Length, width and height of a brick with its mortar, m.
 std::array<double, 3> brick_with_mortar(const House& house) noexcept;
 
-/// The parts of a wall that a course fills with bricks, ascending. In even courses the bearing walls run through the corners, in odd
-/// courses the others; where a wall meets none, it runs to its end in all courses. Nothing of a wall that is not built.
-std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course);
+/// The parts of a layer of a wall that a course fills with bricks, ascending. Where walls meet or cross, those along x run through in even
+/// courses, the others in odd ones; where a wall meets none, it runs to its end in all courses. Nothing of a wall that is not built, or
+/// not in this storey.
+std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course, Interval depth);
 
 /// A positive length of the case as ticks. \throw InputError at `key` if it is not above zero, or beyond 10 km.
 Tick positive_length(double value, const std::string& key);

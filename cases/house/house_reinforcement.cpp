@@ -153,9 +153,9 @@ void add_ring_beams_upon(const HousePlan& plan, const Sections& s, Carpenter& ca
   for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
     const WallPlan& wall = plan.wall(side);
     const Tick depth = (wall.thickness - s.beam_width) / 2;
-    const Tick from = (wall.corner - s.beam_width) / 2 + (wall.bearing ? 0 : s.beam_width);
+    const Tick from = (wall.corner - s.beam_width) / 2 + (wall.along_x ? 0 : s.beam_width);
     const HouseBox box = in_house(plan, wall, {from, wall.length - from}, {depth, depth + s.beam_width}, z);
-    carpenter.add(PartKind::ring_beam, std::string(name(side)) + " ring beam", box, wall.bearing ? 0 : 1);
+    carpenter.add(PartKind::ring_beam, std::string(name(side)) + " ring beam", box, wall.along_x ? 0 : 1);
   }
 }
 
@@ -164,9 +164,9 @@ void add_ring_beams(const HousePlan& plan, const Sections& s, Carpenter& carpent
   const Interval z{plan.height - s.beam_height, plan.height};
   for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
     const WallPlan& wall = plan.wall(side);
-    const Tick from = wall.corner + (wall.bearing ? 0 : s.beam_width);
+    const Tick from = wall.corner + (wall.along_x ? 0 : s.beam_width);
     const HouseBox box = in_house(plan, wall, {from, wall.length - from}, {wall.thickness, wall.thickness + s.beam_width}, z);
-    carpenter.add(PartKind::ring_beam, std::string(name(side)) + " ring beam", box, wall.bearing ? 0 : 1);
+    carpenter.add(PartKind::ring_beam, std::string(name(side)) + " ring beam", box, wall.along_x ? 0 : 1);
   }
 }
 
@@ -175,10 +175,17 @@ void add_ring_beams(const HousePlan& plan, const Sections& s, Carpenter& carpent
 void build_reinforcement(const House& house, const HousePlan& plan, HouseParts& parts) {
   if (std::any_of(plan.walls.begin(), plan.walls.end(), [](const WallPlan& w) { return !w.built; }))
     throw InputError("house.reinforcement", "a ring beam goes round four walls; house.walls leaves out some");
+  if (!house.storeys.empty() || !house.inner_walls.empty() || !house.floors.empty()) {
+    const bool columns = !house.reinforcement->bearing.empty() || !house.reinforcement->nonbearing.empty();
+    if (columns || house.reinforcement->ring_beam_place == RingPlace::inside)
+      throw InputError("house.reinforcement",
+                       "columns and ring beams inside the walls go with a house of one storey and one room, without "
+                       "floors; a ring beam upon the walls (ring_beam_place = \"middle\") goes with any");
+  }
   const bool upon_walls = house.reinforcement->ring_beam_place == RingPlace::middle;
-  if (upon_walls && (house.roof.kind == RoofKind::vault || house.roof.kind == RoofKind::gables))
+  if (upon_walls && house.roof.kind != RoofKind::none && house.roof.kind != RoofKind::flat)
     throw InputError("house.reinforcement.ring_beam_place",
-                     "\"middle\" does not go with this roof, whose gables and vault start where the ring would lie; allowed: \"inside\", "
+                     "\"middle\" does not go with this roof, whose feet and gables start where the ring would lie; allowed: \"inside\", "
                      "or house.roof.kind \"none\" or \"flat\"");
   const Sections s = sections_of(*house.reinforcement, plan);
   std::vector<Column> columns;

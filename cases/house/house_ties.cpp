@@ -43,7 +43,7 @@ class Rods {
   [[nodiscard]] double length(Side side) const { return metres(plan_.wall(side).length); }
   void along(double height) {
     for (const Side side : walls_) {
-      const double depth = tie_.depth.value_or(0.5 * metres(plan_.wall(side).thickness));
+      const double depth = tie_.depth.value_or(0.5 * metres(plan_.wall_at(side, ticks(height)).thickness));
       rods_.push_back({point(side, 0.0, depth, height), point(side, length(side), depth, height)});
     }
   }

@@ -71,10 +71,10 @@ geometry::Polyhedron voussoir_shape(const VaultProfile& profile, std::size_t k, 
 
 }  // namespace
 
-double VaultProfile::crown() const noexcept {
-  double top = inner.front().t;
-  for (const geometry::Point2 p : inner) top = std::max(top, p.t);
-  return top - inner.front().t;
+double height_of(const geometry::Polygon& under) noexcept {
+  double top = under.front().t;
+  for (const geometry::Point2 p : under) top = std::max(top, p.t);
+  return top - under.front().t;
 }
 
 VaultProfile vault_profile(const House& house, const HousePlan& plan) {

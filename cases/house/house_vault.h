@@ -12,9 +12,10 @@ namespace voussoir::cases {
 /// has one voussoir less than corners. Its two halves are mirror images bit by bit.
 struct VaultProfile {
   geometry::Polygon inner, outer;
-
-  [[nodiscard]] double crown() const noexcept;  // m, its height above its base
 };
+
+/// m, the height of what gables end under, above its springing, where it begins.
+double height_of(const geometry::Polygon& under) noexcept;
 
 /// The profile of house.roof, with its axis over the middle of the house at the height of the walls.
 /// \throw InputError with the key at fault and the nearest value that fits: a vault must stand on the bearing walls with its whole

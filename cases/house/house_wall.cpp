@@ -53,6 +53,17 @@ void add_lintel(const House& house, const HousePlan& plan, const WallPlan& wall,
   }
 }
 
+/// What the pockets of beams leave of a layer of a course behind them.
+void fill_behind_beams(const HousePlan& plan, const WallPlan& wall, int course, const Wythe& wythe, std::vector<LaidBrick>& bricks) {
+  for (const Hole& hole : wall.holes) {
+    const bool cut = hole.floor >= 0 && hole.depth.overlaps(wythe.depth) && hole.depth.low > wythe.depth.low;
+    if (!cut || !hole.height.overlaps(plan.courses[static_cast<std::size_t>(course)])) continue;
+    const Interval depth{wythe.depth.low, hole.depth.low};
+    for (const Interval along : divide(hole.along, {depth, plan.brick_length, 0}, plan.brick_length))
+      bricks.push_back({along, depth, false});
+  }
+}
+
 Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, const Laid& laid, const HouseParts& parts) {
   Block prototype;
   prototype.whole = laid.whole;
@@ -60,7 +71,7 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
   if (laid.member < 0) {
     prototype.kind = PartKind::brick;
     prototype.material = parts.masonry;
-    prototype.tag = std::string(name(wall.side)) + " wall";
+    prototype.tag = wall_tag(house, wall);
     prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
   } else {
     prototype.kind = PartKind::lintel;
@@ -82,7 +93,7 @@ void build_course(const House& house, const HousePlan& plan, const WallPlan& wal
   std::sort(laid.begin(), laid.end(),
             [](const Laid& a, const Laid& b) { return std::tie(a.along.low, a.depth.low) < std::tie(b.along.low, b.depth.low); });
   // Going round the house, so that neighbours in number are neighbours in space.
-  if (wall.side == Side::rear || wall.side == Side::left) std::reverse(laid.begin(), laid.end());
+  if (wall.outer() && (wall.side == Side::rear || wall.side == Side::left)) std::reverse(laid.begin(), laid.end());
   for (const Laid& l : laid) parts.blocks.push_back(block_of(house, plan, wall, l, parts));
 }
 
@@ -103,6 +114,8 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
       add(width, length, even ? 0 : length / 2);
       result.back().half_at_edge = true;
     }
+  } else if (plan.bond == Bond::header && thickness == length) {
+    add(length, width, even ? 0 : width / 2);
   } else if (even) {
     while (at + length <= thickness) add(length, width, 0);
     if (at < thickness) add(width, length, 0);
@@ -136,11 +149,12 @@ std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, i
   std::vector<LaidBrick> bricks;
   const bool full_height = plan.courses[static_cast<std::size_t>(course)].length() == plan.brick_height;
   for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
-    for (const Interval span : free_spans(plan, wall, course)) {
+    for (const Interval span : free_spans(plan, wall, course, wythe.depth)) {
       for (const Interval along : divide(span, wythe, plan.brick_length)) {
         bricks.push_back({along, wythe.depth, full_height && along.length() == wythe.unit});
       }
     }
+    fill_behind_beams(plan, wall, course, wythe, bricks);
   }
   std::sort(bricks.begin(), bricks.end(),
             [](const LaidBrick& a, const LaidBrick& b) { return std::tie(a.along.low, a.depth.low) < std::tie(b.along.low, b.depth.low); });

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "cases/blocks.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -30,7 +31,7 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
 constexpr double kThinnest = 0.1;  // of the widest piece of a stone: thinner ones, which cuts leave over, get no finer segments
 
 /// Appends one stone. \param number  of the stone in the model
-void add_stone(const Stone& stone, const Block& like, Model& model) {
+void add_stone(const Stone& stone, const Block& like, const std::string& part, Model& model) {
   double widest = 0.0;
   for (const StonePiece& piece : stone.pieces) widest = std::max(widest, geometry::least_width(piece.shape));
   for (std::size_t i = 0; i < stone.pieces.size(); ++i) {
@@ -40,6 +41,7 @@ void add_stone(const Stone& stone, const Block& like, Model& model) {
       block.name += "/" + std::to_string(i + 1);
     }
     block.tag = block.name;
+    set_part(part, block);
     block.shape = stone.pieces[i].shape;
     block.beds = stone.pieces[i].beds;
     block.segment_size = std::max(geometry::least_width(block.shape), kThinnest * widest) / 4.0;
@@ -95,7 +97,7 @@ void add_stone_blocks(const Case& c, Model& model) {
       like.groups.clear();
       for (const std::string& group : stone.groups) like.groups.push_back(stone_name(spec, group));
       like.fixed = stone.fixed;
-      add_stone(stone, like, model);
+      add_stone(stone, like, spec.part, model);
     }
   }
 }

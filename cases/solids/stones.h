@@ -59,6 +59,7 @@ struct StonesSpec {
   Vec3 place;                        // m, by which all are moved, after the turn
   StoneTurn turn;                    // about a point of the file, in m
   std::string material;              // empty: the only one of the case
+  std::string part;                  // of a building, as BlockSpec::part
   std::optional<std::string> joint;  // a law between stones of this table; none: [joints]
   double snap = 1e-3;                // m, faces nearer than this are in contact
   std::optional<double> gap;         // m, thickness of the mortar between faces so far apart (within snap)

@@ -153,24 +153,28 @@ Table<Cut> cut_table() {
 
 Table<BlockSpec> block_table() {
   using S = BlockSpec;
-  return {"a block by itself: box, vertices, or polygon and extrude",
-          {required(value<S>("name", &S::name, "", filled(), "a name of its own, for loads and messages")),
-           required(value<S>("material", &S::material, "", filled(), "a name of materials")),
-           value<S>("box", &S::box, "m", any(), "two opposite corners"),
-           value<S>("vertices", &S::vertices, "m", any(),
-                    "eight corners of a hexahedron, VTK order; with faces, those of any convex polyhedron"),
-           value<S>("faces", &S::faces, "", any(), "numbers of vertices, from 0, of each face, counter-clockwise seen from outside"),
-           value<S>("polygon", &S::polygon, "m", any(), "section of a prism along x: its corners [y, z]"),
-           value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
-           value<S>("halves", &S::halves, "", any(),
-                    "a box that can crack: two elements name/1 and name/2, cut at mid-length (across the longer horizontal edge), with "
-                    "the law materials.<name>.inside between them"),
-           value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
-           value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
-           value<S>("velocity", &S::velocity, "m/s", any(), "at the start"),
-           value<S>("angular_velocity", &S::angular_velocity, "rad/s", any(), "at the start, about global axes"),
-           table<S>("rotate", &S::rotate, rotation_table()), table<S>("motion", &S::motion, support_motion_table())},
-          check_block};
+  return {
+      "a block by itself: box, vertices, or polygon and extrude",
+      {required(value<S>("name", &S::name, "", filled(), "a name of its own, for loads and messages")),
+       required(value<S>("material", &S::material, "", filled(), "a name of materials")),
+       value<S>("part", &S::part, "", any(),
+                "the part of a building that it is of: \"front wall\", \"left wall, storey 2\", \"inner wall\", \"right gable\": blocks "
+                "of a wall have drift, cracks and damage as a house's have; none: no part"),
+       value<S>("box", &S::box, "m", any(), "two opposite corners"),
+       value<S>("vertices", &S::vertices, "m", any(),
+                "eight corners of a hexahedron, VTK order; with faces, those of any convex polyhedron"),
+       value<S>("faces", &S::faces, "", any(), "numbers of vertices, from 0, of each face, counter-clockwise seen from outside"),
+       value<S>("polygon", &S::polygon, "m", any(), "section of a prism along x: its corners [y, z]"),
+       value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
+       value<S>("halves", &S::halves, "", any(),
+                "a box that can crack: two elements name/1 and name/2, cut at mid-length (across the longer horizontal edge), with "
+                "the law materials.<name>.inside between them"),
+       value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
+       value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
+       value<S>("velocity", &S::velocity, "m/s", any(), "at the start"),
+       value<S>("angular_velocity", &S::angular_velocity, "rad/s", any(), "at the start, about global axes"),
+       table<S>("rotate", &S::rotate, rotation_table()), table<S>("motion", &S::motion, support_motion_table())},
+      check_block};
 }
 
 Table<Load> load_table() {

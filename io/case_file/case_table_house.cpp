@@ -22,21 +22,38 @@ Table<HouseWood> wood_table() {
 
 Table<Roof> roof_table() {
   using S = Roof;
-  return {"beams side by side, or a barrel vault along x",
+  return {"beams side by side, a barrel vault along x, or pairs of rafters",
           {choice<S, RoofKind S::*, RoofKind>(
                "kind", &S::kind, "",
-               {{"none", RoofKind::none}, {"flat", RoofKind::flat}, {"vault", RoofKind::vault}, {"gables", RoofKind::gables}},
-               "kind of roof; gables: the non-bearing walls go on as under a vault, but there is none"),
-           value<S>("beam", &S::beam, "m", above(0.0), "flat: width along x and height of a beam"),
-           value<S>("element", &S::element, "m", above(0.0), "flat: length of an element of a beam"),
-           value<S>("between_beams", &S::between_beams, "", filled(), "flat: joint law between neighbouring beams"),
+               {{"none", RoofKind::none},
+                {"flat", RoofKind::flat},
+                {"vault", RoofKind::vault},
+                {"gables", RoofKind::gables},
+                {"pitched", RoofKind::pitched}},
+               "kind of roof; gables: the non-bearing walls go on as under a vault, but there is none; pitched: pairs of rafters on the "
+               "bearing walls, and gables under them"),
+           value<S>("beam", &S::beam, "m", above(0.0), "flat, pitched: width along x and height of a beam or rafter"),
+           value<S>("element", &S::element, "m", above(0.0), "flat, pitched: length of an element of a beam or rafter"),
+           value<S>("between_beams", &S::between_beams, "", filled(),
+                    "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
            value<S>("radius", &S::radius, "m", above(0.0), "vault, gables: inner radius"),
            value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
            value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),
            value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "vault, gables: number in a ring"),
            value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0),
-                    "flat, vault: mass on the upper surface, added to the roof's elements")},
-          nullptr};
+                    "flat, vault, pitched: mass on the upper surface, added to the roof's elements"),
+           value<S>("pitch", &S::pitch, "degrees", within(5.0, 60.0), "pitched: of the rafters"),
+           value<S>("spacing", &S::spacing, "m", above(0.0),
+                    "pitched: of the axes of rafters, at most; the first and the last are flush with the ends of the house"),
+           table<S>("tie", &S::tie, roof_tie_table()), table<S>("deck", &S::deck, deck_table())},
+          [](const S& s, const RuleCheck& check) {
+            if (s.kind == RoofKind::pitched) return;
+            const auto only_pitched = [&](const char* key, bool given) {
+              if (given) check.fault(key, "needs kind = \"pitched\"");
+            };
+            only_pitched("pitch", s.pitch != S{}.pitch), only_pitched("spacing", s.spacing != S{}.spacing);
+            only_pitched("tie", s.tie.has_value()), only_pitched("deck", s.deck.has_value());
+          }};
 }
 
 Table<Lintel> lintel_table() {
@@ -51,12 +68,44 @@ Table<Lintel> lintel_table() {
 Table<Opening> opening_table() {
   using S = Opening;
   return {"a door or a window",
-          {required(choice<S, std::string S::*, std::string>(
-               "wall", &S::wall, "", {{"front", "front"}, {"rear", "rear"}, {"left", "left"}, {"right", "right"}}, "the wall it is in")),
+          {required(value<S>("wall", &S::wall, "", filled(), "the wall it is in: front, rear, left, right, or the name of an inner wall")),
+           value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey it is in"),
            required(value<S>("from", &S::from, "m", at_least(0.0), "start along the wall, x or y from the outer corner of the house")),
            required(value<S>("width", &S::width, "m", above(0.0), "clear width")),
-           value<S>("sill", &S::sill, "m", at_least(0.0), "height of its lower edge"),
+           value<S>("sill", &S::sill, "m", at_least(0.0), "height of its lower edge above the foot of its storey"),
            required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table())},
+          nullptr};
+}
+
+Table<Storey> storey_table() {
+  using S = Storey;
+  return {
+      "a storey upon those before it; a low one on top is a parapet",
+      {value<S>("height", &S::height, "m", above(0.0), "of its walls"),
+       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness; none: as below, and at most that; outer faces are flush"),
+       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "likewise")},
+      nullptr};
+}
+
+Table<InnerWall> inner_wall_table() {
+  using S = InnerWall;
+  return {"a wall from an outer wall to that opposite, toothed into all walls that it meets or crosses",
+          {value<S>("name", &S::name, "", filled(), "a name of its own, for openings, messages and results"),
+           choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}}, "where it runs"),
+           required(value<S>("at", &S::at, "m", above(0.0), "its face nearer to the origin, y or x from the outer corner of the house")),
+           value<S>("thickness", &S::thickness, "m", above(0.0), "thickness"),
+           value<S>("storeys", &S::storeys, "", within(1.0, 100.0), "that it goes through; none: all")},
+          nullptr};
+}
+
+Table<Pier> pier_table() {
+  using S = Pier;
+  return {"a pier or buttress on the outer face of a wall, toothed into it",
+          {required(value<S>("wall", &S::wall, "", filled(), "front, rear, left or right")),
+           required(value<S>("from", &S::from, "m", above(0.0), "start along the wall, x or y from the outer corner of the house")),
+           value<S>("width", &S::width, "m", above(0.0), "along the wall, a whole number of brick widths"),
+           value<S>("depth", &S::depth, "m", above(0.0), "out of the wall, half a brick or more"),
+           value<S>("height", &S::height, "m", above(0.0), "of its top above the foot of the walls; none: that of the first storey")},
           nullptr};
 }
 
@@ -84,24 +133,33 @@ Table<House> house_table() {
       "a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at "
       "high x), before turn",
       {value<S>("inner_size", &S::inner_size, "m", above(0.0), "inside the walls, along x and y"),
-       value<S>("height", &S::height, "m", above(0.0), "of the walls"),
+       value<S>("height", &S::height, "m", above(0.0), "of the walls; of the first storey if there are more"),
        value<S>("brick", &S::brick, "m", above(0.0), "length, width, height; with mortar, or without it if `mortar` is given"),
        value<S>("mortar", &S::mortar, "m", at_least(0.0),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
-       choice<S, Bond S::*, Bond>("bond", &S::bond, "", {{"english", Bond::english}, {"running", Bond::running}}, "bond of the bricks"),
+       choice<S, Bond S::*, Bond>(
+           "bond", &S::bond, "", {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}},
+           "bond of the bricks; header: walls as thick as a brick is long are all headers, others as in English bond"),
        value<S>("material", &S::material, "", filled(), "of the bricks"),
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
        value<S>("halves", &S::halves, "", any(),
                 "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them"),
-       table<S>("wood", &S::wood, wood_table()), value<S>("origin", &S::origin, "m", any(), "x and y of the outer corner"),
+       table<S>("wood", &S::wood, wood_table()),
+       value<S>("origin", &S::origin, "m", any(), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
        value<S>("copies", &S::copies, "", within(1.0, 1000.0), "number of houses along x and y"),
        value<S>("spacing", &S::spacing, "m", above(0.0), "from house to house along x and y"),
        value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness"),
        value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "thickness"),
        value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"),
-       table<S>("roof", &S::roof, roof_table()), table<S>("opening", &S::openings, opening_table()),
-       table<S>("reinforcement", &S::reinforcement, reinforcement_table()), table<S>("tie", &S::ties, house_tie_table()),
+       table<S>("storey", &S::storeys, storey_table()),
+       table<S>("inner_wall", &S::inner_walls, inner_wall_table()),
+       table<S>("pier", &S::piers, pier_table()),
+       table<S>("floor", &S::floors, house_floor_table()),
+       table<S>("roof", &S::roof, roof_table()),
+       table<S>("opening", &S::openings, opening_table()),
+       table<S>("reinforcement", &S::reinforcement, reinforcement_table()),
+       table<S>("tie", &S::ties, house_tie_table()),
        table<S>("mesh", &S::meshes, house_mesh_table())},
       nullptr};
 }

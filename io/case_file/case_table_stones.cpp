@@ -82,6 +82,7 @@ Table<StonesSpec> stones_table() {
        value<S>("only", &S::only, "", any(), "names and groups of the file that are taken; none: all"),
        value<S>("place", &S::place, "m", any(), "by which the stones are moved, after they were turned"), turn_key(),
        value<S>("material", &S::material, "", any(), "a name of materials; none: the only one"),
+       value<S>("part", &S::part, "", any(), "the part of a building that its stones are of, as block.part; none: no part"),
        value<S>("joint", &S::joint, "", filled(), "law between stones of this table: a name of joint_laws, or \"dry\"; none: [joints]"),
        value<S>(
            "snap", &S::snap, "m", within(0.0, 0.05),

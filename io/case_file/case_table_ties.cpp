@@ -117,4 +117,70 @@ Table<HouseMesh> house_mesh_table() {
           }};
 }
 
+namespace {
+
+Table<BeamAnchor> beam_anchor_table() {
+  using S = BeamAnchor;
+  Table<S> table{"what holds the ends of beams to the walls",
+                 {value<S>("every", &S::every, "", within(1.0, 100.0), "beam that has one: 1 for all, 2 for every second"),
+                  value<S>("reach", &S::reach, "m", above(0.0), "from the face of the wall into the room, where it holds the beam")},
+                 [](const S& s, const RuleCheck& check) { check_bar(s.bar, check); }};
+  add_bar_keys(
+      table.keys, [](auto& s) -> auto& { return s.bar; });
+  return table;
+}
+
+}  // namespace
+
+Table<Tie> roof_tie_table() {
+  using S = Tie;
+  Table<S> table{"a rod or beam from foot to foot of each pair of rafters, which takes their thrust; none: the walls do",
+                 {},
+                 [](const S& s, const RuleCheck& check) {
+                   check_bar(s, check);
+                   if (s.plate) check.fault("plate", "does not go with a tie from rafter to rafter");
+                 }};
+  add_bar_keys(
+      table.keys, [](auto& s) -> auto& { return s; });
+  return table;
+}
+
+Table<Deck> deck_table() {
+  using S = Deck;
+  return {
+      "boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams",
+      {required(value<S>("shear_stiffness", &S::shear_stiffness, "N/m", above(0.0), "shear flow over shear angle, G t")),
+       value<S>("shear_strength", &S::shear_strength, "N/m", above(0.0), "shear flow at which it yields; none: elastic"),
+       required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide, across the beams")),
+       value<S>("strength", &S::strength, "N/m", above(0.0), "force at which such a strip yields; none: elastic")},
+      nullptr};
+}
+
+Table<Floor> house_floor_table() {
+  using S = Floor;
+  return {
+      "beams in pockets of the walls, flush with the top of a storey, with or without a deck",
+      {value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey under it"),
+       choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
+                                          "where its beams run: from wall to wall, through inner walls"),
+       value<S>("beam", &S::beam, "m", above(0.0), "width and height of a beam"),
+       value<S>("spacing", &S::spacing, "m", above(0.0), "from axis to axis; in each room as many as fit, the rest at both ends"),
+       value<S>("bearing", &S::bearing, "m", above(0.0), "depth of the pockets in the outer walls, a whole number of brick widths"),
+       value<S>("element", &S::element, "m", above(0.0), "length of an element of a beam"),
+       value<S>("load", &S::load, "kg/m2", at_least(0.0), "mass of boards and all on them, added to the beams"),
+       value<S>("joint", &S::joint, "", filled(), "joint law of beams with walls, or \"dry\": friction alone"),
+       choice<S, Anchorage S::*, Anchorage>(
+           "anchorage", &S::anchorage, "",
+           {{"friction", Anchorage::friction}, {"nailed", Anchorage::nailed}, {"anchor", Anchorage::anchor}},
+           "friction: beams lie in their pockets; nailed: straps hold them to the bricks under their ends; anchor: rods to the outer face"),
+       table<S>("anchor", &S::anchor, beam_anchor_table()), table<S>("deck", &S::deck, deck_table())},
+      [](const S& s, const RuleCheck& check) {
+        if (s.anchorage != Anchorage::friction && !s.anchor) check.fault("anchor", "is missing; this anchorage needs its section");
+        if (s.anchorage == Anchorage::friction && s.anchor) check.fault("anchor", "needs anchorage = \"nailed\" or \"anchor\"");
+        if (s.anchorage == Anchorage::nailed && s.anchor && s.anchor->bar.plate)
+          check.fault("anchor.plate", "does not go with anchorage = \"nailed\", but with \"anchor\"");
+        if (s.spacing <= s.beam[0]) check.fault("spacing", "is not more than the width of a beam");
+      }};
+}
+
 }  // namespace voussoir::io

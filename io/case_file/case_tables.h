@@ -21,5 +21,8 @@ void check_analysis(const cases::Case& c, const RuleCheck& check);
 Table<cases::Tie> tie_table();
 Table<cases::HouseTie> house_tie_table();
 Table<cases::HouseMesh> house_mesh_table();
+Table<cases::Floor> house_floor_table();
+Table<cases::Tie> roof_tie_table();
+Table<cases::Deck> deck_table();
 
 }  // namespace voussoir::io

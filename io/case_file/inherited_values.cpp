@@ -3,6 +3,7 @@
 #include "io/case_file/inherited_values.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "io/document/case_values.h"
@@ -25,6 +26,8 @@ std::vector<std::string> of_another_house(const LoadedCase& c) {
   std::vector<std::string> found;
   const cases::House& house = *c.value.house;
   if (is_included(c, "house.opening[0]")) found.push_back(counted("house.opening", house.openings.size()));
+  for (const auto& [key, n] : {std::pair("house.inner_wall", house.inner_walls.size()), std::pair("house.pier", house.piers.size())})
+    if (is_included(c, std::string(key) + "[0]")) found.push_back(counted(key, n));
   for (const char* key : {"house.reinforcement.bearing", "house.reinforcement.nonbearing"})
     if (is_included(c, key)) found.emplace_back(key);
   if (is_included(c, "house.roof.surcharge") && house.roof.surcharge > 0.0)

@@ -25,6 +25,12 @@ std::string metres_text(double value) {
 
 bool plain(const cases::Case& c) { return c.house && c.house->turn == 0.0 && c.house->copies == std::array<int, 2>{1, 1}; }
 bool along_x(const std::string& wall) { return wall == "front" || wall == "rear"; }
+/// m, of the foot of a storey above that of the walls.
+double foot_of(const cases::House& house, int storey) {
+  double foot = storey > 1 ? house.height : 0.0;
+  for (int above = 2; above < storey; ++above) foot += house.storeys[static_cast<std::size_t>(above - 2)].height;
+  return foot;
+}
 bool stands(const cases::House& house, const char* wall) { return std::ranges::find(house.walls, wall) != house.walls.end(); }
 
 }  // namespace
@@ -48,13 +54,14 @@ void draw_opening_dimensions(Svg& svg, const cases::Case& c, const std::string& 
   std::vector<double> edges{x ? box.low.x : box.low.y, x ? box.high.x : box.high.y};
   for (const cases::Opening& o : c.house->openings) {
     if (o.wall != wall) continue;
-    const double from = c.house->origin[x ? 0 : 1] + o.from, to = from + o.width, sill = base + o.sill, top = sill + o.height;
-    edges.insert(edges.end(), {from, to});
+    const double from = c.house->origin[x ? 0 : 1] + o.from, to = from + o.width, foot = base + foot_of(*c.house, o.storey);
+    const double sill = foot + o.sill, top = sill + o.height;
+    if (o.storey == 1) edges.insert(edges.end(), {from, to});  // below the view: the pieces of the lowest storey
     Point2 low = place(from, sill), high = place(to, top);
     if (low.s > high.s) std::swap(low.s, high.s);
     draw_dimension(svg, {low.s, low.t - kInset}, {high.s, low.t - kInset}, o.width);
     draw_dimension(svg, {low.s + kInset, low.t}, {low.s + kInset, high.t}, o.height);
-    if (o.sill > 0.0) draw_dimension(svg, {low.s + kInset, place(from, base).t}, {low.s + kInset, low.t}, o.sill);
+    if (o.sill > 0.0) draw_dimension(svg, {low.s + kInset, place(from, foot).t}, {low.s + kInset, low.t}, o.sill);
   }
   std::ranges::sort(edges);
   for (std::size_t i = 0; i + 1 < edges.size() && edges.size() > 2; ++i) {

@@ -58,12 +58,14 @@ Style style_of(const cases::Block& block) {
   const auto colour = [&]() -> Colour {
     switch (block.kind) {
       case PartKind::brick:
+      case PartKind::walling:
         return block.whole ? Colour{222, 188, 150} : Colour{201, 152, 106};
       case PartKind::voussoir:
         return {214, 170, 138};
       case PartKind::lintel:
         return {126, 90, 54};
       case PartKind::beam:
+      case PartKind::floor_beam:
         return {168, 126, 80};
       case PartKind::column:
         return {92, 122, 84};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -67,10 +69,28 @@ std::vector<Box> boxes_of(const Hdf5File& run, std::size_t elements) {
   return boxes;
 }
 
-/// "front" of "front wall" and "front gable"; empty for what is neither.
-std::string side_of(const std::string& tag, const std::string& what) {
-  const std::size_t end = tag.size() > what.size() ? tag.size() - what.size() : 0;
-  return end > 0 && tag.compare(end, what.size(), what) == 0 ? tag.substr(0, end) : "";
+/// What the tag of a brick says: "front wall", "left gable", "middle wall, storey 2".
+struct WallTag {
+  std::string side;  // empty: no brick of a wall
+  bool gable = false;
+  int storey = 1;
+  std::string storey_name;  // ", storey 2"; empty: a house of one storey
+};
+
+WallTag wall_tag(std::string tag) {
+  WallTag found;
+  const std::size_t storey = tag.rfind(", storey ");
+  if (storey != std::string::npos) {
+    found.storey_name = tag.substr(storey);
+    found.storey = std::max(1, std::atoi(tag.c_str() + storey + std::string_view(", storey ").size()));
+    tag.resize(storey);
+  }
+  for (const std::string_view what : {" wall", " gable"}) {
+    if (tag.size() <= what.size() || !tag.ends_with(what)) continue;
+    found.side = tag.substr(0, tag.size() - what.size());
+    found.gable = what == " gable";
+  }
+  return found;
 }
 
 /// What each element is in a house. Results of early versions say it by tags alone, and there what is neither wall, lintel nor roof is a
@@ -83,8 +103,7 @@ std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std
     return kinds;
   }
   for (const std::string& tag : tags) {
-    const bool is_brick = !side_of(tag, " wall").empty() || !side_of(tag, " gable").empty();
-    kinds.push_back(is_brick                         ? brick
+    kinds.push_back(!wall_tag(tag).side.empty()      ? brick
                     : tag.starts_with("lintel ")     ? lintel
                     : tag.starts_with("roof beam ")  ? beam
                     : tag.starts_with("vault ring ") ? voussoir
@@ -93,11 +112,11 @@ std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std
   return kinds;
 }
 
-/// House, place round it, side.
-using WallKey = std::tuple<std::int32_t, std::ptrdiff_t, std::string>;
-WallKey wall_key(std::int32_t house, const std::string& side) {
+/// House, storey, place round it (4: an inner wall), side.
+using WallKey = std::tuple<std::int32_t, int, std::ptrdiff_t, std::string>;
+WallKey wall_key(std::int32_t house, const WallTag& tag) {
   constexpr std::array<std::string_view, 4> kRound{"front", "right", "rear", "left"};
-  return {house, std::ranges::find(kRound, side) - kRound.begin(), side};
+  return {house, tag.storey, std::ranges::find(kRound, tag.side) - kRound.begin(), tag.side};
 }
 
 /// Which way is out of the house at a wall, by its place round the house that has been turned.
@@ -107,33 +126,49 @@ void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
   wall.outward = quarter < 2 ? 1.0 : -1.0;
 }
 
-/// Walls with their boxes, house by house and round each; says of each brick which wall it is in.
+/// An inner wall, or one of free blocks: across it is its shorter side. Out is away from the middle of what stands there; of an inner wall
+/// along the axis.
+void orient_by_box(Wall& wall, const Box& all) {
+  wall.across = wall.box.size(0) < wall.box.size(1) ? 0 : 1;
+  wall.outward = !wall.inner && wall.box.centre(wall.across) < all.centre(wall.across) ? -1.0 : 1.0;
+}
+
+/// Bricks of houses, and free blocks whose `part` is a wall.
+bool may_be_of_wall(const Elements& elements, const Building& b, std::size_t e) {
+  return elements.house[e] >= 0 || b.kind[e] == cases::PartKind::walling;
+}
+
+/// Walls with their boxes, house by house, storey by storey and round each; says of each brick which wall it is in.
 void find_walls(const Elements& elements, int quarter_turns, Building& b) {
   std::set<std::int32_t> houses(elements.house.begin(), elements.house.end());
   houses.erase(-1);  // blocks of their own
   const bool several = houses.size() > 1;
   std::map<WallKey, std::int32_t> numbers;
+  std::vector<WallTag> tags;
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
-    const std::string side = side_of(elements.tag[e], " wall");
-    if (elements.house[e] >= 0 && !side.empty()) numbers.emplace(wall_key(elements.house[e], side), 0);
+    tags.push_back(may_be_of_wall(elements, b, e) ? wall_tag(elements.tag[e]) : WallTag{});
+    if (!tags[e].side.empty() && !tags[e].gable) numbers.emplace(wall_key(elements.house[e], tags[e]), 0);
   }
   for (auto& [key, number] : numbers) {
-    const auto& [house, place, side] = key;
     number = static_cast<std::int32_t>(b.walls.size());
     Wall& wall = b.walls.emplace_back();
-    wall.name = side + " wall" + (several ? " of house " + std::to_string(house) : "");
-    wall.house = house;
+    wall.house = std::get<0>(key), wall.storey = std::get<1>(key);
+    wall.inner = wall.house >= 0 ? std::get<2>(key) == 4 : std::get<3>(key).starts_with("inner");
     wall.box = Box::empty();
-    orient(wall, place, quarter_turns);
   }
+  Box all = Box::empty();
   for (std::size_t e = 0; e < elements.tag.size(); ++e) {
-    if (const auto wall = numbers.find(wall_key(elements.house[e], side_of(elements.tag[e], " wall"))); wall != numbers.end()) {
-      b.wall[e] = wall->second;
-      b.walls[static_cast<std::size_t>(wall->second)].box.include(b.box[e]);
-    }
-    if (const auto wall = numbers.find(wall_key(elements.house[e], side_of(elements.tag[e], " gable"))); wall != numbers.end()) {
-      b.wall[e] = wall->second;
-    }
+    const auto found = tags[e].side.empty() ? numbers.end() : numbers.find(wall_key(elements.house[e], tags[e]));
+    if (found == numbers.end()) continue;
+    b.wall[e] = found->second;
+    if (tags[e].gable) continue;
+    Wall& wall = b.walls[static_cast<std::size_t>(found->second)];
+    wall.box.include(b.box[e]), all.include(b.box[e]);
+    wall.name = tags[e].side + " wall" + tags[e].storey_name + (several ? " of house " + std::to_string(wall.house) : "");
+  }
+  for (const auto& [key, number] : numbers) {
+    Wall& wall = b.walls[static_cast<std::size_t>(number)];
+    wall.inner || wall.house < 0 ? orient_by_box(wall, all) : orient(wall, std::get<2>(key), quarter_turns);
   }
 }
 
@@ -144,7 +179,7 @@ void find_lintels(const Elements& elements, Building& b) {
     for (std::size_t w = 0; w < b.walls.size(); ++w) {
       const Box& box = b.walls[w].box;
       const auto inside = [&](std::size_t axis) { return b.box[e].centre(axis) > box.low[axis] && b.box[e].centre(axis) < box.high[axis]; };
-      if (b.walls[w].house == elements.house[e] && inside(0) && inside(1)) b.wall[e] = static_cast<std::int32_t>(w);
+      if (b.walls[w].house == elements.house[e] && inside(0) && inside(1) && inside(2)) b.wall[e] = static_cast<std::int32_t>(w);
     }
   }
 }
@@ -152,7 +187,7 @@ void find_lintels(const Elements& elements, Building& b) {
 void find_courses(const Elements& elements, Building& b) {
   for (Wall& w : b.walls) w.top.resize(static_cast<std::size_t>(std::max(1L, std::lround(w.length() / kPiece))));
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
-    if (b.wall[e] < 0 || !side_of(elements.tag[e], " gable").empty()) continue;
+    if (b.wall[e] < 0 || wall_tag(elements.tag[e]).gable) continue;
     Wall& w = b.walls[static_cast<std::size_t>(b.wall[e])];
     if (b.box[e].low[2] < w.box.low[2] + kSameLevel) w.foot.push_back(e);
     if (b.box[e].high[2] < w.box.high[2] - kSameLevel) continue;
@@ -162,24 +197,52 @@ void find_courses(const Elements& elements, Building& b) {
   }
 }
 
-/// The rectangle about the walls of a house less the walls themselves.
-Room room_of(const std::vector<Wall>& walls, std::int32_t house, const Box& outer) {
-  Room room{{outer.low[0], outer.low[1]}, {outer.high[0], outer.high[1]}, outer.low[2], outer.high[2]};
-  for (const Wall& w : walls) {
-    if (w.house != house) continue;
-    double& low = room.low[w.across];
-    double& high = room.high[w.across];
-    w.outward < 0 ? low = std::max(low, w.box.high[w.across]) : high = std::min(high, w.box.low[w.across]);
+/// The rectangle about the walls of a storey less the walls themselves.
+Room inside_of(const std::vector<const Wall*>& walls, const Box& outer, int storey) {
+  Room room{{outer.low[0], outer.low[1]}, {outer.high[0], outer.high[1]}, outer.low[2], outer.high[2], storey, true};
+  for (const Wall* w : walls) {
+    if (w->inner) continue;
+    double& low = room.low[w->across];
+    double& high = room.high[w->across];
+    w->outward < 0 ? low = std::max(low, w->box.high[w->across]) : high = std::min(high, w->box.low[w->across]);
   }
   return room;
 }
 
+/// What an inner wall leaves of the rooms that it goes through.
+std::vector<Room> parted(const std::vector<Room>& rooms, const Wall& wall) {
+  std::vector<Room> all;
+  for (const Room& room : rooms) {
+    const std::size_t k = wall.across;
+    Room before = room, behind = room;
+    before.high[k] = std::min(room.high[k], wall.box.low[k]), behind.low[k] = std::max(room.low[k], wall.box.high[k]);
+    for (const Room& part : {before, behind})
+      if (part.high[k] > part.low[k]) all.push_back(part);
+  }
+  return all;
+}
+
 void find_rooms(Building& b) {
-  std::map<std::int32_t, Box> houses;
-  for (const Wall& w : b.walls) houses.emplace(w.house, Box::empty()).first->second.include(w.box);
-  for (const auto& [house, outer] : houses) {
-    const Room room = room_of(b.walls, house, outer);
-    if (room.high[0] > room.low[0] && room.high[1] > room.low[1]) b.rooms.push_back(room);
+  std::map<std::pair<std::int32_t, int>, std::vector<const Wall*>> storeys;
+  for (const Wall& w : b.walls) storeys[{w.house, w.storey}].push_back(&w);
+  for (const auto& [key, walls] : storeys) {
+    Box outer = Box::empty();
+    for (const Wall* w : walls) outer.include(w->box);
+    const Room whole = inside_of(walls, outer, key.second);
+    if (whole.high[0] <= whole.low[0] || whole.high[1] <= whole.low[1]) continue;
+    std::vector<Room> rooms{whole};
+    for (const Wall* w : walls)
+      if (w->inner) rooms = parted(rooms, *w);
+    const bool top = !storeys.contains({key.first, key.second + 1});
+    for (Room& room : rooms) room.top = top, b.rooms.push_back(room);
+  }
+}
+
+/// Which storeys lie under each element of a floor or a roof.
+void find_covers(const Elements& elements, Building& b) {
+  for (std::size_t e = 0; e < b.kind.size(); ++e) {
+    if (b.is_roof(e)) b.covers[e] = Building::kAll;
+    if (b.kind[e] == cases::PartKind::floor_beam) std::sscanf(elements.tag[e].c_str(), "floor %d", &b.covers[e]);
   }
 }
 
@@ -195,6 +258,7 @@ void Box::include(const Box& other) noexcept {
 }
 
 std::string part_of(const std::string& tag) {
+  if (tag.find(", storey ") != std::string::npos) return tag;
   const std::size_t end = tag.find_last_not_of("0123456789 ");
   return end == std::string::npos ? tag : tag.substr(0, end + 1);
 }
@@ -214,10 +278,12 @@ Building building_of(const Hdf5File& run) {
     if (elements.fixed[e] != 0) b.mass[e] = 0.0;  // no part of what may fall, as the solver has it
   }
   b.wall.assign(n, -1);
+  b.covers.assign(n, 0);
   b.box = boxes_of(run, n);
   find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
   find_lintels(elements, b);
   find_rooms(b);
+  find_covers(elements, b);
   find_courses(elements, b);
   const bool any_house = std::ranges::any_of(elements.house, [](std::int32_t h) { return h >= 0; });
   b.footprint = Box::empty();

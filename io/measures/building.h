@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,12 @@ struct Box {
   [[nodiscard]] double size(std::size_t axis) const noexcept { return high[axis] - low[axis]; }
 };
 
-/// One side of a house: its bricks, its lintels and the gable upon it.
+/// One side of a storey of a house, or an inner wall of it: its bricks, its lintels and the gable upon it.
 struct Wall {
-  std::string name;                           // "front wall"; "front wall of house 1" where there are several houses
-  std::int32_t house = 0;                     // copy of the house
+  std::string name;        // "front wall"; "front wall, storey 1"; with "of house 1" where there are several houses
+  std::int32_t house = 0;  // copy of the house; −1: of free blocks that name it as their part
+  int storey = 1;
+  bool inner = false;
   Box box;                                    // of its bricks without the gable
   std::size_t across = 0;                     // axis normal to its plane: 0 x, 1 y
   double outward = 1.0;                       // 1: out of the house is along that axis, −1: against it
@@ -45,18 +48,23 @@ struct Wall {
 /// Along x (0), y (1) or z (2).
 inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// The space between the walls of one house, up to their height.
+/// The space between walls of one storey, up to their height.
 struct Room {
   std::array<double, 2> low, high;  // x and y, m
   double floor = 0, ceiling = 0;    // z, m
+  int storey = 1;
+  bool top = true;  // no storey stands upon its own
 };
 
 struct Building {
+  static constexpr int kAll = std::numeric_limits<int>::max();  // in `covers`
+
   double base = 0;  // height of the base, m; without one 0
   bool has_base = false;
   std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // into walls; −1: of no wall
+  std::vector<int> covers;         // storeys from 1 to this one lie under it (floor, roof); 0: it is neither
   std::vector<Box> box;            // in the reference configuration
   std::vector<Wall> walls;         // none without a house
   std::vector<Room> rooms;         // of the houses whose walls leave one
@@ -67,7 +75,7 @@ struct Building {
   }
 };
 
-/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam".
+/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam", "front wall, storey 1" of itself.
 std::string part_of(const std::string& tag);
 
 /// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError

@@ -23,11 +23,12 @@ std::pair<std::size_t, std::size_t> cells_between(double from, double to, double
 
 }  // namespace
 
-/// Calls `use` with the cell and the chord of the vertical line of every cell in an element of the roof, or in another one.
+/// Calls `use` with the cell and the chord of the vertical line of every cell in an element of a floor or roof over the room, or in another
+/// one.
 template <class Use>
-void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, bool roof, const Use& use) const {
+void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, bool cover, const Use& use) const {
   for (std::size_t e = 0; e < poses.size(); ++e) {
-    if (building_.is_roof(e) != roof) continue;
+    if ((building_.covers[e] >= g.room.storey) != cover) continue;
     const Vec3 c = poses[e].centre;
     const double r = shapes_.radius(e);
     const auto [i0, i1] = cells_between(c.x - r, c.x + r, g.room.low[0], g.dx, g.nx);
@@ -55,12 +56,12 @@ FreeVolume::FreeVolume(const Building& building, const ElementShapes& shapes, co
   initial_ = at(start);
 }
 
-// The underside of the roof, which a vault has above the walls; without a roof over the cell, the top of the walls.
+// The underside of the floor or roof, which a vault has above the walls; without one over the cell, the top of the walls.
 void FreeVolume::find_ceiling(Grid& g, const std::vector<Pose>& start) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   g.ceiling.assign(g.nx * g.ny, kNone);
   for_each_chord(g, start, true, [&](std::size_t cell, Chord c) { g.ceiling[cell] = std::min(g.ceiling[cell], c.low); });
-  std::ranges::replace(g.ceiling, kNone, g.room.ceiling);
+  for (double& z : g.ceiling) z = g.room.top && z != kNone ? z : std::min(z, g.room.ceiling);
 }
 
 double FreeVolume::at(const std::vector<Pose>& poses) const {

@@ -33,7 +33,7 @@ class FreeVolume {
     std::vector<double> ceiling;  // of each cell, m
   };
   template <class Use>
-  void for_each_chord(const Grid& grid, const std::vector<Pose>& poses, bool roof, const Use& use) const;
+  void for_each_chord(const Grid& grid, const std::vector<Pose>& poses, bool cover, const Use& use) const;
   void find_ceiling(Grid& grid, const std::vector<Pose>& start) const;
 
   const Building& building_;

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec3.h"
+
+/// A house as plain data: [house] of the case file, with ties. SI units.
+namespace voussoir::cases {
+
+struct Lintel {
+  double length = 0.0, height = 0.1, element = 0.2;  // m
+};
+struct Opening {
+  std::string wall;                                          // front | rear | left | right, or the name of an inner wall
+  double from = 0.0, width = 0.0, sill = 0.0, height = 0.0;  // m
+  std::optional<Lintel> lintel;
+  int storey = 1;  // `sill` is above its foot
+};
+/// A storey upon those before it. Its walls have the outer faces of those below.
+struct Storey {
+  double height = 2.4;                                  // m
+  std::optional<double> bearing_wall, nonbearing_wall;  // m; none: as the storey below
+};
+/// A wall between two outer walls, toothed into them and into the inner walls that it crosses.
+enum class PlanAxis { x, y };
+struct InnerWall {
+  std::string name = "inner";
+  PlanAxis along = PlanAxis::y;
+  double at = 0.0;           // m, its face nearer to the origin, from the outer corner of the house
+  double thickness = 0.2;    // m
+  std::vector<int> storeys;  // empty: all
+};
+/// A pier or buttress of bricks on the outer face of a wall, toothed into it.
+struct Pier {
+  std::string wall;                             // front | rear | left | right
+  double from = 0.0, width = 0.3, depth = 0.3;  // m: along the wall from the outer corner; along and out of it
+  std::optional<double> height;                 // m, above the foot of the walls; none: that of the first storey
+};
+struct HouseWood {
+  std::string material = "wood", within_member = "wood", between_members = "normal";
+  std::optional<std::string> timber_on_timber;  // between members of timber alone; none: between_members
+};
+/// A rod, cable, strap or bar between two points of the model (cases/ties.h).
+struct Tie {
+  std::string name;
+  Vec3 from, to;                                 // m
+  double area = 0.0;                             // m2, of the section
+  double young = 2.1e11;                         // Pa
+  std::optional<double> yield{};                 // Pa; none: elastic
+  double hardening = 0.0;                        // Pa, slope of stress over strain beyond yield
+  std::optional<double> elongation{};            // strain at which it breaks; none: never
+  double pretension = 0.0;                       // N, if its ends did not move
+  bool compression = false;                      // true: a bar; false: goes slack
+  std::optional<std::array<double, 2>> plate{};  // m, width and height of the anchor plates; none: each end holds one element
+};
+/// In-plane behaviour of boards or a slab on beams: a shear panel between neighbouring beams, bars across them.
+struct Deck {
+  double shear_stiffness = 0.0;          // N/m, shear flow over shear angle (G t)
+  std::optional<double> shear_strength;  // N/m, shear flow at which it yields; none: elastic
+  double stiffness = 0.0;                // N/m, force over strain of a strip one metre wide, across the beams
+  std::optional<double> strength;        // N/m, of it; none: elastic
+};
+/// gables: the non-bearing walls go on as under a vault, but there is none. pitched: pairs of rafters that meet in the ridge, and gables.
+enum class RoofKind { none, flat, vault, gables, pitched };
+struct Roof {
+  RoofKind kind = RoofKind::none;
+  std::array<double, 2> beam{0.2, 0.2};  // width along x, height, m (flat; pitched: of rafters)
+  double element = 0.2;                  // m (flat, pitched)
+  std::string between_beams = "normal";  // flat; pitched: in the ridge
+  double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault; radius also gables)
+  int voussoirs = 25;                                // of a ring (vault, gables)
+  double surcharge = 0.0;                            // kg per m2 of the roof's upper surface (flat, vault, pitched)
+  double pitch = 30.0;                               // degrees (pitched)
+  double spacing = 0.8;                              // m, of the axes of rafters (pitched)
+  std::optional<Tie> tie;                            // from foot to foot of a pair of rafters; none: they thrust (pitched)
+  std::optional<Deck> deck;                          // boards on the rafters (pitched)
+};
+/// Rods of a house, by wall and height (cases/house/house_ties.h).
+enum class HouseTieKind { along, across, corner };
+struct HouseTie {
+  HouseTieKind kind = HouseTieKind::along;
+  std::vector<std::string> walls;  // empty: all that are built
+  std::vector<double> heights;     // m, above the foot of the walls
+  std::vector<double> at;          // m, across: along the wall from the outer corner
+  std::optional<double> depth;     // m, along: from the outer face of the wall; none: in its middle
+  double reach = 0.0;              // m, corner: along both walls, from the outer corner to the rod's ends
+  Tie bar;                         // without ends
+};
+/// Bars through the wall from node to node of a mesh.
+struct MeshConnectors {
+  int every = 2;                            // nodes, along and up
+  double area = 0.0, young = 2.1e11;        // m2, Pa
+  std::optional<double> yield, elongation;  // Pa, strain; none: elastic, never breaks
+};
+/// A grid of straps on the faces of a house's walls: a net, a mesh, or a bandage if it covers some courses only.
+enum class MeshFaces { both, outside, inside };
+struct HouseMesh {
+  std::string name;
+  std::vector<std::string> walls;           // empty: all that are built
+  double from = 0.0;                        // m, above the foot of the walls
+  std::optional<double> to;                 // m; none: the top of the walls
+  std::array<double, 2> spacing{0.2, 0.2};  // m, of the nodes along and up
+  MeshFaces faces = MeshFaces::both;
+  double stiffness = 0.0;            // N per m of width, force over strain
+  std::optional<double> strength;    // N per m of width, at which it yields; none: elastic
+  std::optional<double> elongation;  // strain at which it breaks; none: never
+  std::optional<MeshConnectors> connectors;
+};
+
+/// Rods or straps from the ends of beams into the walls that they rest on.
+struct BeamAnchor {
+  Tie bar;             // without ends and name
+  int every = 1;       // beam
+  double reach = 0.3;  // m, into the room, where it holds the beam
+};
+/// friction: a beam lies in its pocket. nailed: a strap holds it to the bricks under its end. anchor: a rod to the outer face of the wall.
+enum class Anchorage { friction, nailed, anchor };
+/// Beams in pockets of the walls, flush with the top of a storey, with or without a deck.
+struct Floor {
+  int storey = 1;
+  PlanAxis along = PlanAxis::y;          // of the beams
+  std::array<double, 2> beam{0.1, 0.2};  // width, height, m
+  double spacing = 0.6;                  // m, of their axes
+  double bearing = 0.1;                  // m, depth of the pockets in outer walls; they go through inner walls
+  double element = 0.4;                  // m
+  double load = 0.0;                     // kg/m2 of boards and all on them
+  std::string joint = "dry";             // law of beams with walls
+  Anchorage anchorage = Anchorage::friction;
+  std::optional<BeamAnchor> anchor;
+  std::optional<Deck> deck;
+};
+
+/// inside: at the inner faces of the walls, flush with their top. middle: upon the walls, over their middle; the roof lies on it.
+enum class RingPlace { inside, middle };
+struct Reinforcement {
+  std::array<double, 2> column{0.1, 0.1}, ring_beam{0.1, 0.1};  // m
+  std::vector<double> bearing, nonbearing;                      // column axes, m
+  double element = 0.2;                                         // length of an element of a member, m
+  RingPlace ring_beam_place = RingPlace::inside;
+};
+/// header: walls as thick as a brick is long are all headers; others as in English bond.
+enum class Bond { english, running, header };
+struct House {
+  std::array<double, 2> inner_size{5.0, 3.0};  // m
+  double height = 2.4;                         // m, of the first storey
+  std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m
+  double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
+  Bond bond = Bond::english;
+  std::string material = "adobe", joint = "normal";
+  bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between them
+  HouseWood wood;
+  std::array<double, 2> origin{0.0, 0.0};  // m
+  double turn = 0.0;                       // degrees about z: 0, 90, 180, 270
+  std::array<int, 2> copies{1, 1};
+  std::array<double, 2> spacing{8.0, 6.0};                           // m
+  double bearing_wall = 0.2, nonbearing_wall = 0.2;                  // m
+  std::vector<std::string> walls{"front", "right", "rear", "left"};  // those that are built
+  Roof roof;
+  std::vector<Storey> storeys;         // key: storey; those upon the first
+  std::vector<InnerWall> inner_walls;  // key: inner_wall
+  std::vector<Pier> piers;             // key: pier
+  std::vector<Floor> floors;           // key: floor
+  std::vector<Opening> openings;       // key: opening
+  std::optional<Reinforcement> reinforcement;
+  std::vector<HouseTie> ties;     // key: tie
+  std::vector<HouseMesh> meshes;  // key: mesh
+};
+
+}  // namespace voussoir::cases

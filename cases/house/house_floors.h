@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/house/house_plan.h"
+#include "cases/house/house_ties.h"
+
+/// Floors of beams in pockets, what anchors them, and their decks. Internal to cases/.
+namespace voussoir::cases {
+
+/// The walls in which beams end.
+struct BeamEnds {
+  Side low, high;
+};
+BeamEnds ends_of(const Floor& floor) noexcept;
+
+/// Lays out the beams of all floors and cuts their pockets into walls whose openings are there. In each room beams lie `spacing` apart, as
+/// many as fit, with half of what is left at either end.
+/// \throw InputError with the key at fault: a storey that there is not or has a floor, a pocket deeper than its wall, a beam over an
+/// opening, or one too long for elements of its length.
+void plan_floors(const House& house, HousePlan& plan);
+
+/// What holds the ends of beams to walls, in all copies; PlannedTie::index is the floor.
+std::vector<PlannedTie> beam_anchors(const House& house, double foot);
+
+}  // namespace voussoir::cases
