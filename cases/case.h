@@ -79,7 +79,8 @@ struct JointLaw {
   SofteningCurve softening = SofteningCurve::exponential;
   std::optional<double> residual_friction{};  // degrees, of this joint without its bond; none: that of [contact]
   double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
-  std::optional<double> normal_stiffness{}, shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
+  std::optional<double> normal_stiffness{},
+      shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
 };
 
 /// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).

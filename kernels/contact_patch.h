@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/crushing.h"
 #include "kernels/lanes.h"
 #include "kernels/law.h"
+#include "kernels/laws/crushing.h"
 #include "kernels/rows.h"
 #include "kernels/side.h"
 

@@ -176,7 +176,8 @@ inline void record_opening(const Facing& f, const Pose& master, double s, double
   r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
 }
 
-/// Lets point i, which touches, give way if it is pressed harder than it bears, before the law of contact is asked (kernels/crushing.h).
+/// Lets point i, which touches, give way if it is pressed harder than it bears, before the law of contact is asked
+/// (kernels/laws/crushing.h).
 inline void crush_point(const Facing& f, double s, double t, double area, ContactPoints q, int i, const ContactOptions& o,
                         PatchResult& r) noexcept {
   const double xn = f.depth.at(s, t) - q.closure(i), by = crushed_further(xn, q.crushed[i], f.k.kn, o.crushing);

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/crushing.h"
 #include "kernels/lanes.h"
 #include "kernels/law.h"
+#include "kernels/laws/crushing.h"
+#include "kernels/laws/segment_law.h"
+#include "kernels/laws/softening.h"
 #include "kernels/rows.h"
-#include "kernels/segment_law.h"
-#include "kernels/softening.h"
 
 /// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side
 /// that stands for both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that
@@ -134,10 +134,8 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
 struct NormalFields {
   double d, ds, dt, v, vs, vt;
 };
-/// Lets segments without a bond give way that are pressed harder than they bear, before the law of contact is asked (kernels/crushing.h).
-/// \param factor   of Eq. 11, on the segment areas
-/// \param crushed  m, by segment
-/// \return J, lost by it
+/// Lets segments without a bond give way that are pressed harder than they bear, before the law of contact is asked
+/// (kernels/laws/crushing.h). \param factor   of Eq. 11, on the segment areas \param crushed  m, by segment \return J, lost by it
 double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
                       double* crushed) noexcept;
 

@@ -21,7 +21,8 @@ constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill th
   const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
   const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
   const std::string fitting = joint > 0.0 && joint < 0.25 * house.brick[2] ? ", mortar = " + text(metres(ticks(joint))) : "";
-  throw InputError("house.brick", std::string(house.bond == Bond::header ? "header" : "English") + " bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
+  throw InputError("house.brick", std::string(house.bond == Bond::header ? "header" : "English") +
+                                      " bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
                                       text(width) + " m" + with_mortar + "; nearest: [" + text(2.0 * width + house.mortar) + ", " +
                                       text(width) + ", " + text(house.brick[2]) + "]" + fitting + ", or bond = \"running\"");
 }

@@ -45,8 +45,8 @@ struct Crossing {
   Interval along, height;
 };
 
-/// One wall of one storey, a line of its plan; or a pier, a short wall out of another one. Its own coordinates: along (x or y of the house),
-/// depth (from the outer face; of an inner wall and a pier from that nearer to the origin), height.
+/// One wall of one storey, a line of its plan; or a pier, a short wall out of another one. Its own coordinates: along (x or y of the
+/// house), depth (from the outer face; of an inner wall and a pier from that nearer to the origin), height.
 struct WallPlan {
   Side side = Side::front;  // of an outer wall; of a pier: the wall at which it stands
   std::int32_t inner = -1;  // into House::inner_walls

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "kernels/contact_law.h"
+#include "kernels/laws/contact_law.h"
 
 namespace voussoir::solver {
 

@@ -4,7 +4,7 @@
 
 #include "solver/world/world.h"
 
-/// Ties: bars between points of elements (cases/ties.h), whose law is kernels/tie_law.h.
+/// Ties: bars between points of elements (cases/ties.h), whose law is kernels/laws/tie_law.h.
 namespace voussoir::solver {
 
 /// Adds the forces of all ties to the wrench rows, in a fixed order.

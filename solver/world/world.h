@@ -11,10 +11,10 @@
 #include "kernels/contact_patch.h"
 #include "kernels/integrate.h"
 #include "kernels/law.h"
+#include "kernels/laws/softening.h"
+#include "kernels/laws/tie_law.h"
 #include "kernels/overlap.h"
 #include "kernels/side.h"
-#include "kernels/softening.h"
-#include "kernels/tie_law.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 #include "solver/world/travel.h"
@@ -98,9 +98,9 @@ struct Sides {
   std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
   ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
   std::vector<kernels::SoftSide> soft;             // by side; empty: no law of the model softens
-  ZeroArray<double> wear;                          // State by segment of the sides that soften, kernels/softening.h
+  ZeroArray<double> wear;                          // State by segment of the sides that soften, kernels/laws/softening.h
   std::vector<double*> crushed_of;                 // by side, into `crushed`; empty: contacts bear any pressure
-  ZeroArray<double> crushed;                       // m, State by segment, kernels/crushing.h
+  ZeroArray<double> crushed;                       // m, State by segment, kernels/laws/crushing.h
   // State by side.
   Array<kernels::SideState> side_state;
   Array<std::uint8_t> retired;               // lives on as free patches

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "geometry/rim_points.h"
-#include "kernels/softening.h"
+#include "kernels/laws/softening.h"
 
 // A bond wrench: a joint bent without a normal force until it parts. What it bears at most must not depend on the number of its points.
 using namespace voussoir;
 
 namespace {
 
-constexpr double kDepth = 0.1, kWide = 0.2;               // m, of the joint: along the bending, across it
-constexpr kernels::Stiffness kSprings{2e10, 8e9, 0, 0};   // Pa/m: a joint of 10 mm of a mortar of 200 MPa
+constexpr double kDepth = 0.1, kWide = 0.2;              // m, of the joint: along the bending, across it
+constexpr kernels::Stiffness kSprings{2e10, 8e9, 0, 0};  // Pa/m: a joint of 10 mm of a mortar of 200 MPa
 constexpr kernels::Strength kBond{.tension = 2e5, .cohesion = 3e5, .tan_phi = 0.75, .compression = 1e7, .cap = 1.0, .friction = 0.6};
-constexpr double kStep = 5e-5;                            // s
+constexpr double kStep = 5e-5;  // s
 
 struct Curve {
   double energy = 0.0;  // J/m2, mode I

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/crushing.h"
+#include "kernels/laws/crushing.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/softening.h"
+#include "kernels/laws/softening.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@ using kernels::Local;
 
 namespace {
 
-constexpr double kStep = 5e-5;                    // s
-constexpr double kModeI = 12.0, kModeII = 40.0;   // J/m2
+constexpr double kStep = 5e-5;                   // s
+constexpr double kModeI = 12.0, kModeII = 40.0;  // J/m2
 constexpr kernels::Stiffness kSprings{2e10, 8e9, 0.0, 0.0};
 constexpr kernels::Strength kBond{.tension = 2e5, .cohesion = 3e5, .tan_phi = 0.75, .compression = 1e7, .cap = 1.0, .friction = 0.6};
 
@@ -49,8 +49,8 @@ kernels::Softening softening(bool linear, double dilatancy = 0.0) {
           .linear = linear};
 }
 
-const double kElastic = kBond.tension / kSprings.kn;                               // m, opening at the limit
-const double kOpening = length_of(kModeI, kBond.tension, kSprings.kn);             // m, u_c
+const double kElastic = kBond.tension / kSprings.kn;                    // m, opening at the limit
+const double kOpening = length_of(kModeI, kBond.tension, kSprings.kn);  // m, u_c
 
 }  // namespace
 

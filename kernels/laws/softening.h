@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/segment_law.h"
+#include "kernels/laws/segment_law.h"
 
 /// Bonds that soften: THEORY.md (13a)-(13e). One number tells how far a segment has gone, its *wear* κ: what opens a bond wears it, and
 /// what slides it wears it too, so a bond that has slipped is weaker in tension and the other way round. The law of segments that do not
@@ -118,8 +118,7 @@ inline void book_losses(SegmentStep& out, const Wearing& before, const Wearing& 
   const Local b = before.x, x = now.x;
   const double kb = stiffness_left(b.n, before.wear, k.kn, a), kx = now.open ? 0.0 : stiffness_left(x.n, now.wear, k.kn, a);
   const double normal = 0.5 * (kb * b.n * b.n - kx * x.n * x.n + (kb * b.n + kx * x.n) * du.n);
-  const double shear =
-      0.5 * k.ks * (b.s1 * b.s1 + b.s2 * b.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (b.s1 + x.s1) * du.s1 + (b.s2 + x.s2) * du.s2);
+  const double shear = 0.5 * k.ks * (b.s1 * b.s1 + b.s2 * b.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (b.s1 + x.s1) * du.s1 + (b.s2 + x.s2) * du.s2);
   if (now.broke != Mode::none) {
     out.fracture = normal + shear;
   } else if (now.reached != Mode::none) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "geometry/vec3.h"
-#include "kernels/segment_law.h"
+#include "kernels/laws/segment_law.h"
 
 /// The law of a contact (Eqs. 8-10, THEORY.md (17)-(19)) in global axes, for one point of two free bodies. `detail::contact_traction` is
 /// the same law in the frame of a joint.
