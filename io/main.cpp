@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <malloc.h>
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -322,16 +321,6 @@ void open_many_files() {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// A search takes a few megabytes and gives them back, in a collapse every fifteen steps: the system would clear them page by page each
-/// time.
-void keep_freed_memory() {
-#if defined(__GLIBC__)
-  constexpr int kMost = 1 << 28;  // bytes that stay with the program
-  mallopt(M_MMAP_THRESHOLD, 1 << 25);
-  mallopt(M_TRIM_THRESHOLD, kMost);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -339,7 +328,6 @@ int main(int argc, char** argv) {
   io::let_threads_sleep(
       argv, command == "run" || command == "resume" || command == "modes" || command == "bench");  // these take long enough to look
   open_many_files();
-  keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   app.set_version_flag("--version", "voussoir " + io::program_version());

@@ -97,10 +97,10 @@ VOUSSOIR_INLINE Springs bonded(const Law& a, const Chunk& c) noexcept {
   return r;
 }
 
-/// See detail::dashpot_share, of the lanes `mine`. Here the spring is within its limit already.
-VOUSSOIR_INLINE Lanes dashpot_share(Lanes pp, Lanes pd, Lanes dd, Lanes limit2, LaneMask mine) noexcept {
+/// See detail::dashpot_share. Here the spring is within its limit already.
+VOUSSOIR_INLINE Lanes dashpot_share(Lanes pp, Lanes pd, Lanes dd, Lanes limit2) noexcept {
   const LaneMask within = pp + 2.0 * pd + dd <= limit2;
-  if (bits(mine & ~within) == 0) return lanes(1.0);
+  if (bits(~within) == 0) return lanes(1.0);
   const Lanes root = sqrt(max(pd * pd + dd * (limit2 - pp), Lanes{}));
   return select(within, lanes(1.0), max((root - pd) / dd, Lanes{}));
 }
@@ -121,7 +121,7 @@ VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, 
     spring2 = min(spring2, limit2);
   }
   const Lanes p1 = a.k.ks * x1, p2 = a.k.ks * x2, d1 = a.k.cs * v.s1, d2 = a.k.cs * v.s2;
-  const Lanes h = dashpot_share(spring2, p1 * d1 + p2 * d2, square(d1, d2), limit2, closed);
+  const Lanes h = dashpot_share(spring2, p1 * d1 + p2 * d2, square(d1, d2), limit2);
   dashpot = select3(closed, LocalLanes{dn, h * d1, h * d2}, LocalLanes{});
   r.traction = select3(closed, LocalLanes{a.k.kn * xn, p1, p2}, LocalLanes{}) + dashpot;
   r.slip1 = select(closed, x1, zero);
@@ -162,11 +162,6 @@ VOUSSOIR_INLINE Chunk load(const Law& a, PointsView p, SegmentsView q, int i, La
   return c;
 }
 
-/// Stores what has changed: a line that nobody writes need not go back to memory.
-VOUSSOIR_INLINE void keep(double* p, Lanes was, Lanes now) noexcept {
-  if (bits(reinterpret_cast<LaneMask>(was) != reinterpret_cast<LaneMask>(now)) != 0) store_lanes(p, now);
-}
-
 /// One chunk. Returns false, with nothing written, if the literal law must decide.
 VOUSSOIR_INLINE bool advance_chunk(const Law& a, PointsView p, SegmentsView q, int i, Totals& sum) noexcept {
   const int live = p.n - i < kWidth ? p.n - i : kWidth;
@@ -196,8 +191,8 @@ VOUSSOIR_INLINE bool advance_chunk(const Law& a, PointsView p, SegmentsView q, i
     if (touching) sum.dash.add(c.da * dashpot, c.s, c.t);
     sum.impact += c.da * r.normal;
   }
-  keep(q.springs_at(i).slip1, c.slip1, r.slip1);
-  keep(q.springs_at(i).slip2, c.slip2, r.slip2);
+  store_lanes(q.springs_at(i).slip1, r.slip1);
+  store_lanes(q.springs_at(i).slip2, r.slip2);
   sum.total.add(c.da * r.traction, c.s, c.t);
   sum.friction += c.da * r.shear;
   sum.held += __builtin_popcount(held & real);

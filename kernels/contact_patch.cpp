@@ -104,17 +104,6 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   sum.impact += select(changed, da * normal, zero);
 }
 
-/// Those of a chunk.
-VOUSSOIR_INLINE unsigned bits_of(std::uint64_t points, int i) noexcept {
-  return i < kKnownPoints ? static_cast<unsigned>(points >> i) & ((1U << kWidth) - 1U) : 0U;
-}
-
-/// Points of a chunk that touch one face of candidate c.
-VOUSSOIR_INLINE LaneMask touching_lanes(ContactPoints q, const Candidate& c, std::int32_t face, int i) noexcept {
-  if (knows_points(c)) return lanes_of(bits_of(c.touching, i));
-  return equal(q.partner + i, c.element) & equal(q.face + i, face);
-}
-
 /// Those of a chunk that touch one face and are pressed harder than they bear.
 [[gnu::noinline]] void crush(Work& w, const Facing& f, int i, unsigned mine) noexcept {
   for (; mine != 0; mine &= mine - 1) {
@@ -127,7 +116,7 @@ VOUSSOIR_INLINE LaneMask touching_lanes(ContactPoints q, const Candidate& c, std
 void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face, Touching& sum) noexcept {
   const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
   for (int i = c.first; i < c.last; i += kWidth) {
-    const LaneMask mine = touching_lanes(w.q, c, face, i);
+    const LaneMask mine = equal(w.q.partner + i, c.element) & equal(w.q.face + i, face);
     if (bits(mine) == 0) continue;
     if (w.q.crushed != nullptr) crush(w, f, i, bits(mine));
     touch(f, g, w.points, w.q, i, mine, sum);
@@ -143,25 +132,6 @@ int faces_pushed(const Work& w, const Candidate& c, std::int32_t* list) noexcept
     list[count++] = face;
   }
   return count;
-}
-
-/// Points that touch candidate c, whatever their faces.
-void touch_faces(Work& w, const Candidate& c, Touching& sum) noexcept {
-  const InSlave y = slave_frame(w, c);
-  std::int32_t faces[kMostFaces];
-  faces[0] = c.face;
-  const int count = c.face == kSeveralFaces ? faces_pushed(w, c, faces) : 1;
-  for (int n = 0; n < count; ++n) touch_face(w, facing(w.patch, w.m, y, c, faces[n], w.bodies, w.faces, w.o), c, faces[n], sum);
-}
-
-/// Candidate::touching.
-std::uint64_t points_of(ContactPoints q, const Candidate& c) noexcept {
-  std::uint64_t points = 0;
-  for (int i = c.first; i < c.last; i += kWidth) {
-    const std::uint64_t chunk = bits(equal(q.partner + i, c.element) & equal(q.face + i, c.face));
-    points |= chunk << i;
-  }
-  return points;
 }
 
 /// Writes down who touches whom. Those that touch are to be looked at.
@@ -183,20 +153,20 @@ void list_partners(Work& w) noexcept {
       c.face = c.face == kNoFace ? w.q.face[k] : kSeveralFaces;
     }
   }
-  for (Candidate& c : w.candidates) {
-    if (knows_points(c)) c.touching = points_of(w.q, c);
-  }
 }
 
-/// Forces of all points that touch candidate k. Returns whether any carries force.
-bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+/// Forces of all points that touch candidate c. Returns whether any carries force.
+bool evaluate(Work& w, const Candidate& c, PairWrench& wrench) noexcept {
   if (c.face == kNoFace) return false;
+  const InSlave y = slave_frame(w, c);
   Touching sum;
-  if (k < kReady && w.ready[k].face == c.face) {
-    touch_face(w, w.ready[k].facing, c, c.face, sum);
+  const auto add = [&](std::int32_t face) { touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c, face, sum); };
+  if (c.face == kSeveralFaces) {
+    std::int32_t faces[kMostFaces];
+    const int count = faces_pushed(w, c, faces);
+    for (int n = 0; n < count; ++n) add(faces[n]);
   } else {
-    touch_faces(w, c, sum);
+    add(c.face);
   }
   const Quad energy = sums_of(sum.stored, sum.friction, sum.impact, Lanes{});
   w.r.stored += energy[0], w.r.friction += energy[1], w.r.impact += energy[2];
@@ -234,30 +204,18 @@ constexpr double kHeldRoom = 0.95;
 /// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on which it still stands.
 VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
-/// Free points of a chunk that stand over the face that candidate c touches.
-VOUSSOIR_INLINE LaneMask over_face(const Work& w, const Candidate& c, const PlaneFields& planes, int i, LaneMask free, Lanes s,
-                                   Lanes t) noexcept {
-  if (!knows_points(c) || i >= kKnownPoints) return LaneMask{};
-  const PlaneField& g = planes.g[c.face - c.first_face];
-  const unsigned real = w.points.n - i < kWidth ? (1U << (w.points.n - i)) - 1U : (1U << kWidth) - 1U;
-  return free & (g.g0 + s * g.gs + t * g.gt > 0.0) & lanes_of(real);
-}
-
 /// Points of the patch against candidate k: few have come in or left. Returns the travel [m] of both bodies before one of the others can,
-/// but for those that leave through the face they touch, or come in through it. Marks the latter.
+/// but for those that leave through the face they touch.
 double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
-  Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c);
   const Lanes far = lanes(1e300);
   Lanes spare = far;
-  c.over = 0;
   for (int i = 0; i < w.points.n; i += kWidth) {
     const Lanes s = load_lanes(w.points.s + i), t = load_lanes(w.points.t + i), distance = distances(planes, s, t);
     const LaneMask free = equal(w.q.partner + i, kNobody), held = equal(w.q.partner + i, c.element);
-    const LaneMask over = over_face(w, c, planes, i, free, s, t);
     LaneMask in = distance < 0.0;
-    Lanes room = select(free & ~over, distance, far);
-    if (const unsigned known = bits(over); known != 0) c.over |= static_cast<std::uint64_t>(known) << i;
+    Lanes room = select(free, distance, far);
     if (bits(held) != 0) {
       const Distances d = distances_of_held(planes, c.first_face, w.q.face + i, s, t);
       in = (in & ~held) | (held & (d.beside < 0.0) & (d.own < kept_out_to(w.q, i)));
@@ -279,33 +237,27 @@ double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   return least;
 }
 
-/// True if some point that touches candidate k may have left it through its face, or one that stood over this face may have come in. The
-/// bound on all other ways is Candidate::safe.
-bool comes_or_leaves(Work& w, std::int32_t k) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+/// True if some point that touches candidate c may have left it through its face. The bound on all other ways out is Candidate::safe.
+bool leaves(const Work& w, const Candidate& c) noexcept {
   if (c.face == kNoFace) return false;
   if (c.face == kSeveralFaces) return true;
-  const InSlave y = slave_frame(w, c);
-  if (k < kReady) w.ready[k].facing = facing(w.patch, w.m, y, c, c.face, w.bodies, w.faces, w.o), w.ready[k].face = c.face;
-  const PlaneField g = plane_field(y, w.faces, c.face);
-  const bool known = knows_points(c);
-  const int last = known ? std::min(w.points.n, kKnownPoints) : c.last;
-  unsigned found = 0;
-  for (int i = known ? 0 : c.first; i < last; i += kWidth) {
-    const unsigned held = bits(touching_lanes(w.q, c, c.face, i)), over = known ? bits_of(c.over, i) : 0U;
-    if ((held | over) == 0) continue;
-    const Lanes depth = g.g0 + load_lanes(w.points.s + i) * g.gs + load_lanes(w.points.t + i) * g.gt;
-    if (over != 0) found |= over & bits(depth < kRoundOff);
-    if (held != 0) found |= held & bits(depth + kRoundOff >= kept_out_to(w.q, i));
+  const Pose slave = load_pose(w.bodies.pose, c.element);
+  const Vec3 n = apply(slave, w.faces[c.face].normal);
+  const Vec3 from = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - slave.u);
+  const double g0 = dot(n, from) - w.faces[c.face].distance + kRoundOff, gs = dot(n, w.m.es), gt = dot(n, w.m.et);
+  LaneMask out{};
+  for (int i = c.first; i < c.last; i += kWidth) {
+    const Lanes depth = g0 + load_lanes(w.points.s + i) * gs + load_lanes(w.points.t + i) * gt;
+    out |= equal(w.q.partner + i, c.element) & equal(w.q.face + i, c.face) & (depth >= kept_out_to(w.q, i));
   }
-  return found != 0;
+  return bits(out) != 0;
 }
 
 /// Looks at candidate k where something may have changed: most steps nothing can.
 void look_if_due(Work& w, std::int32_t k) noexcept {
   Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const double travel = w.bodies.travel[w.patch.element] + w.bodies.travel[c.element];
-  if (travel < c.safe && !w.changed && !comes_or_leaves(w, k)) return;  // a point that another partner has let go is a new one for this
+  if (travel < c.safe && !w.changed && !leaves(w, c)) return;  // a point that another partner has let go is a new one for this
   const InSlave y = slave_frame(w, c);
   const double apart = c.first < c.last ? -1.0 : separation(w.patch, y, w.faces, c);
   if (apart < 0.0 && !w.looked) std::fill_n(w.scratch.candidate, w.points.n, -1), w.looked = true;
@@ -335,7 +287,7 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
     list_partners(w);
     for (Candidate& c : candidates) c.safe = kLookNow;
   }
-  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, k, wrench[k]) ? 1 : 0;
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, candidates[static_cast<std::size_t>(k)], wrench[k]) ? 1 : 0;
   return w.r;
 }
 

@@ -90,9 +90,6 @@ struct Candidate {
   // Points with this partner lie in [first, last); they push against `face` (kNoFace: none does; kUnknownFace, for all of a
   // patch or none: partners are to be listed).
   std::int32_t face = kUnknownFace, first = 0, last = 0;
-  // By bit of a point, of a pair that knows its points (knows_points): which touch, so that most steps read no partners; and which are free
-  // and stand over `face`: each step looks whether they still do, and `safe` is about all others.
-  std::uint64_t touching = 0, over = 0;
   double safe = kLookNow;  // m, sum of both travel bounds below which no point can come in, or leave through another face than `face`
 };
 
@@ -103,11 +100,6 @@ struct FrictionTable {
 
   [[nodiscard]] double of(std::int32_t a, std::int32_t b) const noexcept { return tan_phi[a * materials + b]; }
 };
-
-/// Points that Candidate::touching and Candidate::over have bits for: the first ones.
-inline constexpr int kKnownPoints = 64;
-/// Whether these bits tell which points touch. Not if there are several faces, or more points.
-inline bool knows_points(const Candidate& c) noexcept { return c.face >= 0 && c.last <= kKnownPoints; }
 
 struct ContactOptions {
   double step = 0.0;     // s

@@ -188,13 +188,6 @@ inline void crush_point(const Facing& f, double s, double t, double area, Contac
   q.closure(i) -= by;
 }
 
-/// What a look at a pair has worked out for its forces.
-struct ReadyFacing {
-  std::int32_t face = kNoFace;  // kNoFace: nothing
-  Facing facing;
-};
-inline constexpr int kReady = 2;  // of the first candidates of a patch: seldom more push
-
 /// One advance_patch call: everything its passes share.
 struct Work {
   const Patch& patch;
@@ -210,7 +203,6 @@ struct Work {
   bool looked = false;   // `scratch.candidate` is set
   bool noted = false;    // some free point has a new partner in `scratch`
   bool changed = false;  // some point has another partner than before
-  ReadyFacing ready[kReady];
 };
 
 inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {

@@ -37,8 +37,7 @@ MemoryUse memory_use(const World& w) {
                 bytes(c.active, c.first_slot, c.element, c.candidate) +
                 bytes(c.wrench, c.on, c.first_gather, c.gather, c.place, c.gather_on) +
                 bytes(w.overlaps.vertices, w.overlaps.edges, w.overlaps.shape, w.overlaps.shape_of, w.overlaps.stiffness_n,
-                      w.overlaps.stiffness_s, w.overlaps.allowed, w.overlaps.pairs, w.overlaps.springs) +
-                c.wake_ups.bytes() + w.overlaps.wake_ups.bytes();
+                      w.overlaps.stiffness_s, w.overlaps.allowed, w.overlaps.pairs, w.overlaps.springs);
   return use;
 }
 

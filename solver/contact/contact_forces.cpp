@@ -17,13 +17,6 @@ namespace {
 constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;           // patches that a thread takes at a time
 constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, how early their memory is prefetched
 constexpr std::int32_t kPrefetchElements = 8;
-constexpr double kFarTravel = 1e300;  // m
-constexpr double kLeastShare = 1e-5;  // m, of the way left: for less a patch is not put to sleep, it would wake at once
-
-std::span<const kernels::Candidate> candidates_of(const Contacts& c, std::size_t a) {
-  const auto first = static_cast<std::size_t>(c.first_slot[a]), last = static_cast<std::size_t>(c.first_slot[a + 1]);
-  return {c.candidate.data() + first, last - first};
-}
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
 /// reads lists alone: the patches themselves lie all over memory.
@@ -31,28 +24,8 @@ bool is_quiet(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
   if (w.options.reference_kernels) return false;
   const double travel = w.travel.bound(c.master[a]);
-  return std::ranges::all_of(candidates_of(c, a),
-                             [&](const kernels::Candidate& k) { return kernels::quiet(k, travel, w.travel.bound(k.element)); });
-}
-
-/// Nobody looks at a patch that is quiet until its own element has gone its share of the way that the least spare candidate leaves, or a
-/// candidate the rest of what it leaves. A patch that would wake at once stays awake.
-void put_to_sleep(World& w, std::size_t a) {
-  Contacts& c = w.contacts;
-  const std::span<const kernels::Candidate> candidates = candidates_of(c, a);
-  const double travel = w.travel.bound(c.master[a]);
-  double share = kFarTravel;
-  for (const kernels::Candidate& k : candidates) {
-    const double spare = k.safe - travel - w.travel.bound(k.element);
-    share = std::min(share, k.element == w.elements.base ? spare : 0.5 * spare);
-  }
-  if (share < kLeastShare) return;
-  const auto first = static_cast<std::size_t>(c.first_slot[a]);
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    c.wake_ups.set_limit(first + k, candidates[k].element, candidates[k].safe - (travel + share));
-  }
-  c.wake_ups.set_limit(c.candidate.size() + a, c.master[a], travel + share);
-  c.wake_ups.put_to_sleep(static_cast<std::int32_t>(a));
+  const auto quiet = [&](const kernels::Candidate& k) { return kernels::quiet(k, travel, w.travel.bound(k.element)); };
+  return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
 }
 
 const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
@@ -82,10 +55,8 @@ void prefetch_points(const World& w, std::size_t a) {
     prefetch_body(w.elements, k.element);
     if (k.face >= 0) kernels::prefetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
-    if (!kernels::knows_points(k)) {
-      kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
-      kernels::prefetch(&p.face[first], points * sizeof p.face[0]);
-    }
+    kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
+    kernels::prefetch(&p.face[first], points * sizeof p.face[0]);
     kernels::prefetch(&p.springs[first / kernels::kWidth], points / kernels::kWidth * sizeof p.springs[0]);
   }
 }
@@ -153,8 +124,7 @@ void ContactRoom::part(std::int64_t patches, int threads) {
 void advance_contacts(World& w, ContactRoom& room) {
   const kernels::Bodies bodies = w.bodies();
   const kernels::Face* faces = w.faces.data();
-  const std::span<const std::int32_t> awake = w.contacts.wake_ups.awake();
-  const auto patches = static_cast<std::int64_t>(awake.size());
+  const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   if (patches == 0) return;
   room.fit(w.points.largest);
   room.part(patches, omp_get_num_threads());
@@ -163,11 +133,8 @@ void advance_contacts(World& w, ContactRoom& room) {
     std::size_t near[kMostRun];
     std::size_t count = 0;
     for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
-      const auto i = static_cast<std::size_t>(awake[static_cast<std::size_t>(a)]);
-      if (is_quiet(w, i)) {
-        put_to_sleep(w, i);
-        continue;
-      }
+      const auto i = static_cast<std::size_t>(a);
+      if (is_quiet(w, i)) continue;
       if (count < kPrefetchPatches) prefetch_patch(w, i);
       near[count++] = i;
     }

@@ -102,23 +102,6 @@ void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
   }
 }
 
-/// All active patches are awake.
-void link_patches(World& w) {
-  Contacts& c = w.contacts;
-  const auto link_to = [&](std::int32_t element, std::size_t a) {
-    return WakeUps::Link{element == w.elements.base ? WakeUps::kNone : element, static_cast<std::int32_t>(a)};
-  };
-  std::vector<WakeUps::Link> links;
-  links.reserve(c.element.size() + c.active.size());
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-      links.push_back(link_to(c.element[static_cast<std::size_t>(slot)], a));
-    }
-  }
-  for (std::size_t a = 0; a < c.active.size(); ++a) links.push_back(link_to(c.master[a], a));
-  c.wake_ups.reset(w.elements.count, static_cast<std::int32_t>(c.active.size()), links);
-}
-
 }  // namespace
 
 kernels::Candidate candidate_of(const World& w, std::int32_t element) {
@@ -167,7 +150,6 @@ void build_gather(World& w) {
     c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
     c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
   });
-  link_patches(w);
   c.gather_stale = false;
 }
 

@@ -111,18 +111,6 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels:
   return s;
 }
 
-constexpr double kLeastShare = 1e-5;  // m, of the way left: for less a pair is not put to sleep, it would wake at once
-
-/// Nobody looks at a pair that cannot overlap by too much until one of the two has gone its share of the way that is left.
-void put_to_sleep(World& w, std::size_t pair) {
-  const OverlapPair& p = w.overlaps.pairs[pair];
-  const double a = w.travel.bound(p.a), b = w.travel.bound(p.b), share = (is_base(w, p.b) ? 1.0 : 0.5) * (p.safe - a - b);
-  if (share < kLeastShare) return;
-  w.overlaps.wake_ups.set_limit(2 * pair, p.a, a + share);
-  w.overlaps.wake_ups.set_limit(2 * pair + 1, p.b, b + share);
-  w.overlaps.wake_ups.put_to_sleep(static_cast<std::int32_t>(pair));
-}
-
 }  // namespace
 
 double allowed_overlap(const World& w, std::int32_t a, std::int32_t b) {
@@ -141,21 +129,17 @@ kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, doub
 }
 
 void find_overlaps(World& w, std::vector<OverlapFound>& found) {
-  const std::span<const std::int32_t> awake = w.overlaps.wake_ups.awake();
+  const auto count = static_cast<std::int64_t>(w.overlaps.pairs.size());
 #pragma omp for schedule(static) nowait
-  for (std::size_t k = 0; k < awake.size(); ++k) {
-    const auto i = static_cast<std::size_t>(awake[k]);
-    OverlapPair& p = w.overlaps.pairs[i];
+  for (std::int64_t i = 0; i < count; ++i) {
+    OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
     const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
-    if (travel < p.safe && !w.options.reference_kernels) {
-      put_to_sleep(w, i);
-      continue;
-    }
+    if (travel < p.safe && !w.options.reference_kernels) continue;
     const double allowed = allowed_overlap(w, p.a, p.b);
     const kernels::Overlap at = overlap_of(w, p.a, p.b, allowed);
     if (at.depth > allowed) {
       p.safe = kernels::kLookNow;
-      found.push_back({i, at});
+      found.push_back({static_cast<std::size_t>(i), at});
     } else {
       p.safe = travel + (allowed - at.depth) - kernels::kRoundOff;
     }

@@ -74,18 +74,6 @@ std::vector<OverlapPair> list_pairs(const Listing& l) {
   return pairs;
 }
 
-/// All pairs are awake.
-void link_pairs(World& w) {
-  std::vector<WakeUps::Link> links;
-  links.reserve(2 * w.overlaps.pairs.size());
-  for (const OverlapPair& p : w.overlaps.pairs) {
-    const auto item = static_cast<std::int32_t>(links.size() / 2);
-    links.push_back({p.a, item});
-    links.push_back({p.b == w.elements.base ? WakeUps::kNone : p.b, item});
-  }
-  w.overlaps.wake_ups.reset(w.elements.count, static_cast<std::int32_t>(w.overlaps.pairs.size()), links);
-}
-
 /// A pair needs the travel bounds and the velocity rows of both elements.
 void take_pairs(World& w, std::vector<OverlapPair> pairs) {
   std::ranges::sort(pairs, {}, [](const OverlapPair& p) { return std::pair(p.a, p.b); });
@@ -94,7 +82,6 @@ void take_pairs(World& w, std::vector<OverlapPair> pairs) {
     if (p.b != w.elements.base) w.travel.activate(w.elements, p.b);
   }
   w.overlaps.pairs = std::move(pairs);
-  link_pairs(w);
   w.overlaps.stale = false;
 }
 

@@ -31,8 +31,6 @@ void gather(World& w, LapClock& clock) {
 }  // namespace
 
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
-  w.contacts.wake_ups.wake(w.travel.bounds());
-  w.overlaps.wake_ups.wake(w.travel.bounds());
   stage.by_thread.resize(static_cast<std::size_t>(w.threads));
   if (!w.options.gather) stage.tasks.begin(w.threads);
   const JointStep joints{w, time, step, stage.tasks};

@@ -18,7 +18,6 @@
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 #include "solver/world/travel.h"
-#include "solver/world/wake_ups.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
 /// by setup.h, or rebuilt from the state (candidates, the grid).
@@ -160,7 +159,6 @@ struct Contacts {
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
   std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
-  WakeUps wake_ups;                     // of active patches; links: by slot its element, then by active patch its own (derived)
   std::int64_t searched = 0;            // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
 };
@@ -191,7 +189,6 @@ struct Overlaps {
   // Derived.
   bool stale = true;               // pairs are to be listed for all elements
   std::vector<OverlapPair> pairs;  // ascending (a, b)
-  WakeUps wake_ups;                // of pairs; links: two a pair, a and b
   // State.
   std::vector<OverlapSpring> springs;       // ascending (a, b)
   std::vector<kernels::PairWrench> wrench;  // of each spring with its dashpot in this step, if World::keep_pairs (derived)

@@ -94,7 +94,7 @@ void compare(const Twin& a, const Twin& b, double unit) {
 
 TEST_CASE("vector and plain patches go the same way through touching, rubbing, rocking and letting go") {
   const Bricks bricks;
-  int touching = 0, letting_go = 0, on_base = 0, not_looked = 0, in_over_face = 0;
+  int touching = 0, letting_go = 0, on_base = 0, not_looked = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
     kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0, 2};
@@ -117,16 +117,14 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
       lost_fast += fast.last.friction + fast.last.impact, lost_plain += plain.last.friction + plain.last.impact;
       touching += plain.last.touching > 0, letting_go += plain.last.touching < before, on_base += plain.on[1];
       not_looked += fast.candidates[0].safe == safe && safe != kernels::kLookNow;
-      in_over_face += plain.last.touching > before && fast.travel[0] + fast.travel[1] < safe;
     }
     CHECK(lost_fast == doctest::Approx(lost_plain).epsilon(1e-7).scale(1e-4));
   }
   CHECK(touching > 2000);
   CHECK(letting_go > 200);
   CHECK(not_looked > 5000);
-  CHECK(in_over_face > 50);  // beside others that touch, before both bodies have gone what is safe for the rest
   MESSAGE("steps in touch " << touching << ", letting go " << letting_go << ", on the base " << on_base << ", without a look "
-                            << not_looked << ", points in over the face " << in_over_face);
+                            << not_looked);
 }
 
 TEST_CASE("vector and plain patches crush the same way, and what is crushed stays so when a point lets go") {
