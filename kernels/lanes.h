@@ -12,8 +12,8 @@
 
 /// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `sqrt`,
 /// `bits`, `lanes_of`, `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. (Of a loop over
-/// lanes g++ 12 makes two halves that meet in memory, and a load of both waits until they have got there.) Every lane is computed alone, so a
-/// result does not depend on its neighbours.
+/// lanes g++ 12 makes two halves that meet in memory, and a load of both waits until they have got there.) Every lane is computed alone,
+/// so a result does not depend on its neighbours.
 namespace voussoir::kernels {
 
 /// Lane helpers must be inlined: a call would pass every vector through memory.

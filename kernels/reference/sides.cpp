@@ -63,19 +63,18 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   add_dashpot(rows.wrench, rows.dashpot, side.slave, -w.dash_force, w.dash_torque_b);
 }
 
-}  // namespace
-
-SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
-                               double time, FailureOptions o, EventSink& sink) noexcept {
+/// Brittle bonds and bonds that soften are compiled apart, so that the second leave the last digits of the first as they are.
+/// \param law  advances segment i: (state, i, u, rate) -> SegmentStep
+template <typename Law>
+[[gnu::noinline]] SegmentTotals advance_by(const Law& law, const Side& side, std::int32_t id, const SideFrame& f, PointsView p,
+                                           SegmentsView q, double time, EventSink& sink) noexcept {
   SegmentTotals r;
   for (int i = 0; i < p.n; ++i) {
     const double s = p.s[i], t = p.t[i], da = side.factor * p.area[i];
     const Local u = f.d + s * f.ds + t * f.dt;
     const Local rate = f.v + s * f.vs + t * f.vt;
     SegmentState state{q.bond[i], q.slip1(i), q.slip2(i), q.closure(i)};
-    const SegmentStep out = side.soft == nullptr
-                                ? advance_segment(state, u, rate, step, side.k, side.strength, o)
-                                : advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength, side.soft->law, o);
+    const SegmentStep out = law(state, i, u, rate);
     q.bond[i] = state.bond;
     q.slip1(i) = state.slip1, q.slip2(i) = state.slip2, q.closure(i) = state.closure;
     record(out, q, i, id, time, sink);
@@ -89,6 +88,22 @@ SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFram
     r.touching = r.touching || (!held && u.n < state.closure);
   }
   return r;
+}
+
+}  // namespace
+
+SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
+                               double time, FailureOptions o, EventSink& sink) noexcept {
+  if (side.soft == nullptr) {
+    const auto brittle = [&](SegmentState& state, int, const Local& u, const Local& rate) {
+      return advance_segment(state, u, rate, step, side.k, side.strength, o);
+    };
+    return advance_by(brittle, side, id, f, p, q, time, sink);
+  }
+  const auto softens = [&](SegmentState& state, int i, const Local& u, const Local& rate) {
+    return advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength, side.soft->law, o);
+  };
+  return advance_by(softens, side, id, f, p, q, time, sink);
 }
 
 double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
