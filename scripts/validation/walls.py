@@ -104,16 +104,16 @@ SOURCES = {
            "E of the wall 2991 MPa, f_m 7.92 MPa, c 0.21 MPa, tan φ 0.81": "measured, the same table"},
     "ISP": {"geometry, σ0, units, mortar": "measured: the same database after Anthoine et al. (1995)",
             "f_m 6.2 MPa, c 0.23 MPa, tan φ 0.58": "measured, the same table",
-            "E of the wall 2341 MPa": "assumed: the share of f_m that MI has (378)"},
+            "E of the wall 2341 MPa": "assumed: 378 f_m, as for MI"},
     "MI, ISP": {
         "f_t of mortar = c/1.4; G_I 18 J/m², G_II 125 J/m²": "literature: Lourenço and Rots (1997), their micro-model of brick walls",
-        "cap of a bed: f_m of the masonry": "measured; that it is the cap of a bed: assumed",
+        "compressive strength of a bed: f_m of the masonry": "measured; that a bed has it: assumed",
         "f_t of bricks = 0.05 f_b; c = 2 f_t, φ 45°": "assumed; the national annex of DIN EN 1996-1-1 has 0.032 f_b for solid units",
         "G_I of bricks 80 J/m²": "literature: Lourenço and Rots (1997)",
         "G_II of bricks 800 J/m²": "assumed",
         "density 1800 kg/m³": "assumed",
-        "one block through the thickness, head joints filled as beds": "assumed",
-        "a block: one brick (ISP), 2 × 2 bricks (MI)": "chosen: MI has up to 276 bricks, and blocks of the same proportions"},
+        "one block through the thickness; head joints are filled and have the law of the beds": "assumed",
+        "a block: one brick (ISP), 2 × 2 bricks (MI)": "chosen to save time: a wall of MI has up to 276 bricks; blocks keep their proportions"},
 }
 
 
@@ -214,21 +214,22 @@ def brick_walls(folder):
 
 
 COMMON_SOURCES = {
-    "normal stiffness of a joint": "measured, by 1/k = h (1/E_pc − 1/E′) from the moduli of wall and unit (THEORY (5a))",
+    "Young's modulus of the blocks: 2 E_pc": "chosen: softer blocks allow a longer step; with k from E_pc the wall is as stiff as with stiff ones",
+    "normal stiffness of a joint": "from the modulus of the wall: 1/k = h (1/E_pc − 1/E′), h the height of a course (THEORY (5a))",
     "shear stiffness of a joint: 0.4 of the normal one": "assumed: 1/(2 (1 + ν)) of an isotropic layer with ν = 0.25",
     "Poisson's ratio 0.2": "assumed",
 }
 # Why a wall misses its limit, as far as it is known.
 REASONS = {
-    "SW.30": "both tests bore more than a rigid wall that turns about its toe can, so the load was not constant, or the top not free to turn, "
-             "at their peaks. Up to 20 mm SW.30.1 stays at the computed force, from 13 to 17 kN.",
-    "ISP3": "bending governs up to the peak, as in the test, but the wall then splits along its bricks. The flexural formula with f_m, "
-            "N L (1 − σ0/(0.85 f_m))/H, gives 86 kN, too: the test lies below both.",
-    "MI1": "the table's σ0 are in doubt (see MI2); with them the model's wall is too strong. The tensile strength of its bricks is "
-           "assumed; with 0.03 f_b in place of 0.05 the error is −5 % (see below).",
-    "MI3": "as MI1.",
-    "MI2": "the test bore more than a rigid wall can under the table's load, as MI4's did: loads of 0.4 MPa and these forces cannot belong "
-           "together.",
+    "SW.30": "both tests bore more than a rigid wall that turns about its toe can, so the load was not constant, or the top not free to "
+             "turn, at their peaks. Up to a displacement of 20 mm the force measured on SW.30.1 is 13 to 17 kN, near the computed one.",
+    "ISP3": "bending governs up to the peak, as in the test; then the bricks crack and the wall splits. The flexural formula with f_m, N "
+            "L (1 − σ0/(0.85 f_m))/H, gives 86 kN, near the computed peak: the measured one lies below both.",
+    "MI1": "the values of σ0 in the table are in doubt (see MI2); with them the computed wall is too strong. The tensile strength of its "
+           "bricks is assumed as 0.05 f_b; with 0.03 f_b the error is −5 % (see below).",
+    "MI3": "σ0 is in doubt, and the tensile strength of bricks is assumed, as for MI1.",
+    "MI2": "the test bore more than a rigid wall can under the load of the table, and so did MI4. A σ0 of 0.4 MPa and these forces cannot "
+           "both be right.",
 }
 
 

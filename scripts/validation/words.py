@@ -22,20 +22,41 @@ SLIDES, ROCKS = 0.6, 0.15  # shares of the top's displacement by slip
 INTRO = """\
 # Validation: measured walls
 
-Written by `scripts/validation/report`; the page is not edited by hand. The walls were tested in
-shear and compression: a constant load on a beam, then a horizontal force. Each is computed once.
+`scripts/validation/report` writes this page; it is not edited by hand. The walls were tested in
+shear and compression: a constant vertical load on a loading beam, then a horizontal force on it.
+Each kind of wall is computed once.
 
-- **Fitted**: nothing, to no wall. **Predicted**: all forces, displacements and modes below. Values
-  of units, joints and couplets are measured or from the literature; those that are assumed say so.
+- **Fitted**: nothing, to no wall. **Predicted**: all forces, displacements and modes of failure
+  below. Values of units, joints and couplets are measured or from the literature; those that are
+  assumed say so.
 - **Measured curves** are not kept here; the tables come from the EPFL databases of stone and of
   modern masonry walls (Vanin et al. 2017, and the sources named with each wall).
 - **Contact points**: `segments.rule = "rim"` for every wall; levers are exact.
-- **Loading**: dry walls have a jack with a dead load and an actuator at the height of zero moment;
-  the brick walls' top is held level. MI and ISP go to and fro at three drifts, as WS*; SW is
-  pushed one way.
+- **Loading**: the load of the jack stays vertical and constant. On dry walls (SW, WS*) the actuator
+  pushes at the height of zero moment, and the beam is free to turn; on brick walls (MI, ISP) the
+  beam is held level. SW is pushed one way. WS*, MI and ISP are pushed to and fro, once at each of
+  three drifts: 0.5, 1.25 and 3 % (WS*), 0.1, 0.25 and 0.5 % (MI, ISP).
 - **Cases**: `cases/NAME.toml`; `voussoir run tests/validation/cases/SW-100.toml` runs one of them.
-- A peak (WS*: an envelope) outside of its limit is a miss; the reason stands with the wall.
-- **Scatter** is half the range of the tests' peaks, to and fro counted apart.
+- **Symbols**: σ0 vertical stress by the load, without the wall's weight; H0 height of zero moment
+  above the base; L, H length and height of the wall; N vertical force on a bed; f_b, f_m
+  compressive strength of units and of masonry; f_t tensile strength; c, tan φ cohesion and friction
+  of a bed; G_I, G_II fracture energies in tension and in shear; E_pc modulus of the wall in
+  compression, E′ = E/(1 − ν²) of its blocks.
+- **Scatter**: half the range of the measured peaks over their mean; push and pull count as two
+  peaks.
+- **Mean error of the curve**: mean of the differences between computed and measured force, without
+  their signs, over the mean measured force (WS*: of envelopes).
+- **Miss**: the error of the peak (WS*: the mean error of the curve) is larger than the limit. The
+  reasons stand below the table.
+- **Tables of the walls**: + push, - pull. Drift is the displacement over H0, of brick walls over H.
+  The computed stiffness is the secant at 30 % of the peak. "First loss of a fifth" is the drift at
+  which the force, as a moving mean, has fallen by 20 % from its largest so far (to and fro: beyond
+  the peak). Measured failure of dry walls: F flexure or rocking, R rocking, TC toe crushing, SL
+  sliding.
+- **Computed failure**: of a dry wall by its slip, the share of the top's displacement by which
+  courses slid over each other: above 60 % sliding, below 15 % rocking, else both. Of a brick wall
+  by where it broke: shear if more than half of the broken area lies in the middle three fifths of
+  the height, else flexure. The bricks of these walls can crack at mid-length.
 """
 
 
@@ -58,7 +79,7 @@ def version(program):
 
 def of_share(inner):
     """Shear breaks the middle of a wall that is held level, flexure its foot and head."""
-    return f"{'shear' if inner > 0.5 else 'flexure'} ({percent(inner)} of what broke in the middle three fifths)"
+    return f"{'shear' if inner > 0.5 else 'flexure'} ({percent(inner)} of the broken area at mid-height)"
 
 
 class Compared:
@@ -130,7 +151,7 @@ class Compared:
         slip = self.slip
         if self.wall.bond:
             to_peak, to_end = self.run.inner_share(self.run.time_of_peak()), self.run.inner_share()
-            cuts = f"{percent(self.run.unit_share())} of the bricks' cuts broken"
+            cuts = f"{percent(self.run.unit_share())} of the area of bricks' mid-length joints broken"
             if math.isnan(to_peak) or (to_peak > 0.5) == (to_end > 0.5):
                 return f"{of_share(to_end)}; {cuts}"
             return f"{of_share(to_peak)} up to the peak, then {of_share(to_end)}; {cuts}"
@@ -212,17 +233,18 @@ def facts(c, _slip):
     drive = case_file.drive_of(w)
     normal, shear = case_file.joint_stiffness(w, drive.get("modulus") or w.unit_modulus)
     text = (f"A rigid wall that turns about its toe bears {kilo(w.rocking_bound)} kN, friction on a bed {kilo(w.sliding_bound)} kN. "
-            f"Joints: {normal:.3g} Pa/m across, {shear:.3g} along; segments of {1e3 * w.segment:.0f} mm, rule rim. Ledger: residual at most {c.run.peak_residual:.1e}. "
-            f"Pace {float(attributes['pace']):.3g} s, first frequency {float(attributes['frequency']):.3g} Hz; {c.seconds} s on one thread.")
+            f"Joints: {normal:.3g} Pa/m normal, {shear:.3g} Pa/m in shear; segments of {1e3 * w.segment:.0f} mm. "
+            f"Energy ledger: residual at most {c.run.peak_residual:.1e}. "
+            f"Pace {float(attributes['pace']):.3g} s, first frequency {float(attributes['frequency']):.3g} Hz; {c.seconds} s of wall-clock time on one thread.")
     if c.measured_peak > w.rocking_bound:
-        text += (f" **The test bore {percent(c.measured_peak / w.rocking_bound - 1.0)} more than a rigid wall can under a constant load with "
-                 "this height of zero moment**, so load or height in the table are not those of the peak; no model with them reaches it.")
+        text += (f" **The tests bore {percent(c.measured_peak / w.rocking_bound - 1.0)} more than a rigid wall can under a constant load with "
+                 "this height of zero moment**, so the load or the height in the table is not that at the peak; no model with them reaches it.")
     if w.bond:
         areas = c.run.first_modes()
-        text += (f" Bonds that have gone reached first: tension {areas['tension']:.3f} m², shear {areas['shear']:.3f} m², "
+        text += (f" Area of broken bonds by the limit that they reached first: tension {areas['tension']:.3f} m², shear {areas['shear']:.3f} m², "
                  f"crushing {areas['compression']:.3f} m².")
     if w.cyclic:
-        text += f" Unloaded, at most {percent(c.residual_share)} of the largest displacement stays."
+        text += f" After unloading at most {percent(c.residual_share)} of the largest displacement remains."
     return text
 
 
