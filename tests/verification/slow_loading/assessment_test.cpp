@@ -138,6 +138,7 @@ cases::Case buttressed_vault() {
   constexpr int kCourses = 4;
   cases::Case c = load("tilt").value;
   c.blocks.clear();
+  c.base->tilt = {0.0, 0.0};
   c.segment_size = vault.thickness / vault.points;
   const auto add = [&] {
     cases::BlockSpec b;
