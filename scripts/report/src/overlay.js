@@ -30,9 +30,14 @@ function arrow(c, [x, y], [X, Y], head) {
   c.beginPath(), c.moveTo(X, Y), c.lineTo(X - h * dx - 0.45 * h * dy, Y - h * dy + 0.45 * h * dx), c.lineTo(X - h * dx + 0.45 * h * dy, Y - h * dy - 0.45 * h * dx), c.fill();
 }
 
+/** Each wall is named once, at the ground, however many storeys it has. */
 function wallNames(c, facts, camera, width, height, u, ink) {
   c.font = `600 ${u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
+  const named = new Set();
   for (const w of facts.walls) {
+    const name = w.name.replace(/, storey \d+$/, "");
+    if (named.has(name)) continue;
+    named.add(name);
     const at = [0, 1, 2].map((k) => 0.5 * (w.low[k] + w.high[k]));
     at[w.across] = (w.outward > 0 ? w.high : w.low)[w.across] + 0.35 * w.outward;
     at[2] = facts.base ?? w.low[2];
@@ -40,7 +45,7 @@ function wallNames(c, facts, camera, width, height, u, ink) {
     const toEye = camera.position.clone().sub(p);
     if (toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
     const place = seen(p, camera, width, height);
-    if (place) write(c, w.name, place[0], place[1] + 0.3 * u, ink);
+    if (place) write(c, name, place[0], place[1] + 0.3 * u, ink);
   }
 }
 
