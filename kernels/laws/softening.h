@@ -61,6 +61,10 @@ inline double wear_at_end(const Softening& a) noexcept { return a.linear ? 2.0 :
 inline double stiffness_left(double n, double wear, double kn, const Softening& a) noexcept {
   return n > 0.0 && wear > 0.0 ? kn * share_left(wear, a) / (1.0 + wear * a.opening) : kn;
 }
+/// The same, where the share that is left is known: it costs more than all else of the law.
+inline double stiffness_left(double n, double wear, double left, double kn, const Softening& a) noexcept {
+  return n > 0.0 && wear > 0.0 ? kn * left / (1.0 + wear * a.opening) : kn;
+}
 
 inline double stored_when_worn(Local x, double wear, Stiffness k, const Softening& a) noexcept {
   return 0.5 * (stiffness_left(x.n, wear, k.kn, a) * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2));
@@ -72,6 +76,7 @@ namespace detail {
 struct Wearing {
   Local x;                    // m, elongation of its springs
   double wear = 0.0;          // now
+  double left = 1.0;          // share_left of it
   double cohesive = 0.0;      // share of cohesion in the shear limit that it slid under
   Mode reached = Mode::none;  // the limit that wore it
   Mode broke = Mode::none;
@@ -85,6 +90,7 @@ inline void wear_by_opening(Wearing& w, Stiffness k, Strength s, const Softening
   w.reached = Mode::tension;
   if (a.opening > 0.0) {
     w.wear = (sigma / s.tension - 1.0) / a.opening;
+    w.left = share_left(w.wear, a);
   } else {
     w.broke = Mode::tension, w.open = true;
   }
@@ -92,15 +98,16 @@ inline void wear_by_opening(Wearing& w, Stiffness k, Strength s, const Softening
 
 /// Slip at the shear limit, which wears the bond: (13c), (13d).
 inline void wear_by_slip(Wearing& w, SegmentState& q, Local u, Stiffness k, Strength s, const Softening& a, FailureOptions o) noexcept {
-  const double left = share_left(w.wear, a), tan_phi = s.friction + (s.tan_phi - s.friction) * left;
-  const double sigma = stiffness_left(w.x.n, w.wear, k.kn, a) * w.x.n, tau = k.ks * std::sqrt(w.x.s1 * w.x.s1 + w.x.s2 * w.x.s2);
+  const double left = w.left, tan_phi = s.friction + (s.tan_phi - s.friction) * left;
+  const double sigma = stiffness_left(w.x.n, w.wear, left, k.kn, a) * w.x.n, tau = k.ks * std::sqrt(w.x.s1 * w.x.s1 + w.x.s2 * w.x.s2);
   const double limit = shear_limit(sigma, {.cohesion = s.cohesion * left, .tan_phi = tan_phi}, o);
   if (tau <= limit) return;
   if (w.reached == Mode::none) w.reached = Mode::shear;
   double stress = limit;
   if (a.slip > 0.0) {
     w.wear += (tau - limit) / (k.ks * a.slip);
-    stress = std::max(0.0, limit - s.cohesion * (left - share_left(w.wear, a)));
+    w.left = share_left(w.wear, a);
+    stress = std::max(0.0, limit - s.cohesion * (left - w.left));
     w.cohesive = limit > 0.0 ? std::min(1.0, s.cohesion * left / limit) : 1.0;
   } else if (o.brittle) {
     w.broke = Mode::shear, w.open = sigma >= 0.0;
@@ -116,7 +123,8 @@ inline void wear_by_slip(Wearing& w, SegmentState& q, Local u, Stiffness k, Stre
 /// Books what the springs have lost in this step, (28). \param before  a worn segment before it
 inline void book_losses(SegmentStep& out, const Wearing& before, const Wearing& now, Local du, Stiffness k, const Softening& a) noexcept {
   const Local b = before.x, x = now.x;
-  const double kb = stiffness_left(b.n, before.wear, k.kn, a), kx = now.open ? 0.0 : stiffness_left(x.n, now.wear, k.kn, a);
+  const double kb = stiffness_left(b.n, before.wear, before.left, k.kn, a);
+  const double kx = now.open ? 0.0 : stiffness_left(x.n, now.wear, now.left, k.kn, a);
   const double normal = 0.5 * (kb * b.n * b.n - kx * x.n * x.n + (kb * b.n + kx * x.n) * du.n);
   const double shear = 0.5 * k.ks * (b.s1 * b.s1 + b.s2 * b.s2 - x.s1 * x.s1 - x.s2 * x.s2 + (b.s1 + x.s1) * du.s1 + (b.s2 + x.s2) * du.s2);
   if (now.broke != Mode::none) {
@@ -139,8 +147,9 @@ inline SegmentStep advance_soft_segment(SegmentState& q, double& wear, Local u, 
   if (!holds(q.bond)) return advance_segment(q, u, rate, dt, k, s, o);
   SegmentStep out;
   const Local du = dt * rate;
-  detail::Wearing before{.x = detail::elongation_before(q, u, du), .wear = wear};
-  detail::Wearing now{.x = {u.n - q.closure, u.s1 - q.slip1, u.s2 - q.slip2}, .wear = wear};
+  const double left = wear > 0.0 ? share_left(wear, a) : 1.0;
+  detail::Wearing before{.x = detail::elongation_before(q, u, du), .wear = wear, .left = left};
+  detail::Wearing now{.x = {u.n - q.closure, u.s1 - q.slip1, u.s2 - q.slip2}, .wear = wear, .left = left};
   detail::wear_by_opening(now, k, s, a);
   if (now.broke == Mode::none) {
     detail::wear_by_slip(now, q, u, k, s, a, o);
@@ -151,8 +160,9 @@ inline SegmentStep advance_soft_segment(SegmentState& q, double& wear, Local u, 
   if (now.broke == Mode::none) {
     detail::book_losses(out, before, now, du, k, a);
     wear = now.wear;
-    out.traction = {stiffness_left(now.x.n, wear, k.kn, a) * now.x.n, k.ks * now.x.s1, k.ks * now.x.s2};
-    out.stored = stored_when_worn(now.x, wear, k, a);
+    const double kn = stiffness_left(now.x.n, wear, now.left, k.kn, a);
+    out.traction = {kn * now.x.n, k.ks * now.x.s1, k.ks * now.x.s2};
+    out.stored = 0.5 * (kn * now.x.n * now.x.n + k.ks * (now.x.s1 * now.x.s1 + now.x.s2 * now.x.s2));
     if (first) out.reached = now.reached;
     if (now.reached != Mode::none) q.bond = Bond::slipped;
     return out;
