@@ -81,6 +81,9 @@ struct JointLaw {
   double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
   std::optional<double> normal_stiffness{},
       shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
+  std::optional<double> maximum_closure{};  // V, m: a dry joint stiffens as it closes, k_n is that without pressure; none: it does not
+
+  [[nodiscard]] bool stiffens() const noexcept { return maximum_closure.has_value(); }  // then it has no bond
 };
 
 /// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).

@@ -119,12 +119,18 @@ struct SumRows {
   double total[12], dash[12];
 };
 
-/// Lets contacts of one side give way that are pressed too hard. \return J, lost by it
-[[gnu::noinline]] double crush_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
-                                    const BlockState& state, double step) noexcept {
+/// Lets contacts of one side give way: those that are pressed too hard, and those of a joint that stiffens as it closes.
+[[gnu::noinline]] GaveWay give_way(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
+                                   const BlockState& state, double step) noexcept {
   const auto normal = [&](int k) { return f.value[k][0][lane]; };
-  return crush_segments({normal(0), normal(1), normal(2), normal(3), normal(4), normal(5)}, block.constants->kn[l], parts.factor,
-                        parts.points, parts.segments, step, *state.crushing, state.crushed[l]);
+  const NormalFields fields{normal(0), normal(1), normal(2), normal(3), normal(4), normal(5)};
+  const double kn = block.constants->kn[l];
+  double* crushed = state.crushing == nullptr ? nullptr : state.crushed[l];
+  if (state.closing != nullptr && state.closing[l].on()) {
+    return close_segments(fields, kn, parts.factor, parts.points, parts.segments, step, state.closing[l], state.crushing, crushed);
+  }
+  if (state.crushing == nullptr) return {};
+  return {.fracture = crush_segments(fields, kn, parts.factor, parts.points, parts.segments, step, *state.crushing, crushed)};
 }
 
 /// All segments of one side.
@@ -219,9 +225,10 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const 
     }
     const SideParts& parts = state.parts[at + l];
     const SoftSide* softens = state.soft != nullptr && state.soft[at + l].wear != nullptr ? state.soft + at + l : nullptr;
-    const double crushing = state.crushing == nullptr ? 0.0 : crush_side(block, at + l, fields, l, parts, state, clock.dt);
+    const bool gives = state.crushing != nullptr || state.closing != nullptr;
+    const GaveWay gave = gives ? give_way(block, at + l, fields, l, parts, state, clock.dt) : GaveWay{};
     advance_side(block, at + l, fields, l, parts, softens, clock, o, found_literally, by_lane[l], result[l], sink);
-    result[l].fracture += crushing;
+    result[l].fracture += gave.fracture, result[l].impact += gave.impact;
     touching |= static_cast<unsigned>(result[l].touching) << l;
   }
   const LaneMask mask = lanes_of(chosen);

@@ -7,6 +7,7 @@
 
 #include "kernels/lanes.h"
 #include "kernels/law.h"
+#include "kernels/laws/closing.h"
 #include "kernels/laws/crushing.h"
 #include "kernels/laws/segment_law.h"
 #include "kernels/laws/softening.h"
@@ -55,6 +56,7 @@ struct Side {
   Stiffness k;
   Strength strength;
   const SoftSide* soft = nullptr;  // its bonds soften
+  const Closing* closing = nullptr;  // it stiffens as it closes
 };
 
 /// Contact points of a side, in its frame; n entries.
@@ -139,6 +141,14 @@ struct NormalFields {
 double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
                       double* crushed) noexcept;
 
+/// What springs lost before the law of contact was asked [J].
+struct GaveWay {
+  double fracture = 0.0, impact = 0.0;  // by crushing; within the steps of the hyperbola
+};
+/// The same for a side that stiffens as it closes (kernels/laws/closing.h). \param crushing, crushed  nullptr: any pressure is borne
+GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Closing& a,
+                       const Crushing* crushing, double* crushed) noexcept;
+
 /// Elastic energy in the springs of a side as they are [J]: of bonded segments, of contacts.
 struct SideEnergy {
   double bonds = 0.0, contact = 0.0;
@@ -214,6 +224,7 @@ struct BlockState {
   const SoftSide* soft = nullptr;      // kLanes; nullptr: no law of the model softens
   const Crushing* crushing = nullptr;  // of all contacts; nullptr: they bear any pressure
   double* const* crushed = nullptr;    // kLanes, then by segment [m]
+  const Closing* closing = nullptr;    // kLanes; nullptr: no joint of the model stiffens as it closes
   std::int64_t first = 0;              // number of the first side
   unsigned live = 0;                   // bit mask of the lanes that take part
   bool look_closely = false;           // look also at open sides, which may have come apart

@@ -111,6 +111,13 @@ void check_stiffness(const JointLaw& s, const RuleCheck& check) {
   if (s.thickness > 0.0) check.fault("thickness", "does not go with normal_stiffness; a joint has mortar with a thickness, or a stiffness");
 }
 
+void check_closure(const JointLaw& s, const RuleCheck& check) {
+  if (!s.maximum_closure) return;
+  if (!s.normal_stiffness) check.fault("maximum_closure", "needs normal_stiffness (Pa/m, > 0), that of the joint without pressure");
+  if (s.tension > 0.0 || s.cohesion > 0.0)
+    check.fault("maximum_closure", "is of a dry joint, without a bond; allowed with tension = 0 and cohesion = 0 alone");
+}
+
 Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
@@ -138,10 +145,14 @@ Table<JointLaw> joint_law_table() {
                     "fracture_energy_shear"),
            value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
                     "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
-           value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none")},
+           value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
+           value<S>("maximum_closure", &S::maximum_closure, "m", above(0.0),
+                    "most that a dry joint closes: it stiffens by a hyperbola from normal_stiffness, without pressure, to its blocks'; friction "
+                    "is residual_friction or that of [contact]; none: one stiffness")},
           [](const S& s, const RuleCheck& check) {
             check_softening(s, check);
             check_stiffness(s, check);
+            check_closure(s, check);
             if (s.thickness <= 0.0) return;
             if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
             if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");

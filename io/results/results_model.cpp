@@ -184,12 +184,14 @@ void add_materials(const cases::Model& model, Datasets& out) {
   law("/model/law/young", &cases::JointLaw::young, "Pa", "Young's modulus of the mortar");
   law("/model/law/poisson", &cases::JointLaw::poisson, "1", "Poisson's ratio of the mortar");
   if (std::ranges::none_of(model.laws, [](const cases::NamedLaw& l) { return l.value.normal_stiffness.has_value(); })) return;
-  const auto stiffness = [&](const char* name, std::optional<double> cases::JointLaw::*member, const char* description) {
+  const auto own = [&](const char* name, std::optional<double> cases::JointLaw::*member, const char* unit, const char* description) {
     const auto get = [member](const cases::NamedLaw& l) { return (l.value.*member).value_or(0.0); };
-    out.push_back(dataset(name, each<double>(model.laws, get), 1, "Pa/m", description));
+    out.push_back(dataset(name, each<double>(model.laws, get), 1, unit, description));
   };
-  stiffness("/model/law/normal_stiffness", &cases::JointLaw::normal_stiffness, "of the joint alone; 0: none of its own");
-  stiffness("/model/law/shear_stiffness", &cases::JointLaw::shear_stiffness, "of the joint alone, along it; 0: none of its own");
+  own("/model/law/normal_stiffness", &cases::JointLaw::normal_stiffness, "Pa/m", "of the joint alone; 0: none of its own");
+  own("/model/law/shear_stiffness", &cases::JointLaw::shear_stiffness, "Pa/m", "of the joint alone, along it; 0: none of its own");
+  if (std::ranges::none_of(model.laws, [](const cases::NamedLaw& l) { return l.value.stiffens(); })) return;
+  own("/model/law/maximum_closure", &cases::JointLaw::maximum_closure, "m", "most that a dry joint closes; 0: its stiffness is one number");
 }
 
 /// Of those by themselves, not of meshes; none of a model without.

@@ -121,6 +121,34 @@ double crush_segments(const NormalFields& f, double kn, double factor, PointsVie
   return lost;
 }
 
+GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Closing& a,
+                       const Crushing* crushing, double* crushed) noexcept {
+  GaveWay lost;
+  for (int i = 0; i < p.n; ++i) {
+    if (holds(q.bond[i])) continue;
+    const double s = p.s[i], t = p.t[i], u = f.d + s * f.ds + t * f.dt, du = step * (f.v + s * f.vs + t * f.vt);
+    const Closed r = close_point(u, du, crushed == nullptr ? 0.0 : crushed[i], kn, a, crushing);
+    q.closure(i) = r.closure;
+    (r.crushed > 0.0 ? lost.fracture : lost.impact) += factor * p.area[i] * r.lost;
+    if (r.crushed > 0.0) crushed[i] += r.crushed;
+  }
+  return lost;
+}
+
+namespace {
+
+/// Lets the segments of one lane give way, in whichever manner.
+GaveWay give_way(const BlockState& state, int l, const Side& side, const SideParts& parts, const NormalFields& f, double step) noexcept {
+  double* crushed = state.crushing == nullptr ? nullptr : state.crushed[l];
+  if (side.closing != nullptr) {
+    return close_segments(f, side.k.kn, side.factor, parts.points, parts.segments, step, *side.closing, state.crushing, crushed);
+  }
+  if (state.crushing == nullptr) return {};
+  return {.fracture = crush_segments(f, side.k.kn, side.factor, parts.points, parts.segments, step, *state.crushing, crushed)};
+}
+
+}  // namespace
+
 SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept {
   SideEnergy e;
   for (int i = 0; i < p.n; ++i) {
@@ -129,6 +157,10 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
     const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
     const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};
+    if (!held && side.closing != nullptr) {
+      e.contact += side.factor * p.area[i] * (stored_at(-side.k.kn * n, *side.closing) + 0.5 * side.k.ks * (x.s1 * x.s1 + x.s2 * x.s2));
+      continue;
+    }
     const double stored =
         held && side.soft != nullptr ? stored_when_worn(x, side.soft->wear[i], side.k, side.soft->law) : detail::stored_energy(x, side.k);
     (held ? e.bonds : e.contact) += side.factor * p.area[i] * stored;
@@ -143,18 +175,17 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
     const SideParts& parts = state.parts[l];
     Side side = side_of(block, l, parts);
     if (state.soft != nullptr && state.soft[l].wear != nullptr) side.soft = state.soft + l;
+    if (state.closing != nullptr && state.closing[l].on()) side.closing = state.closing + l;
     const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
     const NormalFields normal{f.d.n, f.ds.n, f.dt.n, f.v.n, f.vs.n, f.vt.n};
-    const double crushing = state.crushing == nullptr ? 0.0
-                                                      : crush_segments(normal, side.k.kn, side.factor, parts.points, parts.segments,
-                                                                       clock.dt, *state.crushing, state.crushed[l]);
+    const GaveWay gave = give_way(state, l, side, parts, normal, clock.dt);
     const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
     hand_out(side, state.first + l, f, r, rows);
     result[l] = {.friction = r.friction,
-                 .impact = r.impact,
-                 .fracture = r.fracture + crushing,
+                 .impact = r.impact + gave.impact,
+                 .fracture = r.fracture + gave.fracture,
                  .held = r.held,
                  .events = sink.count - before,
                  .touching = r.touching,

@@ -8,6 +8,10 @@ namespace voussoir::solver {
 
 namespace {
 
+/// Normal stiffness of the patches that a side leaves [Pa/m]. Those of a joint that stiffens as it closes have their blocks' alone, and so
+/// give back no more than the joint held.
+double patch_stiffness(const kernels::Side& s) { return s.closing == nullptr ? s.k.kn : s.closing->blocks; }
+
 /// The free patch that one element keeps of a retired side. `mirrored`: the slave's, whose face sees the side from behind.
 kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
@@ -24,7 +28,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   p.normal_sign = mirrored ? -1.0F : 1.0F;
   p.origin_face = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
   p.s_low = b.s_low[l], p.s_high = b.s_high[l], p.t_low = b.t_low[l], p.t_high = b.t_high[l];
-  p.origin_kn = s.k.kn, p.origin_ks = s.k.ks;
+  p.origin_kn = patch_stiffness(s), p.origin_ks = s.k.ks;
   return p;
 }
 
@@ -74,9 +78,15 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.set_slip(k, body);
     const double depth =
         kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
-    to.closure(k) = depth - (u.n - q.closure(k));
-    const double n = u.n - q.closure(k), da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
-    patch.stored += 0.5 * da * (s.k.kn * n * n + s.k.ks * (x1 * x1 + x2 * x2));
+    double n = u.n - q.closure(k);
+    const double da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
+    if (s.closing != nullptr) {
+      const double pressure = s.k.kn * -n;
+      w.sides.impact[i] += da * (kernels::stored_at(pressure, *s.closing) - 0.5 * pressure * pressure / s.closing->blocks);
+      n = -pressure / s.closing->blocks;
+    }
+    to.closure(k) = depth - n;
+    patch.stored += 0.5 * da * (patch_stiffness(s) * n * n + s.k.ks * (x1 * x1 + x2 * x2));
     ++patch.touching;
   }
 }

@@ -59,6 +59,7 @@ void advance_block(const BlockStep& step, std::int32_t number, std::optional<uns
                                       .soft = s.soft.empty() ? nullptr : s.soft.data() + first,
                                       .crushing = s.crushed_of.empty() ? nullptr : &w.contact.crushing,
                                       .crushed = s.crushed_of.empty() ? nullptr : s.crushed_of.data() + first,
+                                      .closing = s.closing.empty() ? nullptr : s.closing.data() + first,
                                       .first = static_cast<std::int64_t>(first),
                                       .live = s.live_lanes[block] & ~whole.value_or(0U),
                                       .look_closely = look.closely,

@@ -119,6 +119,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_overlaps(*w);
   set_up_side_views(*w);
   set_up_softening(*w);
+  set_up_closing(*w);
   set_up_crushing(*w, c.contact);
   set_up_side_gather(*w, c);
   set_up_ties(*w);

@@ -28,6 +28,8 @@ void set_up_overlaps(World& w);
 void set_up_side_views(World& w);
 /// How bonds soften, and what each has gone through, where a law asks for it. \pre sides have their views
 void set_up_softening(World& w);
+/// Which joints stiffen as they close, and how.
+void set_up_closing(World& w);
 /// How contacts give way under pressure, as the case says it.
 kernels::Crushing crushing_of(const cases::Contact& c);
 /// What each segment has gone through of it. \pre sides have their views

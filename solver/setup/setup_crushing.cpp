@@ -11,11 +11,13 @@ namespace voussoir::solver {
 
 namespace {
 
-/// Pa/m, of the softest contact that the model can have: of its joints, and of any two faces.
-double least_stiffness(const World& w) {
+/// Pa/m, of the softest contact that the model can have: of its joints, and of any two faces. \param pressure  Pa, least at which it softens
+double least_stiffness(const World& w, double pressure) {
   double least = std::numeric_limits<double>::infinity(), softest = 0.0;
   for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
-    if (w.sides.joint[id] >= 0) least = std::min(least, w.sides.side(static_cast<std::int64_t>(id)).k.kn);
+    if (w.sides.joint[id] < 0) continue;
+    const kernels::Side side = w.sides.side(static_cast<std::int64_t>(id));
+    least = std::min(least, side.closing == nullptr ? side.k.kn : kernels::stiffness_at(pressure, *side.closing));
   }
   for (const kernels::Face& f : w.faces) softest = std::max(softest, f.compliance_n);
   return softest > 0.0 ? std::min(least, 0.5 / softest) : least;
@@ -29,7 +31,7 @@ std::string number(double v) {
 
 /// Strength must fall no faster than the springs of a contact unload, or it would snap through.
 void refuse_snap_through(const World& w, const cases::Contact& c) {
-  const double fall = c.compression - c.residual_compression, least = 0.5 * fall * fall / least_stiffness(w);
+  const double fall = c.compression - c.residual_compression, least = 0.5 * fall * fall / least_stiffness(w, c.residual_compression);
   if (c.crushing_energy == 0.0 || c.crushing_energy > least) return;
   throw cases::InputError("contact.crushing_energy",
                           "= " + number(c.crushing_energy) +

@@ -113,6 +113,12 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   return k;
 }
 
+/// Whether the joint has no bond from the start.
+bool is_dry(const World& w, std::int32_t joint) {
+  const std::int32_t law = w.model.joint_law[static_cast<std::size_t>(joint)];
+  return law == 0 || w.model.laws[static_cast<std::size_t>(law)].value.stiffens();
+}
+
 /// \param factor  of the joint, see cases/scatter.h
 /// \param friction  tan φ of what the bond becomes: of its two materials, unless the law has its own
 kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double friction) {
@@ -196,7 +202,7 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
     const auto material = [&](std::int32_t face) { return w.faces[static_cast<std::size_t>(face)].material; };
     double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
     if (law.residual_friction) friction = std::tan(*law.residual_friction * std::numbers::pi / 180.0);
-    const auto strength = [&](double scatter) { return strength_of(law, scatter, law_index == 0, friction); };
+    const auto strength = [&](double scatter) { return strength_of(law, scatter, is_dry(w, side.joint), friction); };
     side.k = joint_stiffness(w, side, law, c.contact.damping);
     side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
     side.order = without_scatter.add(constants_of(w, side, strength(1.0)));
@@ -208,7 +214,7 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
 /// Bookkeeping and the initial state of one side.
 void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) {
   Sides& s = w.sides;
-  const bool dry = w.model.joint_law[static_cast<std::size_t>(side.joint)] == 0;
+  const bool dry = is_dry(w, side.joint);
   s.joint[id] = side.joint;
   s.set[id] = set;
   s.master_face[id] = side.master_face, s.slave_face[id] = side.slave_face;

@@ -180,6 +180,9 @@ std::uint64_t model_hash(const World& w) {
   for (const kernels::SoftSide& side : w.sides.soft) {
     for (const double v : {side.law.opening, side.law.slip, side.law.dilatancy, side.law.linear ? 1.0 : 0.0}) hash.add(&v, sizeof v);
   }
+  for (const kernels::Closing& c : w.sides.closing) {
+    for (const double v : {c.most, c.scale, c.blocks}) hash.add(&v, sizeof v);
+  }
   if (const kernels::Crushing& c = w.contact.crushing; c.on()) {
     for (const double v : {c.strength, c.residual, c.slope, c.depth}) hash.add(&v, sizeof v);
   }

@@ -68,6 +68,7 @@ kernels::Side Sides::side(std::int64_t id) const noexcept {
   const auto i = static_cast<std::size_t>(id);
   kernels::Side side = kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
   side.soft = soft_side(id);
+  if (!closing.empty() && closing[i].on()) side.closing = &closing[i];
   return side;
 }
 

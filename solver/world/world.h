@@ -98,6 +98,7 @@ struct Sides {
   ZeroArray<kernels::SteadySides> steady;          // State by block: of its steady sides
   std::vector<kernels::SoftSide> soft;             // by side; empty: no law of the model softens
   ZeroArray<double> wear;                          // State by segment of the sides that soften, kernels/laws/softening.h
+  std::vector<kernels::Closing> closing;           // by side; empty: no joint of the model stiffens as it closes
   std::vector<double*> crushed_of;                 // by side, into `crushed`; empty: contacts bear any pressure
   ZeroArray<double> crushed;                       // m, State by segment, kernels/laws/crushing.h
   // State by side.

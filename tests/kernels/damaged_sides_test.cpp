@@ -69,6 +69,12 @@ kernels::Crushing crushing_law(int option) {
                          : kernels::Crushing{.strength = 5e4, .depth = 2e-4};
 }
 
+/// A dry joint whose stiffness without pressure is the side's: 1/1.25e9 + 1/5e9 = 1/1e9 m/Pa.
+void stiffen(SideUnderTest& u) {
+  std::fill(u.bond.begin(), u.bond.end(), kernels::Bond::contact);
+  u.closing = {.most = 2e-4, .scale = 2e-4 * 1.25e9, .blocks = 5e9};
+}
+
 }  // namespace
 
 TEST_CASE("vector and plain segments go the same way through cracking, slip and contact") {
@@ -140,6 +146,35 @@ TEST_CASE("vector and plain segments of a side that softens go the same way") {
   }
 }
 
+TEST_CASE("vector and plain segments of a dry side that stiffens as it closes go the same way") {
+  for (const bool crushes : {false, true}) {
+    int stiffer = 0, crushed = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);
+      if (seed % 3 == 0) u.put_onto_base();
+      stiffen(u);
+      if (crushes) u.crush(crushing_law(1));
+      Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
+      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
+      double unit = 1.0;
+      for (int i = 0; i < 800; ++i) {
+        const TwoBodies b = shaker.at(1e-2);
+        fast.step(b, i * kStep, {});
+        plain.step(b, i * kStep, {});
+        unit = std::max({unit, norm(plain.last.force_a)});
+        compare(fast, plain, unit);
+        const double stored = energy(plain.u, b).contact;
+        stiffer += stored > 0.0;
+        CHECK(energy(fast.u, b).contact == doctest::Approx(stored).epsilon(1e-8).scale(1e-6));
+      }
+      for (const double depth : plain.u.crushed) crushed += depth > 0.0;
+      CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
+    }
+    CHECK(stiffer > 500);
+    if (crushes) CHECK(crushed > 20);
+  }
+}
+
 TEST_CASE("vector and plain segments of a side whose contacts crush go the same way") {
   for (int option = 0; option < 4; ++option) {
     CAPTURE(option);
@@ -172,11 +207,13 @@ TEST_CASE("vector and plain segments of a side whose contacts crush go the same 
 
 TEST_CASE("what the springs of a side take is stored or lost, whatever path they are led along, and no loss is a gain") {
   for (kernels::AdvanceSides* kernel : {&kernels::advance_sides, &kernels::advance_sides_reference}) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 56; ++seed) {
       Twin t{SideUnderTest(4, 4, 0.5), *kernel};
+      const bool stiffens = seed > 40;
       const std::uint64_t path = seed > 32 ? seed - 20 : seed;
-      if (seed > 32) t.u.crush(crushing_law(static_cast<int>(seed)));
-      if (seed > 20) t.u.soften(soft_law(static_cast<int>(seed) % 4));
+      if (stiffens) stiffen(t.u);
+      if (seed > 32 && seed <= 48) t.u.crush(crushing_law(static_cast<int>(seed)));
+      if (seed > 20 && !stiffens) t.u.soften(soft_law(static_cast<int>(seed) % 4));
       t.u.side.k.cn = t.u.side.k.cs = 0.0;
       Shaker shaker{Noise(100 + path)};
       double work = 0.0, most = 0.0, off = 0.0, least_loss = 0.0;  // J; work on the springs by the trapezoid rule

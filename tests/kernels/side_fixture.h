@@ -59,6 +59,7 @@ struct SideUnderTest {
   std::vector<double> wear;  // by segment; empty: its bonds do not soften
   kernels::Crushing crushing;
   std::vector<double> crushed;  // by segment; empty: its contacts bear any pressure
+  kernels::Closing closing;     // off: its stiffness is one number
   int n = 0;
 
   SideUnderTest(int ns, int nt, double mean) {
@@ -153,6 +154,8 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
+  kernels::Closing closing[kernels::kLanes];
+  closing[kLane] = u.closing;
   double* crushed[kernels::kLanes] = {};
   crushed[kLane] = u.crushed.data();
   const kernels::BlockState block{.side_state = states,
@@ -161,6 +164,7 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
                                   .soft = u.wear.empty() ? nullptr : soft,
                                   .crushing = u.crushed.empty() ? nullptr : &u.crushing,
                                   .crushed = u.crushed.empty() ? nullptr : crushed,
+                                  .closing = u.closing.on() ? closing : nullptr,
                                   .first = 0,
                                   .live = 1U << kLane};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, dashpot, {}};
@@ -186,6 +190,7 @@ inline kernels::SideEnergy energy(SideUnderTest& u, const TwoBodies& b) {
   kernels::Side side = u.side;
   const kernels::SoftSide soft = u.soft();
   if (soft.wear != nullptr) side.soft = &soft;
+  if (u.closing.on()) side.closing = &u.closing;
   return kernels::segment_energy(side, u.frame(b), u.points(), u.segments());
 }
 

@@ -204,6 +204,11 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal(law + "normal_stiffness = 1\nshear_stiffness = inf").starts_with("test.toml:7: joint_laws.n.shear_stiffness"));
   CHECK(refusal(law + "thickness = 0.01\nyoung = 1\npoisson = 0\nnormal_stiffness = 1\nshear_stiffness = 1")
             .starts_with("test.toml:6: joint_laws.n.thickness = 0.01 m does not go with normal_stiffness"));
+  const std::string own = "normal_stiffness = 1e9\nshear_stiffness = 4e8\n";
+  CHECK(refusal(weak + own + "maximum_closure = 1e-4") == "accepted");
+  CHECK(refusal(weak + own + "maximum_closure = 0").starts_with("test.toml:8: joint_laws.n.maximum_closure = 0 m: must be"));
+  CHECK(refusal(weak + "maximum_closure = 1e-4").find("needs normal_stiffness") != std::string::npos);
+  CHECK(refusal(law + own + "maximum_closure = 1e-4").find("allowed with tension = 0 and cohesion = 0 alone") != std::string::npos);
   CHECK(refusal("[joint_laws.dry]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n").find("reserved") != std::string::npos);
   CHECK(refusal("[materials.base]\ndensity = 1\nyoung = 1\npoisson = 0\n").starts_with("test.toml:1: materials.base is a reserved name"));
 }
