@@ -70,7 +70,10 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
     lines += ["[materials.unit]", f"density = {wall.density}", f"young   = {rounded(modulus)}", f"poisson = {poisson}"]
     lines += (['inside  = "unit"'] if wall.unit_bond else []) + [""]
     lines += ["[materials.beam]", f"density = {BEAM_DENSITY}", f"young   = {rounded(modulus)}", f"poisson = {poisson}", ""]
-    own = (("normal_stiffness", normal), ("shear_stiffness", shear))
+    own = [("normal_stiffness", normal), ("shear_stiffness", shear)]
+    if wall.closure:
+        own[0] = ("normal_stiffness", wall.closure[0])
+        own.append(("maximum_closure", wall.closure[1]))
     lines += law_lines("bed", wall.bond or {"tension": 0.0, "cohesion": 0.0, "friction": angle, "compression": wall.crushing}, own)
     if wall.unit_bond:
         lines += law_lines("unit", wall.unit_bond)
@@ -78,7 +81,7 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
         lines += law_lines("glue", {"tension": 1e12, "cohesion": 1e12, "friction": 30.0, "compression": 1e12})
     lines += ["[joints]", 'default = "bed"'] + (['between = [ { materials = ["unit", "beam"], law = "glue" } ]'] if wall.bond else [])
     lines += ["",
-              "[contact]", f"friction = {rounded(angle)}", "",
+              "[contact]", f"friction = {rounded(angle)}", *(f"{key} = {rounded(value)}" for key, value in wall.toe.items()), "",
               "[segments]", f"size = {segment or wall.segment}", 'rule = "rim"', "", "[base]", "",
               "[output]", "history_interval = 0.02", "ledger_interval = 0.02", "frame_interval = 1.0", "",
               "[[load]]                         # the jack", 'block = "beam"',
