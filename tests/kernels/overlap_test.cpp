@@ -161,10 +161,15 @@ TEST_CASE("overlap: leaving axes out gives what all axes give") {
     const kernels::Pose pa{{}, rotation_minus_identity(qa)}, pb{{}, rotation_minus_identity(qb)};
     const Vec3 apart_by{random(-0.2, 0.2), random(-0.2, 0.2), random(-0.2, 0.2)};
     const kernels::Overlap o = kernels::overlap_of_many(a.shape(), pa, b.shape(), pb, apart_by, kNone);
-    worst = std::max(worst, std::abs(o.depth - kernels::overlap_of(a.shape(), pa, b.shape(), pb, apart_by, kNone).depth));
+    const double depth = kernels::overlap_of(a.shape(), pa, b.shape(), pb, apart_by, kNone).depth;
     CHECK(std::abs(norm(o.normal) - 1.0) < 1e-12);
     CHECK(norm((o.arm_a - o.arm_b) - apart_by) < 1e-12);
-    if (o.depth <= 0.0) continue;
+    if (depth <= 0.0) {  // how far apart is a bound
+      CHECK(o.depth <= 1e-12);
+      CHECK(o.depth >= depth - 1e-9);
+      continue;
+    }
+    worst = std::max(worst, std::abs(o.depth - depth));
     const Vec3 off = apart_by + o.depth * o.normal;
     least_gain = std::max(least_gain, kernels::overlap_of(a.shape(), pa, b.shape(), pb, off, kNone).depth);
   }
