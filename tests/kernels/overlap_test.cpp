@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/separation.h"
+#include "tests/rounded_stone.h"
 
 using namespace voussoir;
 
@@ -60,28 +61,6 @@ std::vector<Body> bodies() {
   all.push_back(body(geometry::make_prism(Corners{{-0.04, 0}, {0.04, 0}, {0.06, 0.2}, {-0.06, 0.2}}, 0.0, 0.2)));
   all.push_back(body(geometry::make_prism(Corners{{0, 0}, {0.2, 0}, {0.2, 0.08}, {0.1, 0.14}, {0, 0.08}}, 0.0, 0.1)));
   return all;
-}
-
-/// Rings of faces about an axis, as on a sphere: rings × sides faces.
-geometry::Polyhedron rounded_stone(int rings, int sides, double radius) {
-  geometry::Polyhedron p;
-  const double pi = std::acos(-1.0);
-  const auto at = [&](int ring, int side) { return static_cast<std::int32_t>(1 + (ring - 1) * sides + side % sides); };
-  p.vertices.push_back({0.0, 0.0, -radius});
-  for (int r = 1; r < rings; ++r) {
-    for (int s = 0; s < sides; ++s) {
-      const double up = -std::cos(pi * r / rings), out = std::sin(pi * r / rings), angle = 2.0 * pi * s / sides;
-      p.vertices.push_back(radius * Vec3{out * std::cos(angle), out * std::sin(angle), up});
-    }
-  }
-  const auto top = static_cast<std::int32_t>(p.vertices.size());
-  p.vertices.push_back({0.0, 0.0, radius});
-  for (int s = 0; s < sides; ++s) {
-    p.faces.push_back({0, at(1, s + 1), at(1, s)});
-    for (int r = 1; r + 1 < rings; ++r) p.faces.push_back({at(r, s), at(r, s + 1), at(r + 1, s + 1), at(r + 1, s)});
-    p.faces.push_back({at(rings - 1, s), at(rings - 1, s + 1), top});
-  }
-  return p;
 }
 
 struct Random {
@@ -180,7 +159,7 @@ TEST_CASE("overlap: leaving axes out gives what all axes give") {
 
 TEST_CASE("overlap: stones of many faces are as deep in each other, and in bricks, as geometry says") {
   const std::vector<Body> few = bodies();
-  const Body many = body(rounded_stone(12, 14, 0.12));  // 168 faces
+  const Body many = body(testing::rounded_stone(12, 14, 0.12));  // 168 faces
   REQUIRE(many.faces.size() > kernels::kFewFaces);
   Random random;
   int deep = 0;
