@@ -45,20 +45,28 @@ function arrow(c, [x, y], [X, Y], head) {
   c.beginPath(), c.moveTo(X, Y), c.lineTo(X - h * dx - 0.45 * h * dy, Y - h * dy + 0.45 * h * dx), c.lineTo(X - h * dx + 0.45 * h * dy, Y - h * dy - 0.45 * h * dx), c.fill();
 }
 
-/** Each wall is named once, at the ground, however many storeys it has. */
-function wallNames(c, facts, camera, width, height, u, ink) {
+/** Whether a wall stands between others, which hide it. */
+function isInner(w, walls) {
+  const kFlush = 0.05; // m
+  return walls.some((other) => other.low[w.across] < w.low[w.across] - kFlush) && walls.some((other) => other.high[w.across] > w.high[w.across] + kFlush);
+}
+
+/** Each wall is named once, however many storeys it has: at the ground, and one between others on its top, where that is seen.
+ *  @param open  whether the roof or what lies before a section is hidden */
+function wallNames(c, facts, camera, width, height, u, ink, open) {
   c.font = `600 ${u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
   const named = new Set();
   for (const w of facts.walls) {
-    const name = w.name.replace(/, storey \d+$/, "");
-    if (named.has(name)) continue;
+    const name = w.name.replace(/, storey \d+$/, ""), inner = isInner(w, facts.walls);
+    if (named.has(name) || (inner && !open)) continue;
     named.add(name);
     const at = [0, 1, 2].map((k) => 0.5 * (w.low[k] + w.high[k]));
     at[w.across] = (w.outward > 0 ? w.high : w.low)[w.across] + 0.35 * w.outward;
     at[2] = facts.base ?? w.low[2];
+    if (inner) at[w.across] = 0.5 * (w.low[w.across] + w.high[w.across]), at[2] = Math.max(...facts.walls.filter((v) => v.name.startsWith(name)).map((v) => v.high[2]));
     const normal = [0, 1].map((k) => (k === w.across ? w.outward : 0)), p = new Vector3(...at);
     const toEye = camera.position.clone().sub(p);
-    if (toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
+    if (!inner && toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
     const place = seen(p, camera, width, height);
     if (place) write(c, name, place[0], place[1] + 0.3 * u, ink);
   }
@@ -109,7 +117,7 @@ export function drawOverlay(c, house, width, height, u, on, ink) {
   const { camera } = house, facts = house.run.facts;
   camera.updateMatrixWorld();
   if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
-  if (on.names) wallNames(c, facts, camera, width, height, u, ink);
+  if (on.names) wallNames(c, facts, camera, width, height, u, ink, house.partly);
   const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
   if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
   for (const { points, slides } of on.hinges ?? []) {
