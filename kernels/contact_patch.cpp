@@ -162,7 +162,7 @@ bool evaluate(Work& w, const Candidate& c, PairWrench& wrench) noexcept {
   Touching sum;
   const auto add = [&](std::int32_t face) { touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c, face, sum); };
   if (c.face == kSeveralFaces) {
-    std::int32_t faces[kMostFaces];
+    std::int32_t* const faces = w.scratch.face;  // at most one a point
     const int count = faces_pushed(w, c, faces);
     for (int n = 0; n < count; ++n) add(faces[n]);
   } else {
@@ -208,7 +208,7 @@ VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(
 /// but for those that leave through the face they touch.
 double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  const PlaneFields planes = plane_fields(y, w.faces, c);
+  const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
   const Lanes far = lanes(1e300);
   Lanes spare = far;
   for (int i = 0; i < w.points.n; i += kWidth) {

@@ -24,7 +24,7 @@ namespace voussoir::kernels {
 inline constexpr double kSlight = 1e-3;    // m, deeper than this under a face no point is that just came through it or slid along it
 inline constexpr double kOpposing = -0.5;  // cosine between the outward normals
 inline constexpr double kAsMuch = 0.05;    // of such cosines, when two faces of a corner oppose alike
-inline constexpr int kMostFaces = 128;     // of one element
+inline constexpr int kMostFaces = 65535;   // of one element: Patch::face_count has 16 bits
 inline constexpr std::int32_t kNobody = -1;
 inline constexpr std::int32_t kNoFace = -1;
 inline constexpr std::int32_t kSeveralFaces = -2;
@@ -45,7 +45,7 @@ struct alignas(64) Face {
 struct Patch {
   std::int32_t element = 0, face = 0;
   std::int32_t origin = kNobody;                 // the element it was joined to, if it comes from a broken joint
-  std::uint8_t face_number = 0, face_count = 0;  // of `face` among those of its element, which lie together; how many these are
+  std::uint16_t face_number = 0, face_count = 0;  // of `face` among those of its element, which lie together; how many these are
   Vec3 centre, es, et;
   std::int32_t origin_face = -1;                        // of `origin`
   float normal_sign = 1.0F;                             // outward normal = sign · es × et (−1 for a slave's share of a merged side)
@@ -127,11 +127,18 @@ struct Bodies {
   const double* travel = nullptr;  // m, by body: upper bound on the path of any of its points since it was searched
 };
 
+/// Signed distance to a plane over a patch: g(s,t) = g0 + s·gs + t·gt, negative inside.
+struct PlaneField {
+  double g0, gs, gt;
+  [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
+};
+
 struct PatchScratch {
   // Room for one value a point.
   double* depth = nullptr;
   std::int32_t* candidate = nullptr;
   std::int32_t* face = nullptr;
+  PlaneField* planes = nullptr;  // room for one value a face of the element that has most
 };
 
 struct PatchResult {

@@ -10,13 +10,22 @@
 /// is a normal of one of their faces, or at right angles to an edge of each.
 namespace voussoir::kernels {
 
+/// An edge between two faces.
+struct Crease {
+  Vec3 direction;                     // unit
+  std::int32_t vertex = 0;            // one of its ends
+  std::int32_t left = 0, right = 0;  // faces
+};
+
 /// A convex polyhedron in its body axes, from its centroid.
 struct ConvexShape {
-  std::span<const Vec3> vertices;  // m, at most kMostVertices
-  std::span<const Vec3> edges;     // unit directions, parallel ones once
+  std::span<const Vec3> vertices;  // m
+  std::span<const Vec3> edges;     // unit directions, parallel ones once; of a shape of few faces
   std::span<const Face> faces;
+  std::span<const Crease> creases;  // where some shape of the model has more than few faces
 };
-inline constexpr int kMostVertices = 2 * kMostFaces - 4;  // of a convex polyhedron with so many faces
+inline constexpr int kFewFaces = 128;
+inline constexpr int kFewVertices = 2 * kFewFaces - 4;  // at most, of a convex polyhedron with so many faces
 
 /// Along the axis of least overlap, in global axes.
 struct Overlap {
@@ -27,8 +36,14 @@ struct Overlap {
 
 /// \param from_a_to_b  m, between the centroids, global axes
 /// \param enough       m; a depth at most this is not looked into any further: some axis has it, perhaps not the least one
+/// \pre where either has more than kFewFaces, both have creases
 Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                    double enough) noexcept;
+
+/// The same for shapes of many faces, with axes left out that cannot have the least overlap. overlap_of calls it where either has more than
+/// kFewFaces: all axes would be as many as the product of their edges, and a sphere of 500 faces has 750.
+Overlap overlap_of_many(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
+                        double enough) noexcept;
 
 /// The same against a half-space whose normal is +z.
 /// \param height  m, of the body's centroid over its plane

@@ -42,11 +42,6 @@ inline InSlave in_slave(const Master& m, const Pose& slave, Vec3 slave_ref) noex
   return {apply_transposed(slave, from), apply_transposed(slave, m.es), apply_transposed(slave, m.et), apply_transposed(slave, m.normal)};
 }
 
-/// Signed distance to a plane over the patch: g(s,t) = g0 + s·gs + t·gt, negative inside.
-struct PlaneField {
-  double g0, gs, gt;
-  [[nodiscard]] double at(double s, double t) const noexcept { return g0 + s * gs + t * gt; }
-};
 inline PlaneField plane_field(const InSlave& y, const Face* faces, int face) noexcept {
   const Vec3 n = faces[face].normal;
   return {dot(n, y.y0) - faces[face].distance, dot(n, y.ys), dot(n, y.yt)};
@@ -67,14 +62,12 @@ inline double separation(const Patch& p, const InSlave& y, const Face* faces, co
 
 /// All faces of a candidate over the patch.
 struct PlaneFields {
-  PlaneField g[kMostFaces];
+  const PlaneField* g = nullptr;
   int count = 0;
 };
-inline PlaneFields plane_fields(const InSlave& y, const Face* faces, const Candidate& c) noexcept {
-  PlaneFields p;
-  for (int f = 0; f < c.face_count; ++f) p.g[f] = plane_field(y, faces, c.first_face + f);
-  p.count = c.face_count;
-  return p;
+inline PlaneFields plane_fields(const InSlave& y, const Face* faces, const Candidate& c, PlaneField* room) noexcept {
+  for (int f = 0; f < c.face_count; ++f) room[f] = plane_field(y, faces, c.first_face + f);
+  return {room, c.face_count};
 }
 
 /// True if the patch opposes a face of another element: if its normals face each other well enough, or if no face of the element does so

@@ -16,13 +16,14 @@ constexpr std::int32_t kDryLaw = 0;  // see cases::Model::laws
 using Ints = std::vector<std::int32_t>;
 
 /// Adds the areas of joints to the faces of one of their two sides.
-void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const Ints& first_face, std::vector<double>& covered) {
+void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const Ints& first_face, DryJoints dry,
+               std::vector<double>& covered) {
   const auto law = run.read<std::int32_t>("/model/joint/law");
   const auto area = run.read<double>("/model/joint/area");
   if (law.size() != element.size() || area.size() != element.size() || face.size() != element.size())
     throw FileError(run.path(), "/model/joint does not fit together");
   for (std::size_t j = 0; j < element.size(); ++j) {
-    if (law[j] == kDryLaw || element[j] < 0) continue;
+    if ((law[j] == kDryLaw && dry == DryJoints::open) || element[j] < 0) continue;
     const auto e = static_cast<std::size_t>(element[j]);
     const std::int64_t f = e < first_face.size() ? std::int64_t{first_face[e]} + face[j] : -1;
     if (f < 0 || static_cast<std::size_t>(f) >= covered.size())
@@ -33,23 +34,24 @@ void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const
 
 }  // namespace
 
-std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run) {
+std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run, DryJoints dry) {
   const auto area = run.read<double>("/model/face/area");
   const auto first_face = run.read<std::int32_t>("/model/element/first_face");
   std::vector<double> covered(area.size());
   for (const char* side : {"a", "b"}) {
     const std::string at = "/model/joint/";
-    add_areas(run, run.read<std::int32_t>(at + "element_" + side), run.read<std::int32_t>(at + "face_" + side), first_face, covered);
+    add_areas(run, run.read<std::int32_t>(at + "element_" + side), run.read<std::int32_t>(at + "face_" + side), first_face, dry,
+              covered);
   }
   std::vector<std::uint8_t> whole(area.size());
   for (std::size_t f = 0; f < area.size(); ++f) whole[f] = covered[f] >= kWhole * area[f] ? 1 : 0;
   return whole;
 }
 
-CoveredFaces covered_faces(const Hdf5File& run) {
+CoveredFaces covered_faces(const Hdf5File& run, DryJoints dry) {
   const auto normal = run.read<float>("/model/face/normal");
   const auto element = run.read<std::int32_t>("/model/face/element");
-  const std::vector<std::uint8_t> covered = covered_face_rows(run);
+  const std::vector<std::uint8_t> covered = covered_face_rows(run, dry);
   if (normal.size() != 3 * covered.size() || element.size() != covered.size())
     throw FileError(run.path(), "/model/face does not fit together");
   CoveredFaces faces;

@@ -49,9 +49,9 @@ struct Faces {
   std::vector<std::int32_t> element;
   std::vector<double> normal, distance, centre;
   std::vector<std::int32_t> first;    // of an element
-  std::vector<std::uint8_t> covered;  // 1: bonded joints cover all of it
+  std::vector<std::uint8_t> covered;  // 1: joints cover all of it
 
-  explicit Faces(const Hdf5File& run)
+  Faces(const Hdf5File& run, DryJoints dry)
       : element(run.read<std::int32_t>("/model/face/element")),
         normal(run.read<double>("/model/face/normal")),
         distance(run.read<double>("/model/face/distance")),
@@ -59,7 +59,7 @@ struct Faces {
         first(run.read<std::int32_t>("/model/element/first_face")) {
     if (normal.size() != 3 * element.size() || distance.size() != element.size() || centre.size() != 3 * first.size())
       throw FileError(run.path(), "/model/face does not fit together");
-    covered = covered_face_rows(run);
+    covered = covered_face_rows(run, dry);
   }
   /// Cuts a polygon, which lies on a face of element e across `along`, with the other faces of e.
   [[nodiscard]] Polygon within(std::int32_t e, Vec3 along, Polygon polygon) const {
@@ -75,8 +75,8 @@ struct Faces {
 
 }  // namespace
 
-std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints) {
-  const Faces faces(run);
+std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints, DryJoints dry) {
+  const Faces faces(run, dry);
   const auto a = run.read<std::int32_t>("/model/joint/element_a"), b = run.read<std::int32_t>("/model/joint/element_b");
   const auto centre = run.read<double>("/model/joint/centre"), normal = run.read<double>("/model/joint/normal");
   if (b.size() != a.size() || centre.size() != 3 * a.size() || normal.size() != 3 * a.size())

@@ -76,7 +76,7 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   const FrameReader reader(file);
   const PackedFrames frames = pack_frames(file, reader);
   const ReportFacts facts = report_facts(file, reader, frames.quantum);
-  const CoveredFaces covered = covered_faces(file);
+  const CoveredFaces covered = covered_faces(file, reader.frames() == 0 ? DryJoints::cover : DryJoints::open);
   const JointCracks cracks = joint_cracks(file, reader);
   const OpenedFaces opened = opened_faces(file, cracks.shown);
   Scripts out(prefix);

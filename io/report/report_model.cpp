@@ -28,7 +28,7 @@ ReportModel report_model(const Hdf5File& run, const std::string& fault, const st
 
   std::vector<std::size_t> all(law.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto edges = joint_edges(run, all);
+  const auto edges = joint_edges(run, all, DryJoints::cover);
   for (std::size_t j = 0; j < edges.size(); ++j) {
     for (const JointEdge& e : edges[j]) {
       for (const Vec3& v : {e.from, e.to}) {

@@ -49,7 +49,7 @@ bool stays(const Work& w, const Candidate& c, const PlaneFields& planes, int i) 
 /// All points against candidate k.
 void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
-  const PlaneFields planes = plane_fields(y, w.faces, c);
+  const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
   for (int i = 0; i < w.points.n; ++i) {
     if (w.q.partner[i] == c.element) {
       look_at_point(w, k, y, planes, i, stays(w, c, planes, i));

@@ -108,9 +108,10 @@ void each_push(const Contacts& c, std::size_t element, Use use) {
 
 }  // namespace
 
-void ContactRoom::fit(std::int32_t points) {
+void ContactRoom::fit(std::int32_t points, std::int32_t faces) {
   const auto n = static_cast<std::size_t>(points);
   depth.resize(n), candidate.resize(n), face.resize(n);
+  planes.resize(static_cast<std::size_t>(faces));
 }
 
 void ContactRoom::part(std::int64_t patches, int threads) {
@@ -126,7 +127,7 @@ void advance_contacts(World& w, ContactRoom& room) {
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   if (patches == 0) return;
-  room.fit(w.points.largest);
+  room.fit(w.points.largest, w.most_faces);
   room.part(patches, omp_get_num_threads());
 #pragma omp for schedule(dynamic) nowait
   for (std::size_t run = 1; run < room.runs.size(); ++run) {

@@ -15,14 +15,15 @@ void search_contacts(World& w);
 /// The same for all elements.
 void search_all(World& w);
 
-/// One thread's room for the points of a patch, and how the threads part the patches.
+/// One thread's room for the points of a patch and the faces of what it may touch, and how the threads part the patches.
 struct ContactRoom {
   std::vector<double> depth;
   std::vector<std::int32_t> candidate, face;
+  std::vector<kernels::PlaneField> planes;
   std::vector<std::uint8_t> on;    // of the slots of a patch before this step
   std::vector<std::int64_t> runs;  // a thread takes those of [runs[i], runs[i + 1]) at a time
-  [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data()}; }
-  void fit(std::int32_t points);
+  [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data(), planes.data()}; }
+  void fit(std::int32_t points, std::int32_t faces);
   /// Long runs first, since the first patches of each wait for their memory, and short ones last, so that no thread waits for another's.
   void part(std::int64_t patches, int threads);
 };

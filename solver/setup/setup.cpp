@@ -20,8 +20,8 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   const auto n = static_cast<std::size_t>(w.points.count[static_cast<std::size_t>(set)]);
   p.patch.push_back({patch, set, 0, static_cast<std::int64_t>(p.partner.size())});
   const auto e = static_cast<std::size_t>(patch.element);
-  p.patch.back().face_number = static_cast<std::uint8_t>(patch.face - w.elements.first_face[e]);
-  p.patch.back().face_count = static_cast<std::uint8_t>(w.elements.face_count[e]);
+  p.patch.back().face_number = static_cast<std::uint16_t>(patch.face - w.elements.first_face[e]);
+  p.patch.back().face_count = static_cast<std::uint16_t>(w.elements.face_count[e]);
   p.from_side.push_back(from_side);
   p.mastered.push_back(mastered ? 1 : 0);
   const std::size_t end = p.partner.size() + static_cast<std::size_t>(round_up(static_cast<std::int64_t>(n), kernels::kLanes));

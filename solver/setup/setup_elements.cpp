@@ -130,6 +130,7 @@ void set_up_faces(World& w) {
       throw cases::InputError("", cases::describe(m.blocks[i], i) + " has " + std::to_string(e.face_count) + " faces; allowed: at most " +
                                       std::to_string(kernels::kMostFaces));
     }
+    w.most_faces = std::max(w.most_faces, e.face_count);
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
       const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];

@@ -44,10 +44,36 @@ std::vector<Vec3> edge_directions(const geometry::Polyhedron& p) {
   return out;
 }
 
-/// Where the vertices and edges of a shape begin, until all are there and lie still.
+/// Every edge with its two faces.
+std::vector<kernels::Crease> creases(const geometry::Polyhedron& p) {
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> open;  // from one vertex to another: the face on their left
+  std::vector<kernels::Crease> out;
+  for (std::size_t f = 0; f < p.faces.size(); ++f) {
+    const auto& loop = p.faces[f];
+    const auto face = static_cast<std::int32_t>(f);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::int32_t from = loop[i], to = loop[(i + 1) % loop.size()];
+      const auto other = open.find({to, from});
+      if (other == open.end()) {
+        open[{from, to}] = face;
+        continue;
+      }
+      const Vec3 along = normalised(p.vertices[static_cast<std::size_t>(to)] - p.vertices[static_cast<std::size_t>(from)]);
+      out.push_back({.direction = along, .vertex = from, .left = face, .right = other->second});
+    }
+  }
+  return out;
+}
+
+/// Where what belongs to a shape begins, until all are there and lie still.
 struct Range {
-  std::size_t vertices, vertex_count, edges, edge_count, first_face, face_count;
+  std::size_t vertices, vertex_count, edges, edge_count, creases, crease_count, first_face, face_count;
 };
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& what) {
+  to.insert(to.end(), what.begin(), what.end());
+}
 
 }  // namespace
 
@@ -65,15 +91,16 @@ void set_up_overlaps(World& w) {
         known.try_emplace(key_of(vertices, std::span(w.faces).subspan(first, count)), static_cast<std::int32_t>(ranges.size()));
     o.shape_of.push_back(at->second);
     if (!is_new) continue;
-    const std::vector<Vec3> edges = edge_directions(shape);
-    ranges.push_back({o.vertices.size(), vertices.size(), o.edges.size(), edges.size(), first, count});
-    o.vertices.insert(o.vertices.end(), vertices.begin(), vertices.end());
-    o.edges.insert(o.edges.end(), edges.begin(), edges.end());
+    const std::vector<Vec3> edges = count > kernels::kFewFaces ? std::vector<Vec3>{} : edge_directions(shape);
+    const std::vector<kernels::Crease> folds = w.most_faces > kernels::kFewFaces ? creases(shape) : std::vector<kernels::Crease>{};
+    ranges.push_back({o.vertices.size(), vertices.size(), o.edges.size(), edges.size(), o.creases.size(), folds.size(), first, count});
+    append(o.vertices, vertices), append(o.edges, edges), append(o.creases, folds);
   }
   for (const Range& r : ranges) {
     o.shape.push_back({.vertices = std::span(o.vertices).subspan(r.vertices, r.vertex_count),
                        .edges = std::span(o.edges).subspan(r.edges, r.edge_count),
-                       .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count)});
+                       .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count),
+                       .creases = std::span(o.creases).subspan(r.creases, r.crease_count)});
   }
   const double allowed = m.assembly.rule == geometry::SegmentRule::rim ? kAllowedToRim : kAllowed;
   // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).

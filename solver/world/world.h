@@ -183,6 +183,7 @@ struct OverlapSpring {
 struct Overlaps {
   // Constants.
   std::vector<Vec3> vertices, edges;             // of all shapes: from the centroid, m; unit directions
+  std::vector<kernels::Crease> creases;          // of all shapes
   std::vector<kernels::ConvexShape> shape;       // different ones once; the faces of the first element that has it
   std::vector<std::int32_t> shape_of;            // by element
   std::vector<double> stiffness_n, stiffness_s;  // N/m, by element; the base is rigid: 0
@@ -255,6 +256,7 @@ struct World {
   bool keep_pairs = false;  // in this step sides and overlaps leave a copy of their forces, for cuts
   Elements elements;
   std::vector<kernels::Face> faces;  // of all elements, one more for the base
+  std::int32_t most_faces = 1;       // of one element
   PointSets points;
   Sides sides;
   Patches patches;

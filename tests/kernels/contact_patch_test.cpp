@@ -68,9 +68,10 @@ struct Twin {
     const kernels::Bodies bodies{b.pose.data(), b.twist.data(), constants, travel};
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
+    std::vector<kernels::PlaneField> planes(6);
     const kernels::ContactPoints points{partner.data(), face.data(), springs.data(), crushed.empty() ? nullptr : crushed.data()};
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, points, last.touching, candidates, bodies, bricks.faces.data(), o,
-                   {depth.data(), candidate.data(), new_face.data()}, wrench, on);
+                   {depth.data(), candidate.data(), new_face.data(), planes.data()}, wrench, on);
   }
 };
 

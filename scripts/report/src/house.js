@@ -12,6 +12,9 @@ import { allShapes } from "./shapes.js";
 import { Surroundings } from "./surroundings.js";
 import { fit, kViews } from "./views.js";
 
+const kWorth = 0.1, kVain = 20; // part of the faces that others hide, below which so many pictures are drawn without looking for these
+const kRest = 150; // ms, after which a house that nobody turns is at rest
+
 const kLight = { background: [0.965, 0.96, 0.945], ground: [0.895, 0.875, 0.84], shadow: [0.8, 0.775, 0.735] };
 const kDark = { background: [0.105, 0.11, 0.12], ground: [0.2, 0.195, 0.185], shadow: [0.13, 0.125, 0.12] };
 
@@ -39,7 +42,10 @@ export class House {
     this.controls = new OrbitControls(this.camera, canvas);
     canvas.style.touchAction = "pan-y"; // a finger that goes up or down moves the page; across, or two fingers, the house
     this.controls.addEventListener("change", () => this.turned());
-    this.moving = false; // while it plays, what takes long is left out
+    this.controls.addEventListener("start", () => ((this.held = true), this.turnsByHand()));
+    this.controls.addEventListener("end", () => (this.held = false));
+    this.moving = this.turns = false; // while it plays or is turned, what takes long is left out
+    this.vain = 0; // pictures for which hidden faces are not looked for
     this.hidden = new Uint8Array(run.frames.n + 1);
     this.partly = false;
     this.way = new Vector3(); // of the ground, from where the camera stands
@@ -49,8 +55,17 @@ export class House {
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
   }
 
+  /** Somebody begins to turn it, or goes on; soon after the last of this it is drawn with all there is. */
+  turnsByHand() {
+    if (!this.software || this.fixed) return;
+    this.turns = true;
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => ((this.turns = false), this.draw()), kRest);
+  }
+
   /** The camera has moved. */
   turned() {
+    if (this.held) this.turnsByHand();
     this.draw();
     this.onTurn?.(this);
   }
@@ -153,6 +168,7 @@ export class House {
     const height = Math.min(1.55, Math.max(-0.3, Math.atan2(back.z, flat) + up));
     back.set(Math.cos(azimuth) * Math.cos(height), Math.sin(azimuth) * Math.cos(height), Math.sin(height)).multiplyScalar(length);
     this.camera.position.copy(this.controls.target).add(back);
+    this.turnsByHand();
     this.controls.update();
     this.turned();
   }
@@ -205,7 +221,6 @@ export class House {
     this.material.uniforms.now.value = colouring.opened ? now : kBefore;
     this.material.uniforms.edges.value = colouring.edges;
     this.lines.mesh.visible = Boolean(colouring.lines);
-    if (this.joints) this.joints.mesh.visible = Boolean(colouring.laws);
     this.draw();
   }
 
@@ -257,17 +272,20 @@ export class House {
     return picked;
   }
 
-  /** Chooses the faces that are drawn. @param moving  without those that others hide */
+  /** Chooses the faces that are drawn. @param moving  without those that others hide; returns which part these are */
   chooseFaces(moving) {
     const { width, height } = this.canvas, picture = moving ? { camera: this.camera, width, height } : null;
-    this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly, picture);
+    const left_out = this.order.update(this.state, this.broken, this.camera.position, this.now, this.hidden, this.partly, picture);
     if (this.lines.mesh.visible) this.lines.update(this.at, this.hidden, this.order.seen);
+    return left_out;
   }
 
   render() {
-    const plain = this.software && this.moving;
-    this.chooseFaces(plain);
+    const plain = this.software && (this.moving || this.turns);
+    const looks = plain && --this.vain < 0, left_out = this.chooseFaces(looks);
+    if (looks && left_out < kWorth) this.vain = kVain;
     if (this.shadow) this.shadow.visible = !plain;
+    if (this.joints) this.joints.mesh.visible = Boolean(this.colouring?.laws) && !(plain && this.joints.many);
     this.renderer.render(this.scene, this.camera);
   }
 

@@ -4,6 +4,8 @@
 import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments } from "three";
 import { lawColour } from "./colours.js";
 
+const kMany = 4000; // edges, which take as long as the stones: while somebody turns these are left out where the processor draws
+
 export class JointLines {
   constructor(run) {
     const geometry = new BufferGeometry(), colours = [];
@@ -12,6 +14,7 @@ export class JointLines {
     geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
     this.mesh = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, toneMapped: false }));
     this.mesh.renderOrder = 3;
+    this.many = run.lawOf.length > kMany;
     this.mesh.visible = false;
   }
 }

@@ -109,7 +109,10 @@ class Report {
   #turned(from) {
     if (this.turning) return;
     this.turning = true;
-    for (const { house } of this.panes) if (house !== from.house) house.place(from.house.placed);
+    for (const { house } of this.panes.filter((pane) => pane !== from)) {
+      if (from.house.turns) house.turnsByHand();
+      house.place(from.house.placed);
+    }
     this.turning = false;
     if (this.opened && !this.looking && by("camera").value !== "free") by("camera").value = "free";
     this.#remember();

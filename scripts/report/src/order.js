@@ -43,13 +43,13 @@ export class FaceOrder {
   /** Orders anew for elements that are where `state` says (brick.js), of which `broken` bonds are gone (0: none), and a camera at `eye`.
    *  @param now  s; infinity: all faces on which a bond is gone are drawn  @param hidden  1 an element that is not drawn  @param inside  whether
    *  faces inside an intact wall are drawn, too: some of it is hidden  @param coarse  null; or {camera, width, height: of the canvas}: faces
-   *  that others hide are left out (hidden.js) */
+   *  that others hide are left out (hidden.js); returns which part of the faces these are */
   update(state, broken, eye, now, hidden, inside, coarse) {
     this.#sort(state, eye);
     const { others } = this;
     if (coarse) others.begin(coarse.camera, coarse.width, coarse.height);
     const { index, start, plane, first, covered, opened } = this.faces, to = this.index.array;
-    let count = 0;
+    let count = 0, looked = 0, found = 0;
     this.seen.fill(0);
     this.seen[this.seen.length - 1] = 1;
     for (const e of this.sorted) {
@@ -64,7 +64,9 @@ export class FaceOrder {
       for (let f = first[e]; f < first[e + 1]; ++f) {
         if (covered[f] && (whole || opened[f] > until)) continue;
         if (plane[4 * f] * ex + plane[4 * f + 1] * ey + plane[4 * f + 2] * ez <= plane[4 * f + 3]) continue;
+        ++looked;
         if (coarse && !others.face(index, start[f], start[f + 1])) continue;
+        ++found;
         this.seen[f] = 1;
         for (let i = start[f]; i < start[f + 1]; ++i) to[count++] = index[i];
       }
@@ -73,5 +75,6 @@ export class FaceOrder {
     this.index.clearUpdateRanges();
     this.index.addUpdateRange(0, count);
     this.index.needsUpdate = true;
+    return 1 - found / Math.max(1, looked);
   }
 }

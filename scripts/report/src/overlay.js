@@ -15,8 +15,22 @@ function seen(point, camera, width, height) {
   return [(0.5 + 0.5 * p.x) * width, (0.5 - 0.5 * p.y) * height];
 }
 
+/** Tells the sheet (sheet.js) what is drawn upon: from one corner to the other, and `more` pixels around. Pictures have no sheet. */
+function mark(c, [x, y], [X, Y], more) {
+  c.marks?.push([Math.min(x, X) - more, Math.min(y, Y) - more, Math.max(x, X) + more, Math.max(y, Y) + more]);
+}
+/** The same for a line, piece by piece. */
+function markLine(c, [x, y], [X, Y], more) {
+  const pieces = Math.ceil(Math.hypot(X - x, Y - y) / 40), at = (i) => [x + (i / pieces) * (X - x), y + (i / pieces) * (Y - y)];
+  for (let i = 0; i < pieces; ++i) mark(c, at(i), at(i + 1), more);
+}
+
 /** Text with a rim of the background, so that it can be read on anything. */
 function write(c, text, x, y, ink) {
+  if (c.marks) {
+    const m = c.measureText(text);
+    mark(c, [x - m.actualBoundingBoxLeft, y - m.actualBoundingBoxAscent], [x + m.actualBoundingBoxRight, y + m.actualBoundingBoxDescent], 4);
+  }
   c.strokeStyle = ink.rim, c.lineWidth = 3.5, c.lineJoin = "round", c.fillStyle = ink.text;
   c.strokeText(text, x, y);
   c.fillText(text, x, y);
@@ -25,25 +39,34 @@ function write(c, text, x, y, ink) {
 function arrow(c, [x, y], [X, Y], head) {
   const length = Math.hypot(X - x, Y - y);
   if (length < 1) return;
+  mark(c, [x, y], [X, Y], head);
   const dx = (X - x) / length, dy = (Y - y) / length, h = Math.min(head, length);
   c.beginPath(), c.moveTo(x, y), c.lineTo(X - 0.7 * h * dx, Y - 0.7 * h * dy), c.stroke();
   c.beginPath(), c.moveTo(X, Y), c.lineTo(X - h * dx - 0.45 * h * dy, Y - h * dy + 0.45 * h * dx), c.lineTo(X - h * dx + 0.45 * h * dy, Y - h * dy - 0.45 * h * dx), c.fill();
 }
 
-/** Each wall is named once, at the ground, however many storeys it has. */
-function wallNames(c, facts, camera, width, height, u, ink) {
+/** Whether a wall stands between others, which hide it. */
+function isInner(w, walls) {
+  const kFlush = 0.05; // m
+  return walls.some((other) => other.low[w.across] < w.low[w.across] - kFlush) && walls.some((other) => other.high[w.across] > w.high[w.across] + kFlush);
+}
+
+/** Each wall is named once, however many storeys it has: at the ground, and one between others on its top, where that is seen.
+ *  @param open  whether the roof or what lies before a section is hidden */
+function wallNames(c, facts, camera, width, height, u, ink, open) {
   c.font = `600 ${u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
   const named = new Set();
   for (const w of facts.walls) {
-    const name = w.name.replace(/, storey \d+$/, "");
-    if (named.has(name)) continue;
+    const name = w.name.replace(/, storey \d+$/, ""), inner = isInner(w, facts.walls);
+    if (named.has(name) || (inner && !open)) continue;
     named.add(name);
     const at = [0, 1, 2].map((k) => 0.5 * (w.low[k] + w.high[k]));
     at[w.across] = (w.outward > 0 ? w.high : w.low)[w.across] + 0.35 * w.outward;
     at[2] = facts.base ?? w.low[2];
+    if (inner) at[w.across] = 0.5 * (w.low[w.across] + w.high[w.across]), at[2] = Math.max(...facts.walls.filter((v) => v.name.startsWith(name)).map((v) => v.high[2]));
     const normal = [0, 1].map((k) => (k === w.across ? w.outward : 0)), p = new Vector3(...at);
     const toEye = camera.position.clone().sub(p);
-    if (toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
+    if (!inner && toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
     const place = seen(p, camera, width, height);
     if (place) write(c, name, place[0], place[1] + 0.3 * u, ink);
   }
@@ -62,6 +85,7 @@ function axes(c, camera, target, left, bottom, u, ink, height) {
   const metre = height / (2 * Math.tan((camera.fov * Math.PI) / 360) * camera.position.distanceTo(target)); // pixels
   const bar = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((m) => m * metre > 4.5 * u) ?? 50, x = left + 6.4 * u, y = bottom - 1.2 * u;
   c.strokeStyle = c.fillStyle = ink.text, c.lineWidth = 2;
+  mark(c, [x, y - 0.35 * u], [x + bar * metre, y], 2);
   c.beginPath(), c.moveTo(x, y - 0.35 * u), c.lineTo(x, y), c.lineTo(x + bar * metre, y), c.lineTo(x + bar * metre, y - 0.35 * u), c.stroke();
   c.textBaseline = "bottom";
   write(c, `${bar} m`, x + 0.5 * bar * metre, y - 0.25 * u, ink);
@@ -93,13 +117,14 @@ export function drawOverlay(c, house, width, height, u, on, ink) {
   const { camera } = house, facts = house.run.facts;
   camera.updateMatrixWorld();
   if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
-  if (on.names) wallNames(c, facts, camera, width, height, u, ink);
+  if (on.names) wallNames(c, facts, camera, width, height, u, ink, house.partly);
   const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
   if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
   for (const { points, slides } of on.hinges ?? []) {
     const ends = points.map((p) => seen(new Vector3(...p), camera, width, height));
     if (ends.some((p) => !p)) continue;
     c.strokeStyle = ink.hinge, c.lineWidth = slides ? 4 : 3, c.setLineDash(slides ? [2, 4] : [9, 5]);
+    markLine(c, ...ends, 4);
     c.beginPath(), c.moveTo(...ends[0]), c.lineTo(...ends[1]), c.stroke(), c.setLineDash([]);
   }
 }

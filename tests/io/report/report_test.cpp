@@ -126,10 +126,10 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
 }
 
 TEST_CASE("a face is covered where bonded joints take all of its area") {
-  const auto covered = [](const cases::Model& m) {
+  const auto covered = [](const cases::Model& m, DryJoints dry = DryJoints::open) {
     const TempFolder folder;
     ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
-    return covered_faces(Hdf5File::open(folder.file("run.h5")));
+    return covered_faces(Hdf5File::open(folder.file("run.h5")), dry);
   };
   cases::Model m = two_cubes();  // faces of 0.01 m2, of which one of each cube is a joint
   CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
@@ -141,6 +141,7 @@ TEST_CASE("a face is covered where bonded joints take all of its area") {
   CHECK(covered(m).element == std::vector<std::int32_t>{0, 1});
   m.joint_law[1] = 0;  // dry
   CHECK(covered(m).element.empty());
+  CHECK(covered(m, DryJoints::cover).element == std::vector<std::int32_t>{0, 1});
   m.assembly.joints[1] = m.assembly.joints[0];
   m.joint_law[1] = 1;
   m.assembly.joints[1].element_b = -1;  // the base: the face of the first cube alone
