@@ -242,6 +242,10 @@ void add_modes(CLI::App& app, Words& w) {
   modes->add_option("--count", w.modes.count, "how many modes (default 6)")->check(CLI::Range(1, 200));
   modes->add_option("--shapes", w.modes.shapes, "write the mode shapes to this .vtu file for ParaView");
   modes->add_flag("--no-impulse", w.modes.no_impulse, "eigenvalues only: seconds instead of minutes");
+  modes->add_flag(
+      "--closed", w.modes.closed,
+      "eigenvalues with joints without a bond held as if bonded, as weight holds them while the motion is small: for beams that "
+      "lie loose on walls");
   modes->add_flag("--overwrite", w.modes.overwrite, "replace an existing file of shapes");
   modes->add_flag("--quiet", w.modes.quiet, "no progress");
   modes->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");

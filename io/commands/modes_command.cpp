@@ -29,9 +29,10 @@ const solver::Mode& dominant(const std::vector<solver::Mode>& modes, int axis) {
   return *std::max_element(modes.begin(), modes.end(), [&](const auto& a, const auto& b) { return share(a, axis) < share(b, axis); });
 }
 
-void print_modes(const std::vector<solver::Mode>& modes) {
-  std::printf("eigenvalues of the assembled stiffness\n%6s %16s %31s\n%6s %16s %10s %9s %9s\n", "", "", "effective mass [%]", "mode",
-              "frequency [Hz]", "x", "y", "z");
+void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
+  std::printf("eigenvalues of the assembled stiffness%s\n%6s %16s %31s\n%6s %16s %10s %9s %9s\n",
+              closed ? ", joints without a bond held as if bonded" : "", "", "", "effective mass [%]", "mode", "frequency [Hz]", "x", "y",
+              "z");
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const Vec3 s = modes[i].mass_share;
     std::printf("%6zu %16.3f %10.1f %9.1f %9.1f\n", i + 1, modes[i].frequency, 100.0 * s.x, 100.0 * s.y, 100.0 * s.z);
@@ -86,10 +87,11 @@ int modes_command(const LoadedCase& loaded, const ModesOptions& o) {
     throw FileError(o.shapes, "exists; --overwrite replaces it");
   cases::Case c = loaded.value;
   const cases::Model model = prepared_model(c);
-  const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), o.count);
+  const std::vector<solver::Mode> modes =
+      solver::natural_modes(*solver::build_world(c, model, {}), o.count, o.closed ? solver::DryJoints::closed : solver::DryJoints::open);
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
   std::printf("%s\n\n", c.title.c_str());
-  print_modes(modes);
+  print_modes(modes, o.closed);
   if (!o.shapes.empty()) write_text_file(o.shapes, mode_shapes_vtu(model, modes), o.overwrite);
   std::fflush(stdout);
   if (o.no_impulse) return kDone;

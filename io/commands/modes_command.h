@@ -12,6 +12,7 @@ struct ModesOptions {
   int count = 6;
   std::string shapes;       // file for ParaView; empty: none
   bool no_impulse = false;  // eigenvalues only: seconds instead of minutes
+  bool closed = false;      // joints without a bond count as if bonded, in the eigenvalues
   bool overwrite = false, quiet = false;
   int threads = 0;  // 0: as OpenMP decides
 };

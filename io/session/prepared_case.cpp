@@ -72,13 +72,18 @@ cases::Model prepared_model(const cases::Case& c) {
 
 void fill_own_frequency(cases::Case& c) {
   if (!c.damping.own_frequency || c.damping.frequency) return;
-  const solver::MainMode mode = solver::main_modes(c, prepared_model(c))[1];
+  const cases::Model model = prepared_model(c);
+  solver::MainMode mode = solver::main_modes(c, model)[1];
+  // Beams that lie on walls by friction alone have six still modes each: then their weight is taken to hold them.
+  const bool held = mode.number == 0;
+  if (held) mode = solver::main_modes(c, model, solver::DryJoints::closed)[1];
   if (mode.number == 0)
     throw cases::InputError("damping.frequency", "is \"auto\", but none of the " + std::to_string(solver::kMainModesOf) +
                                                      " lowest modes moves a tenth of the mass along y (voussoir modes lists them once a "
                                                      "number stands here); give a number of Hz");
   c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
-  std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s\n", described(mode, 1).c_str());
+  std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s%s\n", described(mode, 1).c_str(),
+               held ? ", with joints without a bond held as if bonded" : "");
 }
 
 void warn_of_slips(const cases::Case& c, const cases::Model& model) {

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/analysis/main_modes.h"
 
-#include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {
 
-std::array<MainMode, 2> main_modes(const cases::Case& c, const cases::Model& model) {
+std::array<MainMode, 2> main_modes(const cases::Case& c, const cases::Model& model, DryJoints dry) {
   constexpr double kMechanism = 1e-3;  // Hz
   cases::Case undamped = c;
   undamped.damping = {};
-  const std::vector<Mode> modes = natural_modes(*build_world(undamped, model, {}), kMainModesOf);
+  const std::vector<Mode> modes = natural_modes(*build_world(undamped, model, {}), kMainModesOf, dry);
   std::array<MainMode, 2> found;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const std::array share{modes[i].mass_share.x, modes[i].mass_share.y};

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cases/model.h"
+#include "solver/analysis/modes.h"
 
 /// The modes that matter to mass damping: those that move most of the mass along x and along y.
 namespace voussoir::solver {
@@ -20,6 +21,6 @@ struct MainMode {
 
 /// Of the lowest kMainModesOf modes, the one with the largest effective mass along x, and along y.
 /// \throw NumericalError as natural_modes
-std::array<MainMode, 2> main_modes(const cases::Case& c, const cases::Model& model);
+std::array<MainMode, 2> main_modes(const cases::Case& c, const cases::Model& model, DryJoints dry = DryJoints::open);
 
 }  // namespace voussoir::solver

@@ -209,6 +209,17 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   CHECK(is_silent_of(voussoir(strong), "own weight"));
 }
 
+TEST_CASE("auto in a house whose beams lie loose: their weight is taken to hold them") {
+  const TempFolder folder;
+  const std::string path =
+      folder.write("case.toml", std::string(kSmallHouse) +
+                                    "[[house.floor]]\nspacing = 0.5\nelement = 0.4\nbearing = 0.2\n[[house.storey]]\nheight = 0.4\n");
+  const Outcome automatic = voussoir("check " + path + " -j 1 --set damping.frequency=auto");
+  CHECK(says(automatic, {"damping.frequency = \"auto\": ", "of the mass in y), with joints without a bond held as if bonded"}));
+  const Outcome modes = voussoir("modes " + path + " --no-impulse --quiet --closed --count 1");
+  CHECK(says(modes, {"stiffness, joints without a bond held as if bonded"}));
+}
+
 TEST_CASE("a damping frequency that is not the model's is told; auto takes that of the mode with the largest mass in y") {
   const TempFolder folder;
   const std::string check = "check " + folder.write("case.toml", kSmallHouse) + " -j 1 ";
@@ -247,8 +258,10 @@ TEST_CASE("a damping frequency that is not the model's is told; auto takes that 
 
   CHECK(says(voussoir(check + "--set damping.frequency=own"), {"damping.frequency", "\"auto\" or a number"}));
   CHECK(says(voussoir(check + "--set damping.frequency=0"), {"damping.frequency", "> 0"}));
-  const Outcome loose =
-      voussoir("check " + folder.write("blocks.toml", kTwoBlocks) + " --set damping.ratio=0.02 --set damping.frequency=auto");
+  const std::string blocks = "check " + folder.write("blocks.toml", kTwoBlocks) + " --set damping.ratio=0.02 --set damping.frequency=auto";
+  CHECK(says(voussoir(blocks), {"damping.frequency = \"auto\": ", "with joints without a bond held as if bonded"}));
+  const Outcome loose =  // both float
+      voussoir(blocks + " --set base.z=-1 --set block[0].free=true --set block[1].free=true");
   CHECK(loose.code == 2);
   CHECK(says(loose, {"damping.frequency", "none of the 12 lowest modes"}));
 }

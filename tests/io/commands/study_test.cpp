@@ -300,3 +300,37 @@ TEST_CASE("fragility: many runs of a known median and dispersion give them back"
   CHECK(std::stod(column(out, "dispersion").at(0)) == doctest::Approx(kDispersion).epsilon(0.01));
   CHECK(column(out, "bands") == std::vector<std::string>{"by run"});
 }
+
+TEST_CASE("effort: what a measure takes more than the bare house, beside grade and fallen mass by run") {
+  const TempFolder folder;
+  const std::string house =
+      "[materials.adobe]\ndensity = 1800.0\nyoung = 1e8\npoisson = 0.25\n[joint_laws.normal]\ntension = 1e5\ncohesion = 1e5\n"
+      "friction = 32.0\ncompression = 1e6\n[base]\nz = 0.0\n[house]\ninner_size = [1.6, 1.2]\nheight = 0.8\nbrick = [0.4, 0.2, 0.2]\n";
+  folder.write("bare.toml", house);
+  folder.write("rods.toml",
+               house + "[[house.tie]]\nname = \"rods\"\nkind = \"along\"\nwalls = [\"front\"]\nheights = [0.3, 0.5]\narea = 1e-4\n");
+  folder.write("piers.toml", house + "[[house.pier]]\nwall = \"rear\"\nfrom = 0.8\nwidth = 0.4\ndepth = 0.4\nheight = 0.4\n");
+  const std::string study = folder.write("study.toml", "cases = [\"bare.toml\", \"rods.toml\", \"piers.toml\"]\n");
+  const std::string table = folder.write("table.csv",
+                                         "run,case,direction,record,scale,status,damage_grade,fallen_mass_fraction\n"
+                                         "a,bare,TLV,bam-like,0.5,done,4,0.284\n"
+                                         "b,bare,LTV,bam-like,0.5,done,2,0.1\n"
+                                         "c,rods,TLV,bam-like,0.5,done,3,0.012\n"
+                                         "d,rods,LTV,bam-like,0.5,to be done,,\n"
+                                         "e,piers,TLV,bam-like,0.5,done,5,0.5\n"
+                                         "f,piers,LTV,bam-like,0.5,done,2,0.0\n");
+  const std::string out = folder.path("table.md");
+  const auto make = [&](const std::string& words) {
+    return code_of("VOUSSOIR=" + shell::kProgram + " " + script("effort.py") + study + " " + table + words + " >" + out);
+  };
+  REQUIRE(make(" --bills " + folder.path("bills")) == 0);
+  CHECK(text_of(out) ==
+        "| measure | effort | TLV, bam-like, x0.5 | LTV, bam-like, x0.5 | mean (without) |\n|---|---|---|---|---|\n"
+        "| bare | none | G4 28.4 | G2 10.0 | – |\n"
+        "| rods | 4 anchors, 4.00 m of rod | G3 1.2 | – | G3.0 (G4.0), 1.2 (28.4), 1 of 2 |\n"
+        "| piers | +0.06 m3 of adobe brick | G5 50.0 | G2 0.0 | G3.5 (G3.0), 25.0 (19.2), 2 of 2 |\n");
+  // Bills that are kept are not made again.
+  folder.write("bills/rods.txt", text_of(folder.path("bills/bare.txt")));
+  REQUIRE(make(" --bills " + folder.path("bills")) == 0);
+  CHECK(text_of(out).find("| rods | other joints alone |") != std::string::npos);
+}

@@ -31,9 +31,9 @@ cases::Case column(int elements) {
   return c;
 }
 
-std::vector<solver::Mode> modes_of(const cases::Case& c, int count) {
+std::vector<solver::Mode> modes_of(const cases::Case& c, int count, solver::DryJoints dry = solver::DryJoints::open) {
   const cases::Model model = cases::build_model(c);
-  return solver::natural_modes(*solver::build_world(c, model, {}), count);
+  return solver::natural_modes(*solver::build_world(c, model, {}), count, dry);
 }
 
 }  // namespace
@@ -49,6 +49,21 @@ TEST_CASE("axial modes of a column are those of the chain of springs") {
     CHECK(m.frequency == doctest::Approx(expected).epsilon(1e-9));
   }
   CHECK(found >= n - 1);
+}
+
+TEST_CASE("joints without a bond: left out, or held as if bonded, with the stiffness of the blocks") {
+  constexpr int n = 4;
+  cases::Case c = column(n);
+  c.joints.default_law = "dry";
+  for (const solver::Mode& m : modes_of(c, 6 * n - 1)) CHECK(m.frequency < 1e-6);
+  const double c_long = std::sqrt(9.8e7 / (1.0 - 0.25 * 0.25) / 1800.0);
+  const double first = c_long / (std::numbers::pi * kHeight) * std::sin(std::numbers::pi / (4 * n));
+  double axial = 0.0, most = 0.0;
+  for (const solver::Mode& m : modes_of(c, 6 * n - 1, solver::DryJoints::closed)) {
+    if (m.mass_share.z > most) axial = m.frequency, most = m.mass_share.z;
+  }
+  CHECK(most > 0.8);
+  CHECK(axial == doctest::Approx(first).epsilon(1e-9));
 }
 
 TEST_CASE("ties count in modes if they bear compression or are under pretension") {

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Gain against effort: what each measure of a strengthening study takes, and what the house does with it.
+
+usage: effort.py STUDY.toml TABLE.csv [TABLE.csv ...] [--bills FOLDER]
+
+The first case of the study is the bare house; effort is what the bills of `voussoir check` have more in the others (VOUSSOIR names the
+program, default: voussoir). Bills are kept in FOLDER, if one is given, and not made again. Writes a table in Markdown on standard output:
+damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have a dash. A last column has the means over the
+runs that are done for both the measure and the bare house: grade and fallen mass, with the measure and (without), and of how many runs.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tomllib
+
+COLUMNS = {"bill of blocks": ("count", "m3"), "bill of ties": ("count", "rod", "mesh", "anchors")}
+LEAST = 5e-3  # below it a difference is round-off of what is printed
+
+
+def number(text):
+    return float(text.replace(",", ""))
+
+
+def rows_of(text, title):
+    """Rows of a bill: name, and its numbers by column."""
+    lines = iter(text.splitlines())
+    if not any(line.startswith(title) for line in lines):
+        return
+    for line in lines:
+        if not line.strip():
+            return
+        columns = COLUMNS[title]
+        name, *values = line.rsplit(maxsplit=len(columns))
+        yield name, dict(zip(columns, map(number, values)))
+
+
+def kind_of(name):
+    """"adobe brick, cut, 0.15 x 0.1 x 0.1 m" is "adobe brick"; what beams carry is no part of their name."""
+    return re.sub(r" (with roof surcharge|of floor \d+ with) [^ ]+ kg/m2", "", name.split(",")[0])
+
+
+def bill(text):
+    """What a model takes: m3 by kind of block, m of rod, m2 of mesh, m2 of decks, anchors, bars."""
+    sums = {}
+
+    def add(what, amount):
+        if amount > 0:
+            sums[what] = sums.get(what, 0.0) + amount
+
+    for name, row in rows_of(text, "bill of blocks"):
+        add(f"m3 of {kind_of(name)}", row["m3"])
+    for name, row in rows_of(text, "bill of ties"):
+        add("m of rod", row["rod"])
+        add("m2 of deck" if name.endswith(" deck") else "m2 of mesh", row["mesh"])
+        add("anchors", row["anchors"])
+    if not sums:
+        sys.exit("effort.py: no bill in what `voussoir check` printed:\n" + text)
+    return sums
+
+
+def checked(case, folder, bills):
+    """What `voussoir check` prints of a case of the study."""
+    kept = bills / f"{pathlib.Path(case).stem}.txt" if bills else None
+    if kept and kept.exists():
+        return kept.read_text()
+    program = os.environ.get("VOUSSOIR", "voussoir")
+    done = subprocess.run([program, "check", case, "-j", "1"], cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"effort.py: voussoir check {case}: {done.stderr.strip()}")
+    if kept:
+        bills.mkdir(parents=True, exist_ok=True)
+        kept.write_text(done.stdout)
+    return done.stdout
+
+
+def effort(bare, bill_of_case):
+    """What a case takes more than the bare house, and less."""
+    words = []
+    for what in sorted(bare.keys() | bill_of_case.keys()):
+        more = bill_of_case.get(what, 0.0) - bare.get(what, 0.0)
+        if abs(more) < LEAST:
+            continue
+        sign = "−" if more < 0 else "+" if what in bare else ""
+        words.append(f"{sign}{abs(more):.0f} {what}" if what == "anchors" else f"{sign}{abs(more):.2f} {what}")
+    return ", ".join(words) or "other joints alone"
+
+
+def key(run):
+    return tuple(run[column] for column in ("direction", "record", "scale"))
+
+
+def outcome(run):
+    grade = run["damage_grade"]
+    fallen = f"{100 * float(run['fallen_mass_fraction']):.1f}"
+    return fallen if grade.startswith("-") else f"G{grade} {fallen}"
+
+
+def mean(runs, column):
+    return sum(float(run[column]) for run in runs) / len(runs)
+
+
+def gain(runs, bare):
+    """Means over what both have done."""
+    both = sorted(runs.keys() & bare.keys())
+    if not both:
+        return "–"
+    pairs = [[side[k] for k in both] for side in (runs, bare)]
+    grades = [f"{mean(side, 'damage_grade'):.1f}" for side in pairs]
+    fallen = [f"{100 * mean(side, 'fallen_mass_fraction'):.1f}" for side in pairs]
+    return f"G{grades[0]} (G{grades[1]}), {fallen[0]} ({fallen[1]}), {len(both)} of {len(bare)}"
+
+
+def read(tables):
+    """Runs that are done by case, then by direction, motion and scale; and all of the latter in their order."""
+    done, keys = {}, {}
+    for path in tables:
+        with open(path, newline="", encoding="utf-8") as file:
+            for run in csv.DictReader(file):
+                keys.setdefault(key(run), len(keys))
+                if run["status"] == "done":
+                    done.setdefault(run["case"], {})[key(run)] = run
+    return done, list(keys)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("study", type=pathlib.Path)
+    parser.add_argument("tables", nargs="+")
+    parser.add_argument("--bills", type=pathlib.Path)
+    args = parser.parse_args()
+    cases = tomllib.loads(args.study.read_text())["cases"]
+    done, keys = read(args.tables)
+    names = [pathlib.Path(case).stem for case in cases]
+    heads = ["measure", "effort", *(f"{d}, {record}, x{scale}" for d, record, scale in keys), "mean (without)"]
+    print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
+    bare = None
+    for case, name in zip(cases, names):
+        own = bill(checked(case, args.study.parent, args.bills))
+        bare = bare or own
+        runs = done.get(name, {})
+        cells = [outcome(runs[k]) if k in runs else "–" for k in keys]
+        words = ["none", "–"] if case == cases[0] else [effort(bare, own), gain(runs, done.get(names[0], {}))]
+        print("| " + " | ".join([name, words[0], *cells, words[1]]) + " |")
+
+
+if __name__ == "__main__":
+    main()
