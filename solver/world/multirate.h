@@ -15,9 +15,9 @@ enum class Pace : std::uint8_t { every_step, every_cycle };
 
 /// Multi-rate stepping (THEORY.md (25), `time.multirate`). A pair is *fast* if one of its two elements is, and is evaluated in every step.
 /// All others are *slow*: they are evaluated in the first step of every cycle, as if the cycle were one step, and their forces act in that
-/// step with the impulse of the whole cycle. An element is fast if the cycle is longer than its own bound (Eq. 19) allows, and so are those
-/// joined to it: two rows of springs lie between the elements that limit the step and a slow pair, and the impulses of slow pairs cannot
-/// excite them (perf/multirate_resonance.py).
+/// step with the impulse of the whole cycle. An element is fast if the cycle is longer than its own bound (Eq. 19) allows, and so are its
+/// neighbours and their neighbours: the impulses of slow pairs can hardly excite the elements that limit the step then
+/// (perf/multirate_resonance.py).
 struct Multirate {
   std::int32_t wanted = 1;         // steps of a cycle while it shakes
   std::int32_t cycle = 1;          // now: 1 while it settles
