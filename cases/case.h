@@ -45,6 +45,7 @@ struct Time {
   std::optional<double> step;            // s; absent = "auto"
   double duration = 10.0;                // s, after settling
   std::optional<double> after_collapse;  // s; the run ends so long after the building has collapsed, or at its duration
+  int multirate = 1;                     // steps from one evaluation of soft pairs to the next; 1: all in every step
 };
 
 struct Damping {

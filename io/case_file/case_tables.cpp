@@ -39,7 +39,9 @@ Table<Time> time_table() {
   return {"time step and duration",
           {step_key(), value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
-                    "the run ends so long after the first frame in which the building has collapsed; none: at its duration")},
+                    "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
+           value<S>("multirate", &S::multirate, "", within(1.0, 8.0),
+                    "steps from one evaluation of soft pairs of elements to the next; 1: all in every step, as in the paper")},
           nullptr};
 }
 

@@ -85,12 +85,17 @@ void print_friction(const cases::Contact& c) {
   std::printf("\n");
 }
 
-void print_step(const cases::Census& n, const cases::Model& m, double dt) {
+void print_step(const cases::Census& n, const cases::Model& m, const solver::World& w) {
   if (n.step_element < 0) return;
+  const double dt = w.dt;
   const auto e = static_cast<std::size_t>(n.step_element);
   std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
               cases::describe(m.blocks[e], e).c_str());
   std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
+  const solver::Multirate& rates = w.multirate;
+  if (rates.wanted == 1) return;
+  std::printf("two rates                %s of %s elements in every step, pairs of others in one of %d\n",
+              format_count(std::ranges::count(rates.fast, 1)).c_str(), format_count(n.elements).c_str(), rates.wanted);
 }
 
 /// s of wall-clock that a step of the intact model takes. Takes a few.
@@ -170,7 +175,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_levers(c.value, model);
   print_ties(model);
   print_bounded_ties(sim.world().ties, model);
-  print_step(n, model, sim.dt());
+  print_step(n, model, sim.world());
   print_friction(c.value.contact);
   std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);

@@ -30,16 +30,19 @@ bool is_quiet(const World& w, std::size_t a) {
 
 const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
 
-void prefetch_body(const Elements& e, std::int32_t element) {
+Pace pace_of(const Contacts& c, std::size_t a) { return !c.slow.empty() && c.slow[a] != 0 ? Pace::every_cycle : Pace::every_step; }
+
+void prefetch_body(const World& w, Pace pace, std::int32_t element) {
+  const Elements& e = w.elements;
   const auto i = static_cast<std::size_t>(element);
   kernels::prefetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
-  kernels::prefetch(&e.twist[i * kernels::kTwistStride], kernels::kTwistStride * sizeof(double));
+  kernels::prefetch(w.twist_rows(pace) + i * kernels::kTwistStride, kernels::kTwistStride * sizeof(double));
   kernels::prefetch(&e.body[i], sizeof e.body[i]);
 }
 
 void prefetch_patch(const World& w, std::size_t a) {
   kernels::prefetch(&patch_at(w, a), sizeof(FreePatch));
-  prefetch_body(w.elements, w.contacts.master[a]);
+  prefetch_body(w, pace_of(w.contacts, a), w.contacts.master[a]);
 }
 
 /// Once the patch is there, asks for its points that touch and for whom they touch.
@@ -52,7 +55,7 @@ void prefetch_points(const World& w, std::size_t a) {
     const kernels::Candidate& k = c.candidate[slot];
     if (k.first >= k.last) continue;
     kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]);
-    prefetch_body(w.elements, k.element);
+    prefetch_body(w, pace_of(c, a), k.element);
     if (k.face >= 0) kernels::prefetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
     kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
@@ -68,7 +71,13 @@ void note_push(Contacts& c, std::size_t slot) {
   }
 }
 
-void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const kernels::Face* faces, ContactRoom& scratch) {
+/// What patches of one pace have in common in a step.
+struct PatchStep {
+  kernels::Bodies bodies;
+  kernels::ContactOptions options;
+};
+
+void advance_one(World& w, std::size_t a, const PatchStep& step, const kernels::Face* faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
   Patches& p = w.patches;
   const auto i = static_cast<std::size_t>(c.active[a]);
@@ -79,7 +88,7 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   scratch.on.assign(on.begin(), on.end());
   const kernels::PatchResult r =
       advance(patch, w.points.view(patch.set), p.points(static_cast<std::int64_t>(i)), patch.touching, {c.candidate.data() + first, count},
-              bodies, faces, w.contact, scratch.view(), c.wrench.data() + first, on.data());
+              step.bodies, faces, step.options, scratch.view(), c.wrench.data() + first, on.data());
   for (std::size_t k = 0; k < count; ++k) {
     if (on[k] != scratch.on[k]) note_push(c, first + k);
   }
@@ -90,14 +99,20 @@ void advance_one(World& w, std::size_t a, const kernels::Bodies& bodies, const k
   patch.fracture += r.fracture;
 }
 
-/// Calls `use(slot, is_slave)` for the slots of an element that push, in their order. (Flags are 0 or 1; the first is the lowest byte.)
+/// Calls `use(slot, is_slave)` for the slots of that pace of an element that push, in their order. (Flags are 0 or 1; the first is the
+/// lowest byte.)
 template <class Use>
-void each_push(const Contacts& c, std::size_t element, Use use) {
+void each_push(const Contacts& c, Pace pace, std::size_t element, Use use) {
   constexpr std::int64_t kFlags = sizeof(std::uint64_t);
   const std::int64_t last = c.first_gather[element + 1];
   for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
     std::uint64_t flags;
     std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
+    if (!c.gather_slow.empty()) {
+      std::uint64_t slow;
+      std::memcpy(&slow, &c.gather_slow[static_cast<std::size_t>(g)], sizeof slow);
+      flags &= pace == Pace::every_step ? ~slow : slow;
+    }
     if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
     for (; flags != 0; flags &= flags - 1) {
       const std::int64_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
@@ -122,8 +137,8 @@ void ContactRoom::part(std::int64_t patches, int threads) {
   }
 }
 
-void advance_contacts(World& w, ContactRoom& room) {
-  const kernels::Bodies bodies = w.bodies();
+void advance_contacts(World& w, bool slow_too, ContactRoom& room) {
+  const PatchStep steps[] = {{w.bodies(), w.contact_of(Pace::every_step)}, {w.bodies(Pace::every_cycle), w.contact_of(Pace::every_cycle)}};
   const kernels::Face* faces = w.faces.data();
   const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
   if (patches == 0) return;
@@ -135,7 +150,7 @@ void advance_contacts(World& w, ContactRoom& room) {
     std::size_t count = 0;
     for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
       const auto i = static_cast<std::size_t>(a);
-      if (is_quiet(w, i)) continue;
+      if ((!slow_too && pace_of(w.contacts, i) == Pace::every_cycle) || is_quiet(w, i)) continue;
       if (count < kPrefetchPatches) prefetch_patch(w, i);
       near[count++] = i;
     }
@@ -143,26 +158,26 @@ void advance_contacts(World& w, ContactRoom& room) {
     for (std::size_t k = 0; k < count; ++k) {
       if (k + kPrefetchPatches < count) prefetch_patch(w, near[k + kPrefetchPatches]);
       if (k + kPrefetchPoints < count) prefetch_points(w, near[k + kPrefetchPoints]);
-      advance_one(w, near[k], bodies, faces, room);
+      advance_one(w, near[k], steps[static_cast<std::size_t>(pace_of(w.contacts, near[k]))], faces, room);
     }
   }
 }
 
-void gather_contacts(World& w, std::int32_t element) {
+void gather_contacts(World& w, Pace pace, std::int32_t element) {
   const Contacts& c = w.contacts;
   if (element + kPrefetchElements < w.elements.count) {
-    each_push(c, static_cast<std::size_t>(element + kPrefetchElements),
+    each_push(c, pace, static_cast<std::size_t>(element + kPrefetchElements),
               [&](std::size_t slot, bool) { kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]); });
   }
-  double *wrench = w.elements.wrench.data(), *dashpot = w.elements.dashpot.data();
-  each_push(c, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {
+  const kernels::Rows rows = w.rows(pace);
+  each_push(c, pace, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {
     const kernels::PairWrench& x = c.wrench[slot];
     if (!is_slave) {
-      kernels::add_wrench(wrench, element, x.force, x.torque_a);
-      kernels::add_dashpot(wrench, dashpot, element, x.dash_force, x.dash_torque_a);
+      kernels::add_wrench(rows.wrench, element, x.force, x.torque_a);
+      kernels::add_dashpot(rows.wrench, rows.dashpot, element, x.dash_force, x.dash_torque_a);
     } else {
-      kernels::add_wrench(wrench, element, -x.force, x.torque_b);
-      kernels::add_dashpot(wrench, dashpot, element, -x.dash_force, x.dash_torque_b);
+      kernels::add_wrench(rows.wrench, element, -x.force, x.torque_b);
+      kernels::add_dashpot(rows.wrench, rows.dashpot, element, -x.dash_force, x.dash_torque_b);
     }
   });
 }

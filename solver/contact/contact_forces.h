@@ -29,10 +29,11 @@ struct ContactRoom {
 };
 
 /// Forces of active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
-void advance_contacts(World& w, ContactRoom& room);
+/// \param slow_too  also of slow patches (solver/world/multirate.h)
+void advance_contacts(World& w, bool slow_too, ContactRoom& room);
 
-/// Adds to the row of an element what its slots hold, in slot order. Best called for one element after the other.
-void gather_contacts(World& w, std::int32_t element);
+/// Adds to the row of an element what its slots of that pace hold, in slot order. Best called for one element after the other.
+void gather_contacts(World& w, Pace pace, std::int32_t element);
 
 /// Turns a side that has come apart into a free patch of its master, and one of its slave if it stood for both faces. Points that touch
 /// keep their partner and slip, and a closure with which their force goes on.

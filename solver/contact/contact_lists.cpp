@@ -102,6 +102,24 @@ void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
   }
 }
 
+/// Of multi-rate stepping: which patches are slow.
+void find_slow_patches(World& w) {
+  Contacts& c = w.contacts;
+  c.slow.clear(), c.gather_slow.clear();
+  if (!w.multirate.on()) return;
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    const auto is_slow = [&](std::int32_t slave) { return w.multirate.pace(c.master[a], slave) == Pace::every_cycle; };
+    const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
+    c.slow.push_back(std::all_of(first, last, is_slow) ? 1 : 0);
+  }
+  c.gather_slow.assign(c.gather_on.size(), 0);
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    for (auto code = static_cast<std::size_t>(2 * c.first_slot[a]); code < static_cast<std::size_t>(2 * c.first_slot[a + 1]); ++code) {
+      if (c.place[code] >= 0) c.gather_slow[static_cast<std::size_t>(c.place[code])] = c.slow[a];
+    }
+  }
+}
+
 }  // namespace
 
 kernels::Candidate candidate_of(const World& w, std::int32_t element) {
@@ -150,6 +168,7 @@ void build_gather(World& w) {
     c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
     c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
   });
+  find_slow_patches(w);
   c.gather_stale = false;
 }
 

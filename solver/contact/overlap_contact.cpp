@@ -33,6 +33,8 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
 /// Two springs in line; the base is rigid.
 double in_line(double a, double b) { return b > 0.0 ? a * b / (a + b) : a; }
 
+Pace pace_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirate.pace(a, b); }
+
 /// Springs of the two bodies in line, and dashpots with the ratio of all contacts (Eq. 9, semi-implicit as THEORY.md (20)).
 kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {
   const Overlaps& o = w.overlaps;
@@ -44,7 +46,7 @@ kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, con
   const double beta = w.elements.body[i].beta + w.elements.body[base ? i : j].beta;
   const auto dashpot = [&](double stiff) {
     const double c = 2.0 * w.contact.damping * std::sqrt(stiff / inverse);
-    return c / (1.0 + w.dt * (beta + c * inverse));
+    return c / (1.0 + w.step_of(pace_of(w, a, b)) * (beta + c * inverse));
   };
   k.cn = dashpot(k.kn), k.cs = dashpot(k.ks);
   return k;
@@ -62,7 +64,7 @@ struct Motion {
   kernels::Twist a, b;
 };
 Motion motion_of(const World& w, std::int32_t a, std::int32_t b) {
-  const double* rows = w.elements.twist.data();
+  const double* rows = w.twist_rows(pace_of(w, a, b));
   return {kernels::load_twist(rows, a), kernels::load_twist(rows, b)};
 }
 
@@ -72,7 +74,8 @@ double work(const OverlapSpring& s, const Motion& m, double step) {
 }
 
 void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Vec3 dashpot) {
-  double *wrench = w.elements.wrench.data(), *dash = w.elements.dashpot.data();
+  const kernels::Rows rows = w.rows(pace_of(w, s.a, s.b));
+  double *wrench = rows.wrench, *dash = rows.dashpot;
   const Vec3 torque_a = cross(at.arm_a, dashpot), torque_b = -cross(at.arm_b, dashpot);
   kernels::add_wrench(wrench, s.a, s.force + dashpot, s.torque_a + torque_a);
   kernels::add_dashpot(wrench, dash, s.a, dashpot, torque_a);
@@ -82,25 +85,28 @@ void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Ve
 }
 
 /// The bodies have parted: what the spring still held, less its last work, is lost.
-void end_spring(World& w, const OverlapSpring& s) { w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.dt); }
+void end_spring(World& w, const OverlapSpring& s) {
+  w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.step_of(pace_of(w, s.a, s.b)));
+}
 
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
 OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels::Overlap& at) {
   OverlapSpring s;
   s.a = last.a, s.b = last.b;
+  const double step = w.step_of(pace_of(w, s.a, s.b));
   const kernels::Stiffness k = stiffness(w, s.a, s.b, at);
   const Motion m = motion_of(w, s.a, s.b);
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
   const double xn = allowed_overlap(w, s.a, s.b) - at.depth;
-  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), w.dt);
+  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step);
   s.shear = transposed(turn) * c.spring;
   s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
   s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);
   // What the springs held, less what they hold, less their work on the bodies (28): the slip's share of it, and the rest.
   const Vec3 slide = rate - dot(rate, at.normal) * at.normal;
-  const double lost = last.stored - s.stored - 0.5 * (work(last, m, w.dt) + work(s, m, w.dt));
-  const double friction = 0.5 * k.ks * (dot(c.before, c.before) - dot(c.spring, c.spring) + w.dt * dot(c.before + c.spring, slide));
+  const double lost = last.stored - s.stored - 0.5 * (work(last, m, step) + work(s, m, step));
+  const double friction = 0.5 * k.ks * (dot(c.before, c.before) - dot(c.spring, c.spring) + step * dot(c.before + c.spring, slide));
   w.overlaps.friction += friction;
   w.overlaps.impact += lost - friction;
   add_forces(w, s, at, c.dashpot);
@@ -128,11 +134,12 @@ kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, doub
   return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
 }
 
-void find_overlaps(World& w, std::vector<OverlapFound>& found) {
+void find_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
   const auto count = static_cast<std::int64_t>(w.overlaps.pairs.size());
 #pragma omp for schedule(static) nowait
   for (std::int64_t i = 0; i < count; ++i) {
     OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
+    if (!slow_too && pace_of(w, p.a, p.b) == Pace::every_cycle) continue;
     const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
     if (travel < p.safe && !w.options.reference_kernels) continue;
     const double allowed = allowed_overlap(w, p.a, p.b);
@@ -146,7 +153,7 @@ void find_overlaps(World& w, std::vector<OverlapFound>& found) {
   }
 }
 
-void apply_overlaps(World& w, std::vector<OverlapFound>& found) {
+void apply_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
   std::vector<OverlapSpring>& springs = w.overlaps.springs;
   w.overlaps.wrench.clear();
   if (found.empty() && springs.empty()) return;
@@ -155,16 +162,23 @@ void apply_overlaps(World& w, std::vector<OverlapFound>& found) {
   now.reserve(found.size());
   auto last = springs.begin();
   const auto order = [](const auto& s) { return std::pair(s.a, s.b); };
+  const auto leave = [&](const OverlapSpring& s) {
+    if (!slow_too && pace_of(w, s.a, s.b) == Pace::every_cycle) {
+      now.push_back(s);
+    } else {
+      end_spring(w, s);
+    }
+  };
   for (const OverlapFound& f : found) {
     const OverlapPair& p = w.overlaps.pairs[f.pair];
-    for (; last != springs.end() && order(*last) < order(p); ++last) end_spring(w, *last);
+    for (; last != springs.end() && order(*last) < order(p); ++last) leave(*last);
     const bool goes_on = last != springs.end() && order(*last) == order(p);
     OverlapSpring before;
     before.a = p.a, before.b = p.b;
     if (goes_on) before = *last++;
     now.push_back(advance_spring(w, before, f.at));
   }
-  for (; last != springs.end(); ++last) end_spring(w, *last);
+  for (; last != springs.end(); ++last) leave(*last);
   springs = std::move(now);
   found.clear();
 }

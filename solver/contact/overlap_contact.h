@@ -33,9 +33,9 @@ void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, do
 void list_all_overlap_pairs(World& w);
 
 /// Looks at pairs whose bodies have gone far enough to overlap. To be called by every thread of a team; they may leave before all is done.
-void find_overlaps(World& w, std::vector<OverlapFound>& found);
+void find_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found);
 
 /// Adds the forces of all that was found to the rows of elements, pair by pair, and adds up what springs lose. To be called by one thread.
-void apply_overlaps(World& w, std::vector<OverlapFound>& found);
+void apply_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found);
 
 }  // namespace voussoir::solver

@@ -36,6 +36,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 /// the trapezoid rule the work of their last force in the coming step, as advance_segment does for one that breaks (a row of the ledger in
 /// this very step has that work early).
 void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
+  const double step = w.step_of(w.multirate.pace(s.master, s.slave));
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
@@ -46,7 +47,7 @@ void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const 
     const double kn = s.soft == nullptr ? s.k.kn : kernels::stiffness_left(x.n, s.soft->wear[k], s.k.kn, s.soft->law);
     const kernels::Local traction{kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
     const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
-    w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + w.dt * dot(traction, rate));
+    w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + step * dot(traction, rate));
   }
 }
 
@@ -119,7 +120,7 @@ void retire_side(World& w, std::int32_t side) {
   const auto i = static_cast<std::size_t>(id);
   Sides& sides = w.sides;
   const kernels::Side s = sides.side(id);
-  const double *pose = w.elements.pose.data(), *twist = w.elements.twist.data();
+  const double *pose = w.elements.pose.data(), *twist = w.twist_rows(w.multirate.pace(s.master, s.slave));
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
   record_torn_bonds(w, id, s, f);
@@ -143,11 +144,15 @@ void list_live_blocks(World& w) {
   }
   s.live.clear();
   s.live_first.clear();
+  s.live_slow.clear();
   for (std::size_t t = 0; t + 1 < s.task_first.size(); ++t) {
     s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
+    const std::int32_t slow = s.task_slow[t];
     for (std::int32_t b = s.task_first[t]; b < s.task_first[t + 1]; ++b) {
+      if (b == slow) s.live_slow.push_back(static_cast<std::int32_t>(s.live.size()));
       if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live.push_back(b);
     }
+    if (slow == s.task_first[t + 1]) s.live_slow.push_back(static_cast<std::int32_t>(s.live.size()));
   }
   s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
 }

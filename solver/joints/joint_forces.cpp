@@ -32,13 +32,19 @@ void have_velocity_rows(World& w, const kernels::SideBlock& block, JointFindings
   }
 }
 
-/// What all blocks of a step have in common.
+/// What all blocks of one pace have in common in a step.
 struct BlockStep {
   const JointStep& at;
   kernels::Rows rows;
   kernels::StepClock clock;
+  std::int64_t number;  // of those in which blocks of this pace are advanced
   JointFindings& found;
 };
+
+BlockStep block_step(const JointStep& at, Pace pace, JointFindings& found) {
+  const std::int64_t number = pace == Pace::every_step ? at.step : at.step / at.w.multirate.cycle;
+  return {at, at.w.rows(pace), {at.w.step_of(pace), at.time}, number, found};
+}
 
 /// \param whole  lanes that have been advanced already as whole sides; nothing if that has not been tried in this step
 void advance_block(const BlockStep& step, std::int32_t number, std::optional<unsigned> whole) {
@@ -49,8 +55,8 @@ void advance_block(const BlockStep& step, std::int32_t number, std::optional<uns
   const std::size_t first = block * kernels::kLanes;
   have_velocity_rows(w, s.blocks[block], found);
   kernels::EventSink sink{found.room.data(), 0};
-  const SideLook look{.closely = step.at.step % kOpenInterval == 0,
-                      .for_steady = (step.at.step + number) % kSteadyInterval == 0};  // not all blocks in one step
+  const SideLook look{.closely = step.number % kOpenInterval == 0,
+                      .for_steady = (step.number + number) % kSteadyInterval == 0};  // not all blocks in one step
   const auto advance = w.options.reference_kernels ? kernels::advance_sides_reference : kernels::advance_sides;
   const unsigned looked_at = advance(s.blocks[block],
                                      {.side_state = s.side_state.data() + first,
@@ -88,12 +94,12 @@ void advance_whole_blocks(const BlockStep& step, std::span<const std::int32_t> n
 }
 
 /// Places [first, last) of the list of live blocks. \param next  elements that are needed after them
-void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, std::span<const std::int32_t> next, JointFindings& found,
-                    LapClock& laps) {
+void advance_blocks(const JointStep& at, Pace pace, std::int32_t first, std::int32_t last, std::span<const std::int32_t> next,
+                    JointFindings& found, LapClock& laps) {
   if (first == last) return;
   World& w = at.w;
   const Sides& s = w.sides;
-  const BlockStep step{at, w.rows(), {w.dt, at.time}, found};
+  const BlockStep step = block_step(at, pace, found);
   const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
   RowPrefetch next_rows(step.rows, next, numbers.size());
   laps.begin();
@@ -123,8 +129,11 @@ void advance_blocks(const JointStep& at, std::int32_t first, std::int32_t last, 
 /// What is to be done with each task.
 auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
   return [&](std::size_t task, std::span<const std::int32_t> prefetch) {
-    const std::vector<std::int32_t>& first = at.w.sides.live_first;
-    advance_blocks(at, first[task], first[task + 1], prefetch, found, clock);
+    const Sides& s = at.w.sides;
+    const std::int32_t first = s.live_first[task], slow = s.live_slow[task], last = s.live_first[task + 1];
+    if (!at.w.multirate.on()) return advance_blocks(at, Pace::every_step, first, last, prefetch, found, clock);
+    advance_blocks(at, Pace::every_step, first, slow, {}, found, clock);
+    if (at.w.multirate.starts_cycle(at.step)) advance_blocks(at, Pace::every_cycle, slow, last, prefetch, found, clock);
   };
 }
 
@@ -136,7 +145,7 @@ void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& cloc
     constexpr std::int32_t kBlocksAtATime = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
+    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, Pace::every_step, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
     return;
   }
   s.tasks.run_own(advance_task(s, found, clock));

@@ -9,7 +9,7 @@ namespace voussoir::solver {
 namespace {
 
 /// What each element takes from the buffer for pairs and from the slots of its contacts.
-void gather(World& w, LapClock& clock) {
+void gather(World& w, bool slow_too, LapClock& clock) {
   const Sides& s = w.sides;
   const bool contacts = !w.contacts.active.empty();
   if (!w.options.gather && !contacts) return;
@@ -23,7 +23,8 @@ void gather(World& w, LapClock& clock) {
       const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
       kernels::gather_sides({s.gather.data() + first, last - first}, e, rows);
     }
-    if (contacts) gather_contacts(w, e);
+    if (contacts) gather_contacts(w, Pace::every_step, e);
+    if (contacts && slow_too) gather_contacts(w, Pace::every_cycle, e);
   }
   clock.lap(ForcePart::assembly);
 }
@@ -34,6 +35,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   stage.by_thread.resize(static_cast<std::size_t>(w.threads));
   if (!w.options.gather) stage.tasks.begin(w.threads);
   const JointStep joints{w, time, step, stage.tasks};
+  const bool slow_too = w.multirate.starts_cycle(step);
   int team = 0;  // the system may give fewer
 #pragma omp parallel num_threads(w.threads) reduction(+ : team)
   {
@@ -42,11 +44,11 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     mine.clock = LapClock(stage.split);
     advance_own_joints(joints, mine.joints, mine.clock);
     mine.clock.begin();
-    advance_contacts(w, mine.contacts);
-    find_overlaps(w, mine.overlaps);
+    advance_contacts(w, slow_too, mine.contacts);
+    find_overlaps(w, slow_too, mine.overlaps);
     mine.clock.lap(ForcePart::contacts);
     help_with_joints(joints, mine.joints, mine.clock);
-    gather(w, mine.clock);
+    gather(w, slow_too && w.multirate.on(), mine.clock);
   }
   std::vector<JointFindings*> found;
   std::vector<OverlapFound> overlaps;
@@ -60,7 +62,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
   }
   collect(found, stage.events);
-  apply_overlaps(w, overlaps);
+  apply_overlaps(w, slow_too, overlaps);
 }
 
 }  // namespace voussoir::solver

@@ -21,6 +21,11 @@ namespace {
 constexpr std::int64_t kTickInterval = 20;  // steps
 constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
 
+/// The steps between two rows: whole cycles of multi-rate stepping.
+std::int64_t in_cycles(double interval, const Simulation& sim) {
+  return (in_steps(interval, sim.dt()) + sim.cycle() - 1) / sim.cycle() * sim.cycle();
+}
+
 /// Keeps the buffers and the running figures of one run.
 class Reporter {
  public:
@@ -118,9 +123,9 @@ class Plan {
         report_(sim, state, out),
         end_(end),
         after_collapse_(cases::is_assessment(c.analysis) ? 0.0 : c.time.after_collapse),
-        history_(in_steps(c.output.history_interval, sim.dt())),
-        frame_(in_steps(c.output.frame_interval, sim.dt())),
-        ledger_(in_steps(c.output.ledger_interval, sim.dt())),
+        history_(in_cycles(c.output.history_interval, sim)),
+        frame_(in_cycles(c.output.frame_interval, sim)),
+        ledger_(in_cycles(c.output.ledger_interval, sim)),
         last_(last_step(sim, end)) {
     end_after_collapse();
     end_with_program();
@@ -179,7 +184,7 @@ class Plan {
   void end_after_collapse() {
     if (!after_collapse_ || state_.collapse < 0.0) return;
     end_ = std::min(end_, state_.collapse + *after_collapse_);
-    last_ = std::min(last_, std::max(last_step(sim_, end_), last_step(sim_, state_.collapse) + 1));
+    last_ = std::min(last_, std::max(last_step(sim_, end_), last_step(sim_, state_.collapse) + sim_.cycle()));
   }
 
   /// Nor is the step in which an analysis has found what it looks for.
@@ -207,7 +212,10 @@ class Plan {
 
 }  // namespace
 
-std::int64_t last_step(const Simulation& sim, double end) { return std::llround(end / sim.dt()); }
+std::int64_t last_step(const Simulation& sim, double end) {
+  const auto cycle = static_cast<double>(sim.cycle());
+  return std::llround(end / (cycle * sim.dt())) * sim.cycle();
+}
 
 Summary summarise(const Simulation& sim, const RunState& state) {
   const FallenMass fallen = fallen_mass(sim.world());

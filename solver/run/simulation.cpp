@@ -17,6 +17,7 @@
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/loads.h"
+#include "solver/run/multirate.h"
 #include "solver/setup/setup.h"
 #include "solver/ties/tie_forces.h"
 #include "solver/world/errors.h"
@@ -91,6 +92,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
     set_damping(settling_alpha_);
   } else {
     set_initial_velocities(w);
+    start_cycles(w);
   }
   // Rows follow from the state: a drift of no time writes them.
   kernels::drift(w.elements.view(), w.element_rows(), 0.0, 0, w.elements.rows);
@@ -121,6 +123,12 @@ kernels::BodyForces Simulation::body_forces() const {
     f.mean_ground = -1.0 * program_.mean_acceleration();
   }
   return f;
+}
+
+/// Gravity and ground act with the impulse of a cycle, as slow pairs do: what rests on slow pairs has no velocity then.
+void Simulation::give_cycle(kernels::BodyForces& f) const {
+  const double steps = world_->multirate.impulse_steps(step_);
+  f.gravity = steps * f.gravity, f.ground = steps * f.ground;
 }
 
 void Simulation::place_supports() {
@@ -160,6 +168,7 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
+// Forces of slow pairs, which are not among those of the other pairs yet, count as the others do: not with their impulse.
 // Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
 void Simulation::measure_base_forces() {
   const World& w = *world_;
@@ -167,11 +176,14 @@ void Simulation::measure_base_forces() {
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (w.elements.fixed[i]) continue;
-    const double* r = w.elements.wrench.data() + i * kernels::kWrenchStride;
-    const Vec3 f{r[0], r[1], r[2]};
     const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
-    forces_.base_shear += f;
-    forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
+    for (const Array<double>* rows : {&w.elements.wrench, &w.multirate.wrench}) {
+      if (rows->size() == 0) continue;
+      const double* r = rows->data() + i * kernels::kWrenchStride;
+      const Vec3 f{r[0], r[1], r[2]};
+      forces_.base_shear += f;
+      forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
+    }
   }
 }
 
@@ -252,6 +264,7 @@ void Simulation::drift(double dt) {
                          [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
                              std::int64_t first, std::int64_t last) {
                            kernels::drift(view, rows, dt, first, last);
+                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
                            return kernels::advance_travel(view, travel, first, last);
                          });
 }
@@ -264,6 +277,7 @@ void Simulation::kick_and_drift(const kernels::BodyForces& f) {
                              std::int64_t first, std::int64_t last) {
                            kernels::kick(view, rows, f, first, last);
                            kernels::drift(view, rows, f.dt, first, last);
+                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
                            return kernels::advance_travel(view, travel, first, last);
                          });
 }
@@ -293,20 +307,20 @@ void Simulation::step(Due due) {
     const StageTimer timer(times_, Stage::damage);
     record_damage(w, forces_stage_.events, t, damage_, cracks_);
   }
+  if (due.sample) measure_base_forces();
+  if (w.multirate.on() && w.multirate.starts_cycle(step_)) add_slow_impulses(w, w.multirate.impulse_steps(step_));
   if (due.ledger) {
     const StageTimer timer(times_, Stage::ledger);
     ledger_.before_kick(w);
   }
   const StageTimer timer(times_, Stage::update);
   ledger_.add_support_work(w);
-  if (due.sample) {
-    measure_base_forces();
-    note_velocities();
-  }
+  if (due.sample) note_velocities();
   if (phase_ == Phase::shaking) program_.advance(w, step_);
   apply_loads();
   move_supports_on();
-  const kernels::BodyForces f = body_forces();
+  kernels::BodyForces f = body_forces();
+  if (w.multirate.on()) give_cycle(f);
   if (due.sample) {
     kick(f);
     take_samples();
@@ -349,6 +363,7 @@ void Simulation::start_shaking() {
   }
   phase_ = Phase::shaking;
   step_ = 0;
+  start_cycles(*world_);
   ledger_.restart(*world_);
   program_.begin(*world_);
   for (std::size_t k = 0; k < followed_.size(); ++k) {

@@ -44,6 +44,8 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const { return step_; }    // in this phase
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] double dt() const { return world_->dt; }
+  /// Steps of a cycle of multi-rate stepping, else 1. Samples, rows of energies and frames belong to first steps of cycles.
+  [[nodiscard]] std::int64_t cycle() const { return world_->multirate.wanted; }
   [[nodiscard]] const World& world() const { return *world_; }
   [[nodiscard]] World& world() { return *world_; }
   /// Of the teams that compute the next steps. No bit depends on it.
@@ -95,6 +97,7 @@ class Simulation {
   void kick_and_drift(const kernels::BodyForces& f);
   void guard();
   [[nodiscard]] kernels::BodyForces body_forces() const;
+  void give_cycle(kernels::BodyForces& f) const;
   [[nodiscard]] double gravity_share(double t) const;  // of gravity, and of what tightens ties
   [[nodiscard]] Vec3 gravity_at(double t) const;
   [[nodiscard]] Vec3 ground_at(double t) const;

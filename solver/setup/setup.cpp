@@ -114,6 +114,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->contact.base = w->elements.base;
   set_up_faces(*w);
   set_up_damping_bound(*w);
+  set_up_multirate(*w, c);
   set_up_sides(*w, c);
   set_up_patches(*w);
   set_up_overlaps(*w);

@@ -10,7 +10,8 @@
 /// From the model to the arrays of the step.
 namespace voussoir::solver {
 
-/// The step of a run [s]: as given, or the largest ≤ 0.995 × bound (Eq. 19, see cases/census.h) that divides history_interval.
+/// The step of a run [s]: as given, or the largest ≤ 0.995 × bound (Eq. 19, see cases/census.h) of which whole cycles
+/// of multi-rate stepping (else whole steps) make history_interval.
 double choose_step(const cases::Case& c, const Options& o, double bound);
 
 /// Builds the world at rest in the reference configuration. `m` must outlive it.
@@ -21,6 +22,8 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
 void set_up_elements(World& w, const cases::Case& c);
 void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
+/// Which elements are fast, for a case that steps at two rates. \pre elements
+void set_up_multirate(World& w, const cases::Case& c);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_overlaps(World& w);

@@ -107,7 +107,9 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
   const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
                       w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
-  const double c = 2.0 * h / (1.0 + w.dt * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
+  const bool slow = w.multirate.own_pace(s.master, s.slave) == Pace::every_cycle;
+  const double step = slow ? w.multirate.wanted * w.dt : w.dt;
+  const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);
   k.cs = c * std::sqrt(mass * k.ks);
   return k;
@@ -254,16 +256,27 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
     d.colours.push_back({d.overflow});
   }
   std::vector<std::int32_t> numbered;
-  for (const auto& tasks : d.colours) {
+  const auto blocks = [&] { return static_cast<std::int32_t>(numbered.size() / kernels::kLanes); };
+  const auto append = [&](auto first, auto last) {
+    numbered.insert(numbered.end(), first, last);
+    numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
+  };
+  const auto is_fast = [&](std::int32_t i) {
+    const NewSide& side = sides[static_cast<std::size_t>(i)];
+    return w.multirate.own_pace(side.master, side.slave) == Pace::every_step;
+  };
+  for (auto& tasks : d.colours) {
     s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
-    for (const auto& task : tasks) {
-      s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
-      numbered.insert(numbered.end(), task.begin(), task.end());
-      numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
+    for (auto& task : tasks) {
+      s.task_first.push_back(blocks());
+      const auto slow = std::stable_partition(task.begin(), task.end(), is_fast);
+      append(task.begin(), slow);
+      s.task_slow.push_back(blocks());
+      append(slow, task.end());
     }
   }
   s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
-  s.task_first.push_back(static_cast<std::int32_t>(numbered.size() / kernels::kLanes));
+  s.task_first.push_back(blocks());
   return numbered;
 }
 

@@ -145,6 +145,10 @@ void add_ties(Table& t, Ties& ties) {
   t.push_back(field("tie_jack", "m", "tie", ties.jack));
 }
 
+void add_multirate(Table& t, World& w) {
+  if (w.multirate.wanted > 1) t.push_back(rows<double>("cycle_velocity", "m/s, rad/s", "element", w.multirate.twist, kernels::kTwistStride));
+}
+
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.
 void add_search(Table& t, World& w) {
   Contacts& c = w.contacts;
@@ -238,6 +242,7 @@ std::vector<Field> fields(World& w) {
   add_patches(table, w);
   add_overlaps(table, w);
   add_ties(table, w.ties);
+  add_multirate(table, w);
   add_search(table, w);
   return table;
 }

@@ -160,6 +160,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   size_search(w, from);
   for (const Field& f : fields(sim, plan)) copy_in(f, from);
   check_contacts(w);
+  w.multirate.cycle = sim.phase() == Phase::shaking ? w.multirate.wanted : 1;
   w.elements.store_velocity_rows();
   list_candidates(w);
   list_live_blocks(w);
@@ -203,6 +204,7 @@ std::uint64_t model_hash(const World& w) {
     for (const double v : {h.share, h.arm.x, h.arm.y, h.arm.z}) hash.add(&v, sizeof v);
   }
   hash.add(&w.dt, sizeof w.dt);
+  if (w.multirate.wanted > 1) hash.add(&w.multirate.wanted, sizeof w.multirate.wanted);
   return hash.value();
 }
 

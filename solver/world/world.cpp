@@ -48,8 +48,18 @@ kernels::ElementRows World::element_rows() noexcept {
   return {e.pose.data(), e.twist.data(), e.wrench.data(), e.dashpot.data(), travel.active().data(), out_of_cache};
 }
 
-kernels::Bodies World::bodies() const noexcept {
-  return {elements.pose.data(), elements.twist.data(), elements.body.data(), travel.bounds()};
+const double* World::twist_rows(Pace pace) const noexcept {
+  return pace == Pace::every_step ? elements.twist.data() : multirate.twist.data();
+}
+
+kernels::Bodies World::bodies(Pace pace) const noexcept {
+  return {elements.pose.data(), twist_rows(pace), elements.body.data(), travel.bounds()};
+}
+
+kernels::ContactOptions World::contact_of(Pace pace) const noexcept {
+  kernels::ContactOptions o = contact;
+  o.step = step_of(pace);
+  return o;
 }
 
 kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
@@ -58,10 +68,12 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
   return {s.data() + at, t.data() + at, area.data() + at, count[i]};
 }
 
-kernels::Rows World::rows() noexcept {
+kernels::Rows World::rows(Pace pace) noexcept {
   kernels::PairBuffer pairs;
   if (options.gather || keep_pairs) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data(), !options.gather};
-  return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
+  double* const wrench = pace == Pace::every_step ? elements.wrench.data() : multirate.wrench.data();
+  double* const dashpot = pace == Pace::every_step ? elements.dashpot.data() : multirate.dashpot.data();
+  return {elements.pose.data(), twist_rows(pace), wrench, dashpot, pairs};
 }
 
 kernels::Side Sides::side(std::int64_t id) const noexcept {

@@ -17,6 +17,7 @@
 #include "kernels/side.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
+#include "solver/world/multirate.h"
 #include "solver/world/travel.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
@@ -79,10 +80,12 @@ struct Sides {
   Array<kernels::WholeConstants> whole;     // of the same blocks
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> task_slow;     // by task, its first block of slow sides (multirate.h), after the fast ones
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
   std::int32_t overflow_colour = -1;       // one task; −1: none
   std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
   std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
+  std::vector<std::int32_t> live_slow;     // by task, into `live`: its blocks of slow sides, after those of fast ones
   std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
@@ -160,6 +163,9 @@ struct Contacts {
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
   std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
+  // Of multi-rate stepping; else empty. A patch is fast if its element or one of its candidates is.
+  std::vector<std::uint8_t> slow;         // by active patch, 0 or 1
+  std::vector<std::uint8_t> gather_slow;  // by entry of `gather`, 0 or 1, and 8 zeros
   std::int64_t searched = 0;            // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
 };
@@ -251,6 +257,7 @@ struct World {
   bool out_of_cache = false;  // the model is larger than the caches, see joints/out_of_cache.h
   bool drop_debris_damping = false;
   double dt = 0.0;          // s
+  Multirate multirate;
   double bound = 0.0;       // s, Eq. 19
   int threads = 1;          // of the teams that work on it
   bool keep_pairs = false;  // in this step sides and overlaps leave a copy of their forces, for cuts
@@ -264,8 +271,12 @@ struct World {
   Contacts contacts;
   Overlaps overlaps;
   Ties ties;
-  [[nodiscard]] kernels::Bodies bodies() const noexcept;
-  [[nodiscard]] kernels::Rows rows() noexcept;
+  /// Those that pairs of that pace read and write, and the step that they take.
+  [[nodiscard]] kernels::Bodies bodies(Pace pace = Pace::every_step) const noexcept;
+  [[nodiscard]] kernels::Rows rows(Pace pace = Pace::every_step) noexcept;
+  [[nodiscard]] const double* twist_rows(Pace pace) const noexcept;
+  [[nodiscard]] double step_of(Pace pace) const noexcept { return pace == Pace::every_step ? dt : multirate.cycle * dt; }
+  [[nodiscard]] kernels::ContactOptions contact_of(Pace pace) const noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
   std::vector<PointLoad> loads;

@@ -25,8 +25,8 @@ namespace {
 
 /// A wall with timber and with joints of one and two sides that settles, cracks and falls, pushed by a load and by a moving support: every
 /// piece of state there is.
-cases::Case everything() {
-  cases::Case c = mixed_wall(4, 8);
+cases::Case everything(int courses = 8) {
+  cases::Case c = mixed_wall(4, courses);
   c.gravity.settle = true;
   c.gravity.ramp = 0.05;
   c.gravity.settle_limit = 0.05;
@@ -159,6 +159,13 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
     solver::Options gather;
     gather.gather = true;
     check_same(straight, run_with_stops(c, {100, 700, 1500}, {2, 1}, gather));
+  }
+  SUBCASE("at two rates, stopped within cycles") {
+    cases::Case two = everything(14);
+    two.time.step = 6.25e-5, two.time.multirate = 3;
+    const Outcome whole = run_with_stops(two, {}, {1}, {}, 0.45);
+    CHECK(whole.retired > 5);
+    check_same(whole, run_with_stops(two, {40, 1300, 2000, 3020, 4040, 5060, 6080}, {2, 1, 3}, {}, 0.45));
   }
   SUBCASE("with plain kernels") {
     solver::Options plain;

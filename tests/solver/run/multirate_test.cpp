@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "solver/run/run.h"
+#include "solver/run/simulation.h"
+#include "solver/state/field_table.h"
+#include "tests/solver/row_hash.h"
+#include "tests/solver/small_wall.h"
+
+// Multi-rate stepping (THEORY.md (24a)) against the single step, which is the reference.
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+constexpr double kStep = 5e-5;  // s; bricks alone could take 2.07e-4, the timber of a mixed wall 3.7e-5 and more with bricks beside it
+
+/// A wall with timber in and on it, too strong to break.
+cases::Case elastic_wall() {
+  cases::Case c = mixed_wall(4, 14);
+  for (auto& [name, law] : c.joint_laws) law.tension = law.cohesion = law.compression = 1e12;
+  c.damping.alpha = 0.0;
+  c.gravity.acceleration = {};
+  c.time.step = kStep;
+  return c;
+}
+
+solver::Simulation simulate(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g) { return {c, m, g, {}}; }
+
+/// Displacement along x, weighted by height so that it is that of the first mode above all: every twelfth step.
+std::vector<double> sway(cases::Case c, int cycle, int steps) {
+  c.time.multirate = cycle;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g;
+  solver::Simulation sim = simulate(c, m, g);
+  solver::Elements& e = sim.world().elements;
+  for (std::int32_t i = 0; i < e.count; ++i) e.vx[static_cast<std::size_t>(i)] = 0.1 * e.body[static_cast<std::size_t>(i)].ref.z;
+  std::vector<double> path;
+  for (int k = 0; k < steps; ++k) {
+    if (k % 12 == 0) {
+      path.push_back(0.0);
+      for (std::int32_t i = 0; i < e.count; ++i)
+        path.back() += e.mass[static_cast<std::size_t>(i)] * e.body[static_cast<std::size_t>(i)].ref.z * e.ux[static_cast<std::size_t>(i)];
+    }
+    sim.step({});
+  }
+  return path;
+}
+
+/// Angular frequency, per sample, of what oscillates near `guess`: how far the phase gets from the first half of a path to the second, each
+/// under a window that leaves nothing of other modes.
+double frequency_near(const std::vector<double>& x, double guess) {
+  const std::size_t half = x.size() / 2;
+  const auto phase = [&](std::size_t from) {
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < half; ++i) {
+      const double window = 1.0 - std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(half));
+      sum += window * x[from + i] * std::polar(1.0, -guess * static_cast<double>(from + i));
+    }
+    return std::arg(sum);
+  };
+  const double turned = std::remainder(phase(half) - phase(0), 2.0 * std::numbers::pi);
+  return guess + turned / static_cast<double>(half);
+}
+
+/// From the times at which a path goes up through zero.
+double rough_frequency(const std::vector<double>& x) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i - 1] < 0.0 && x[i] >= 0.0) times.push_back(static_cast<double>(i));
+  }
+  REQUIRE(times.size() > 3);
+  return 2.0 * std::numbers::pi * static_cast<double>(times.size() - 1) / (times.back() - times.front());
+}
+
+/// One block on a base that is inclined by gravity's direction, not glued to it.
+cases::Case block_on_slope(double along) {
+  cases::Case c;
+  c.materials["stone"] = {2000.0, 1e8, 0.2};
+  c.contact.friction = 30.0;
+  c.gravity.acceleration = {along, 0.0, -9.8};
+  c.gravity.settle = false;
+  c.base = cases::Base{};
+  c.segment_size = 0.05;
+  c.joints.default_law = "dry";
+  c.blocks.push_back(brick(0, 0, 0.0, 0.2));
+  c.blocks.back().material = "stone";
+  c.time.step = 4e-5;
+  return c;
+}
+
+double slid(cases::Case c, int cycle, double end) {
+  c.time.multirate = cycle;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g;
+  solver::Simulation sim = simulate(c, m, g);
+  while (sim.time() < end) sim.step({});
+  return sim.world().elements.ux[0];
+}
+
+}  // namespace
+
+TEST_CASE("multi-rate: pairs are slow where both elements allow the cycle, and sides of one pace stand in blocks of their own") {
+  cases::Case c = elastic_wall();
+  c.time.multirate = 4;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g;
+  solver::Simulation sim = simulate(c, m, g);
+  const solver::World& w = sim.world();
+  // Eq. 19 of a box: half of its shortest edge by the speed of sound in it.
+  const auto is_stiff = [&](std::size_t e) {
+    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[e].material)].value;
+    const geometry::Box3 box = geometry::bounds(m.blocks[e].shape);
+    const double edge = std::min({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+    return 0.5 * edge * std::sqrt((1.0 - material.poisson * material.poisson) * material.density / material.young) < 4.0 * kStep;
+  };
+  std::vector<std::uint8_t> expected(m.blocks.size(), 0);
+  for (std::size_t e = 0; e < expected.size(); ++e) expected[e] = is_stiff(e);
+  for (int ring = 0; ring < 2; ++ring) {
+    const std::vector<std::uint8_t> inside = expected;
+    for (const geometry::Joint& j : m.assembly.joints) {
+      const auto a = static_cast<std::size_t>(j.element_a), b = static_cast<std::size_t>(j.element_b);
+      if (j.element_b >= 0 && (inside[a] || inside[b])) expected[a] = expected[b] = 1;
+    }
+  }
+  CHECK(std::equal(expected.begin(), expected.end(), w.multirate.fast.begin()));
+  CHECK(std::ranges::count(expected, 0) > 10);
+  int slow = 0, fast = 0;
+  for (std::size_t task = 0; task + 1 < w.sides.live_first.size(); ++task) {
+    for (std::int32_t i = w.sides.live_first[task]; i < w.sides.live_first[task + 1]; ++i) {
+      const auto block = static_cast<std::size_t>(w.sides.live[static_cast<std::size_t>(i)]);
+      const bool among_slow = i >= w.sides.live_slow[task];
+      for (unsigned l = 0; l < kernels::kLanes; ++l) {
+        if ((w.sides.live_lanes[block] >> l & 1U) == 0) continue;
+        const kernels::SideBlock& b = w.sides.blocks[block];
+        const bool is_slow = w.multirate.pace(b.master[l], b.slave[l]) == solver::Pace::every_cycle;
+        CHECK(is_slow == among_slow);
+        ++(is_slow ? slow : fast);
+      }
+    }
+  }
+  CHECK(slow > 20);
+  CHECK(fast > 20);
+}
+
+TEST_CASE("multi-rate: an elastic wall sways as by the single step, and neither gains nor loses energy") {
+  const int steps = 24'000;
+  const std::vector<double> one = sway(elastic_wall(), 1, steps);
+  const double most = *std::ranges::max_element(one);
+  const double frequency = frequency_near(one, rough_frequency(one));
+  for (const int cycle : {2, 3, 4}) {
+    CAPTURE(cycle);
+    const std::vector<double> several = sway(elastic_wall(), cycle, steps);
+    // Elements with fast and slow pairs go to and fro between two impulses, and slow pairs see the ends of that way, not its middle: their
+    // joints, four of fourteen courses here, seem stiffer. By 5e-4, 1.2e-3 and 1.2e-3 of the frequency.
+    CHECK(frequency_near(several, rough_frequency(several)) == doctest::Approx(frequency).epsilon(2e-3).scale(0.0));
+    // In the last quarter as in the first: a resonance would have grown by then.
+    const auto quarter = static_cast<std::ptrdiff_t>(several.size() / 4);
+    const double first = *std::max_element(several.begin(), several.begin() + quarter);
+    const double last = *std::max_element(several.end() - quarter, several.end());
+    CHECK(last == doctest::Approx(first).epsilon(0.1).scale(0.0));
+    CHECK(first == doctest::Approx(most).epsilon(0.1).scale(0.0));
+  }
+}
+
+TEST_CASE("multi-rate: a block slides down a slope as by hand, and one that friction holds does not creep") {
+  const double tan_phi = std::tan(30.0 * std::numbers::pi / 180.0), end = 0.5;
+  for (const int cycle : {1, 2, 4}) {
+    CAPTURE(cycle);
+    const double along = 8.0, expected = 0.5 * (along - tan_phi * 9.8) * end * end;
+    CHECK(slid(block_on_slope(along), cycle, end) == doctest::Approx(expected).epsilon(0.01).scale(0.0));
+    // The elastic slip of its springs is there at once; from then on it stays.
+    CHECK(std::abs(slid(block_on_slope(4.0), cycle, 1.0) - slid(block_on_slope(4.0), cycle, 0.5)) < 1e-9);
+  }
+}
+
+TEST_CASE("multi-rate: a wall that falls keeps the ledger, and has the same bits with any number of threads") {
+  cases::Case c = mixed_wall(4, 12);
+  c.time.step = kStep;
+  c.time.multirate = 3;
+  c.output.frame_interval = 0.01;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  RowHash first;
+  for (const int threads : {1, 2, 3}) {
+    RowHash rows;
+    solver::Simulation sim(c, m, g, {.threads = threads});
+    solver::RunState plan;
+    const solver::RunResult r = solver::run(sim, plan, c, 1.0, rows, [](const solver::RunStatus&) { return true; });
+    CHECK(r.summary.fallen_mass_fraction > 0.1);
+    CHECK(r.summary.worst_residual < 2e-3);
+    const solver::Contacts& contacts = sim.world().contacts;
+    CHECK(std::ranges::count(contacts.slow, 1) > 5);
+    CHECK(std::ranges::count(contacts.slow, 0) > 5);
+    if (threads == 1) first = rows;
+    CHECK(rows.values() == first.values());
+  }
+}
+
+TEST_CASE("multi-rate goes with neither --scatter gather nor a quasi-static analysis, and says so") {
+  cases::Case c = small_wall(2, 2);
+  c.time.multirate = 2;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g;
+  CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {.gather = true}), doctest::Contains("time.multirate"), cases::InputError);
+  c.analysis.kind = cases::AnalysisKind::tilt;
+  CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {}), doctest::Contains("time histories alone"), cases::InputError);
+}
