@@ -44,7 +44,7 @@ struct alignas(64) Face {
 /// Constants of a free patch. Reference axes, from the centroid of its element.
 struct Patch {
   std::int32_t element = 0, face = 0;
-  std::int32_t origin = kNobody;                 // the element it was joined to, if it comes from a broken joint
+  std::int32_t origin = kNobody;                  // the element it was joined to, if it comes from a broken joint
   std::uint16_t face_number = 0, face_count = 0;  // of `face` among those of its element, which lie together; how many these are
   Vec3 centre, es, et;
   std::int32_t origin_face = -1;                        // of `origin`

@@ -12,8 +12,8 @@ namespace voussoir::kernels {
 
 /// An edge between two faces.
 struct Crease {
-  Vec3 direction;                     // unit
-  std::int32_t vertex = 0;            // one of its ends
+  Vec3 direction;                    // unit
+  std::int32_t vertex = 0;           // one of its ends
   std::int32_t left = 0, right = 0;  // faces
 };
 

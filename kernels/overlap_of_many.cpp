@@ -22,7 +22,9 @@ struct Pairing {
   const ConvexShape &own, &other;
   Mat3 turn;
   Vec3 centre;
-  [[nodiscard]] Vec3 of_other(std::int32_t vertex) const noexcept { return centre + turn * other.vertices[static_cast<std::size_t>(vertex)]; }
+  [[nodiscard]] Vec3 of_other(std::int32_t vertex) const noexcept {
+    return centre + turn * other.vertices[static_cast<std::size_t>(vertex)];
+  }
 };
 
 const Vec3& vertex_of(const ConvexShape& s, std::int32_t i) noexcept { return s.vertices[static_cast<std::size_t>(i)]; }
@@ -129,7 +131,8 @@ Overlap overlap_of_many(const ConvexShape& a, const Pose& pose_a, const ConvexSh
   Best best{of_a.depth, of_a.normal, of_a.reached + 0.5 * of_a.depth * of_a.normal};
   if (best.depth > enough) {
     const BestFace of_b = best_face(back, best.depth);
-    if (of_b.depth < best.depth) best = {of_b.depth, -(turn * of_b.normal), centre + turn * (of_b.reached + 0.5 * of_b.depth * of_b.normal)};
+    if (of_b.depth < best.depth)
+      best = {of_b.depth, -(turn * of_b.normal), centre + turn * (of_b.reached + 0.5 * of_b.depth * of_b.normal)};
   }
   if (best.depth > enough) try_crossed_edges(p, enough, best);
   Overlap r{best.depth, ra * best.normal, ra * best.point, {}};

@@ -189,10 +189,11 @@ void check(const Settled& done, const RoughSolid& s, double allowed, int subject
                      subject);
   }
   if (done.left > kPlane * diagonal(s.mesh)) {
-    throw ModelError(block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(done.left) + " are left, at " +
-                         place + " m; raise stones.snap to a few times the warp of faces that touch, part them into triangles, or make them plane where "
-                         "it was drawn",
-                     subject);
+    throw ModelError(
+        block_prefix(subject) + "has faces that cannot be made plane together: " + millimetres(done.left) + " are left, at " + place +
+            " m; raise stones.snap to a few times the warp of faces that touch, part them into triangles, or make them plane where "
+            "it was drawn",
+        subject);
   }
 }
 

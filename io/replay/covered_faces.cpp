@@ -40,8 +40,7 @@ std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run, DryJoints dry) 
   std::vector<double> covered(area.size());
   for (const char* side : {"a", "b"}) {
     const std::string at = "/model/joint/";
-    add_areas(run, run.read<std::int32_t>(at + "element_" + side), run.read<std::int32_t>(at + "face_" + side), first_face, dry,
-              covered);
+    add_areas(run, run.read<std::int32_t>(at + "element_" + side), run.read<std::int32_t>(at + "face_" + side), first_face, dry, covered);
   }
   std::vector<std::uint8_t> whole(area.size());
   for (std::size_t f = 0; f < area.size(); ++f) whole[f] = covered[f] >= kWhole * area[f] ? 1 : 0;

@@ -43,6 +43,7 @@ struct JointEdge {
 
 /// Of the area that two elements share, the edges on the surface of the masonry: those along a face that bonded joints do not cover whole.
 /// \param run  for the half-spaces of the elements' faces \param joints  rows of /model/joint; the edges of each \throw FileError
-std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints, DryJoints dry = DryJoints::open);
+std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints,
+                                                DryJoints dry = DryJoints::open);
 
 }  // namespace voussoir::io

@@ -18,8 +18,8 @@
 #include "io/report/report_bodies.h"
 #include "io/report/report_facts.h"
 #include "io/report/report_frames.h"
-#include "io/report/report_modes.h"
 #include "io/report/report_model.h"
+#include "io/report/report_modes.h"
 #include "io/report/report_page.h"
 
 namespace voussoir::io {

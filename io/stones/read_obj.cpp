@@ -48,9 +48,7 @@ class ObjReader {
     } else if (key == "o") {
       begin_object(std::string(trimmed(words.rest())));
     } else if (key == "g") {
-      groups_.clear();
-      for (std::string_view name = words.next(); !name.empty(); name = words.next()) groups_.emplace_back(name);
-      current_ = nullptr;
+      begin_groups(std::string(trimmed(words.rest())));
     } else if (key == "curv" || key == "surf" || key == "curv2") {
       fault("holds free-form curves or surfaces, which are no solids of plane faces; export it as a mesh");
     }
@@ -72,6 +70,15 @@ class ObjReader {
     if (const auto [at, is_new] = objects_.emplace(name, lines_.line()); !is_new)
       fault("the name " + quoted_word(name) + " stands twice, first in line " + std::to_string(at->second) + "; give each stone its own");
     object_ = std::move(name);
+    current_ = nullptr;
+  }
+
+  /// Several words are several groups, but many programs write a name with blanks there: all of them together are one, too, and the first.
+  void begin_groups(const std::string& names) {
+    groups_.clear();
+    Words words(names);
+    for (std::string_view name = words.next(); !name.empty(); name = words.next()) groups_.emplace_back(name);
+    if (groups_.size() > 1) groups_.insert(groups_.begin(), names);
     current_ = nullptr;
   }
 

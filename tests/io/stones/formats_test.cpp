@@ -191,9 +191,13 @@ TEST_CASE("names and groups of an OBJ file") {
   const auto c = load(file, "place = [3, 0, 0]\nname = \"A\"");
   REQUIRE(c.stones[0].stones.size() == 2);
   CHECK(c.stones[0].stones[0].name == "left one");
-  CHECK(c.stones[0].stones[0].groups == std::vector<std::string>{"wall", "pier"});
+  CHECK(c.stones[0].stones[0].groups == std::vector<std::string>{"wall pier", "wall", "pier"});
   CHECK(c.stones[0].stones[1].groups == std::vector<std::string>{"wall"});
   CHECK(load(file, "only = [\"pier\"]").stones[0].stones.size() == 1);
+  CHECK(load(file, "only = [\"wall pier\"]").stones[0].stones.size() == 1);
+  const auto by_group = load(folder.write("g.obj", "g stone 1\n" + cube + faces + "g stone 2\n" + cube + faces), "");
+  REQUIRE(by_group.stones[0].stones.size() == 2);  // a name with blanks, and not twice the group "stone"
+  CHECK(by_group.stones[0].stones[1].name == "stone 2");
   CHECK(load(file, "supports = [\"right\"]").stones[0].stones[1].fixed);
   CHECK_FALSE(load(file, "supports = [\"right\"]").stones[0].stones[0].fixed);
   CHECK(refusal(file, "only = [\"nave\"]").find("\"nave\" is no stone or group") != std::string::npos);
