@@ -148,9 +148,10 @@ Table<JointLaw> joint_law_table() {
            value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
                     "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
            value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
-           value<S>("maximum_closure", &S::maximum_closure, "m", above(0.0),
-                    "most that a dry joint closes: it stiffens by a hyperbola from normal_stiffness, without pressure, to its blocks'; friction "
-                    "is residual_friction or that of [contact]; none: one stiffness")},
+           value<S>(
+               "maximum_closure", &S::maximum_closure, "m", above(0.0),
+               "most that a dry joint closes: it stiffens by a hyperbola from normal_stiffness, without pressure, to its blocks'; friction "
+               "is residual_friction or that of [contact]; none: one stiffness")},
           [](const S& s, const RuleCheck& check) {
             check_softening(s, check);
             check_stiffness(s, check);

@@ -13,7 +13,8 @@ void set_up_closing(World& w) {
     if (!law.stiffens()) continue;
     if (s.closing.empty()) s.closing.resize(s.joint.size());
     const double compliance =  // m/Pa; none of the base
-        w.faces[static_cast<std::size_t>(s.master_face[id])].compliance_n + w.faces[static_cast<std::size_t>(s.slave_face[id])].compliance_n;
+        w.faces[static_cast<std::size_t>(s.master_face[id])].compliance_n +
+        w.faces[static_cast<std::size_t>(s.slave_face[id])].compliance_n;
     s.closing[id] = {.most = *law.maximum_closure, .scale = *law.normal_stiffness * *law.maximum_closure, .blocks = 1.0 / compliance};
   }
 }

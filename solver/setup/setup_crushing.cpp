@@ -11,7 +11,8 @@ namespace voussoir::solver {
 
 namespace {
 
-/// Pa/m, of the softest contact that the model can have: of its joints, and of any two faces. \param pressure  Pa, least at which it softens
+/// Pa/m, of the softest contact that the model can have: of its joints, and of any two faces.
+/// \param pressure  Pa, the least at which it softens
 double least_stiffness(const World& w, double pressure) {
   double least = std::numeric_limits<double>::infinity(), softest = 0.0;
   for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {

@@ -40,11 +40,13 @@ struct Point {
 TEST_CASE("the hyperbola: pressure and closing are each other's inverse, and its ends have the stiffnesses that they should") {
   for (double p = 1.0; p < 1e9; p *= 3.7) {
     CHECK(kernels::pressure_at(kernels::closing_at(p, kLaw), kLaw) == doctest::Approx(p).epsilon(1e-10));
-    const double c = kernels::closing_at(p, kLaw) - p / kBlocks;  // of the joint alone
+    const double c = kernels::closing_at(p, kLaw) - p / kBlocks;                // of the joint alone
     CHECK(kFirst * c / (1.0 - c / kMost) == doctest::Approx(p).epsilon(1e-3));  // 1 - c/V loses digits where it is small
     CHECK(c < kMost);
   }
-  const auto stiffness = [](double x) { return (kernels::pressure_at(1.001 * x, kLaw) - kernels::pressure_at(0.999 * x, kLaw)) / (0.002 * x); };
+  const auto stiffness = [](double x) {
+    return (kernels::pressure_at(1.001 * x, kLaw) - kernels::pressure_at(0.999 * x, kLaw)) / (0.002 * x);
+  };
   CHECK(stiffness(1e-10) == doctest::Approx(kSpring).epsilon(1e-5));
   CHECK(stiffness(0.1) == doctest::Approx(kBlocks).epsilon(1e-5));
   CHECK(stiffness(0.1) < kBlocks);

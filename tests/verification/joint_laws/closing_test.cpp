@@ -44,8 +44,8 @@ TEST_CASE("V19: a dry joint is pressed along its hyperbola") {
   };
   for (const double pressure : {2e3, 2e4, 2e5, 1e6}) {  // k_n V = 2e5
     const double closing = kMost * pressure / (kFirst * kMost + pressure) + pressure / kStiffness;
-    expect_near("V19 couplet, pressure where the hyperbola has " + std::to_string(static_cast<int>(pressure)) + " Pa [Pa]", pressed(closing),
-                pressure, 1e-3);
+    expect_near("V19 couplet, pressure where the hyperbola has " + std::to_string(static_cast<int>(pressure)) + " Pa [Pa]",
+                pressed(closing), pressure, 1e-3);
   }
   const double back = kMost * 2e4 / (kFirst * kMost + 2e4) + 2e4 / kStiffness;
   expect_near("V19 couplet, unloaded to 20000 Pa [Pa]", pressed(back), 2e4, 1e-3);
@@ -56,7 +56,7 @@ TEST_CASE("V19: a column of stones with dry joints under its weight") {
   constexpr int kBlocks = 8;
   Run run(column(kBlocks));
   CHECK(run.settle());
-  run.sim().step({false, true});  // energies
+  run.sim().step({false, true});                                              // energies
   const double weight = 2500.0 * kGravity * 0.2, plane = 1e9 / (1.0 - 0.04);  // Pa of a block; Pa
   double sunk = 0.0, stored = 0.0;
   for (int i = 0; i < kBlocks; ++i) {  // joint i under kBlocks − i of them; against the base one half block
