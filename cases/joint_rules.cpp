@@ -18,6 +18,9 @@ void check_mortar(const House& house, const NamedLaw& law) {
                                        " m; give both the same");
 }
 
+/// Whether they lie in the two leaves of one wall.
+bool are_leaves(const Block& a, const Block& b) noexcept { return a.leaf >= 0 && b.leaf >= 0 && (a.leaf ^ b.leaf) == 1; }
+
 }  // namespace
 
 JointRules::JointRules(const Case& c, const Model& model) {
@@ -25,6 +28,11 @@ JointRules::JointRules(const Case& c, const Model& model) {
   if (c.house) {
     masonry_ = find_law(model.laws, c.house->joint, "house.joint");
     check_mortar(*c.house, model.laws[static_cast<std::size_t>(masonry_)]);
+    collar_ = masonry_;
+    if (c.house->leaves && c.house->leaves->joint) {
+      collar_ = find_law(model.laws, *c.house->leaves->joint, "house.leaves.joint");
+      if (const NamedLaw& law = model.laws[static_cast<std::size_t>(collar_)]; law.value.thickness > 0.0) check_mortar(*c.house, law);
+    }
     // The keys of what a house does not have may name laws that the case does not have.
     if (has_timber(*c.house)) {
       within_member_ = find_law(model.laws, c.house->wood.within_member, "house.wood.within_member");
@@ -64,7 +72,7 @@ std::int32_t JointRules::rule_material(const Block& block) const noexcept {
 }
 
 std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noexcept {
-  if (a.member < 0 && b.member < 0) return masonry_;
+  if (a.member < 0 && b.member < 0) return are_leaves(a, b) ? collar_ : masonry_;
   if (a.member < 0 || b.member < 0) {
     const std::int32_t floor = std::max(a.floor, b.floor);
     return floor < 0 ? between_members_ : floors_[static_cast<std::size_t>(floor)];

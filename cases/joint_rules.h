@@ -35,7 +35,8 @@ class JointRules {
   [[nodiscard]] std::int32_t rule_material(const Block& block) const noexcept;
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
-  std::int32_t masonry_ = 0, within_member_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0;  // of the house
+  std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0,
+               between_beams_ = 0;       // of the house
   std::vector<std::int32_t> inside_;     // by material, between the halves of a unit; -1: none has any
   std::vector<std::int32_t> floors_;     // of beams with walls, by House::floors
   std::vector<std::int32_t> made_from_;  // by material

@@ -29,6 +29,7 @@ struct Block {
   std::int32_t member = -1;  // timber member in its house (elements of one beam share it), −1: none
   std::int32_t floor = -1;   // into House::floors, of a floor beam
   std::int32_t built = -1;   // its place in the order in which the house was built, −1: a free block
+  std::int32_t leaf = -1;    // of a wall of two leaves: 2 * wall, + 1 for the inner leaf; -1: of none, or through both
   bool whole = true;         // false: a cut brick
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;   // initial, m/s and rad/s

@@ -138,6 +138,9 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
   const HousePlan plan = plan_house(house);
   HouseParts parts;
   parts.masonry = find_material(materials, house.material, "house.material");
+  parts.through = parts.masonry;
+  if (house.leaves && house.leaves->through && house.leaves->through->material)
+    parts.through = find_material(materials, *house.leaves->through->material, "house.leaves.through.material");
   if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
   parts.roof = roof_material(house, materials, parts);
   for (std::size_t i = 0; i < house.floors.size(); ++i) parts.floors.push_back(floor_material(house, i, materials, parts));

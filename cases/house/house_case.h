@@ -143,8 +143,22 @@ struct Reinforcement {
   double element = 0.2;                                         // length of an element of a member, m
   RingPlace ring_beam_place = RingPlace::inside;
 };
-/// header: walls as thick as a brick is long are all headers; others as in English bond.
-enum class Bond { english, running, header };
+/// header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks are long have a header beside
+/// each stretcher. Others as in English bond.
+enum class Bond { english, running, header, flemish };
+/// Stones through both leaves of a wall, a brick's width along it and a course high.
+struct ThroughStones {
+  double spacing = 1.0;                 // m, along the wall; those of the next row lie between them
+  int every = 4;                        // course
+  std::optional<std::string> material;  // none: of the bricks
+};
+/// Outer walls of two leaves side by side, each in the house's bond, with a collar joint between them.
+struct Leaves {
+  std::vector<std::string> walls;    // empty: all outer walls that are built
+  std::optional<double> outer;       // m, thickness of the outer leaf; none: half of the wall
+  std::optional<std::string> joint;  // law of the collar joint; none: that of the bricks
+  std::optional<ThroughStones> through;
+};
 struct House {
   std::array<double, 2> inner_size{5.0, 3.0};  // m
   double height = 2.4;                         // m, of the first storey
@@ -152,6 +166,7 @@ struct House {
   double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
   Bond bond = Bond::english;
   std::string material = "adobe", joint = "normal";
+  std::optional<Leaves> leaves;
   bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between them
   HouseWood wood;
   std::array<double, 2> origin{0.0, 0.0};  // m

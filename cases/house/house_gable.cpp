@@ -59,6 +59,14 @@ void drop_doubled(Polygon& section) {
   while (section.size() > 1 && same(section.front(), section.back())) section.pop_back();
 }
 
+/// Gables of a wall in Flemish bond are in English bond.
+std::vector<Wythe> layers_of(const HousePlan& plan, const WallPlan& wall, int course) {
+  if (plan.bond != Bond::flemish) return wythes(plan, wall, course);
+  HousePlan english = plan;
+  english.bond = Bond::english;
+  return wythes(english, wall, course);
+}
+
 /// The gable of one wall, in the plane (y, z). Works in metres: what the vault cuts lies on no grid.
 class Gable {
  public:
@@ -114,7 +122,7 @@ class Gable {
   [[nodiscard]] bool is_too_little(const GableCourse& course) const {
     if (course.high - course.low < 0.5 * height_) return true;
     const double area = geometry::region(between(under_, course.low, course.high, -kFar, kFar)).area;
-    const std::vector<Wythe> layers = wythes(plan_, wall_.thickness, course.number);
+    const std::vector<Wythe> layers = layers_of(plan_, wall_, course.number);
     return std::any_of(layers.begin(), layers.end(), [&](const Wythe& w) { return area * metres(w.depth.length()) < 0.5 * brick_; });
   }
 
@@ -178,7 +186,8 @@ void add_course(const House& house, const HousePlan& plan, const WallPlan& wall,
   prototype.material = parts.masonry;
   prototype.tag = wall_tag(house, wall, "gable");
   prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
-  for (const Wythe& wythe : wythes(plan, wall.thickness, course.number)) {
+  for (const Wythe& wythe : layers_of(plan, wall, course.number)) {
+    prototype.leaf = leaf_of(plan, wall, wythe.depth);
     const Interval x = in_house(plan, wall, {}, wythe.depth, {}).x;
     for (const Piece& piece : gable.pieces(course, wythe)) {
       std::vector<std::array<double, 2>> corners;

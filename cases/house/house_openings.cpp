@@ -172,7 +172,7 @@ const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
 std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
   for (const WallPlan& wall : plan.walls) {
     for (int course = 0; course < plan.course_count(); ++course) {
-      for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
+      for (const Wythe& wythe : wythes(plan, wall, course)) {
         for (const Interval piece : free_spans(plan, wall, course, wythe.depth)) {
           if (piece.length() < plan.shortest_piece())
             return ShortPiece{piece, &wall, hole_beside(wall, piece, plan.courses[static_cast<std::size_t>(course)])};

@@ -16,6 +16,7 @@ namespace voussoir::cases {
 struct HouseParts {
   std::vector<Block> blocks;
   std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
+  std::int32_t through = 0;                        // material of stones through both leaves of a wall
   std::vector<std::int32_t> floors;                // materials of their beams
   std::int32_t members = 0;                        // timber members so far
 };

@@ -7,6 +7,7 @@
 
 #include "cases/house/house_inner_walls.h"
 #include "cases/house/house_openings.h"
+#include "cases/house/house_wall.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -21,10 +22,11 @@ constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill th
   const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
   const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
   const std::string fitting = joint > 0.0 && joint < 0.25 * house.brick[2] ? ", mortar = " + text(metres(ticks(joint))) : "";
-  throw InputError("house.brick", std::string(house.bond == Bond::header ? "header" : "English") +
-                                      " bond needs bricks twice as long as wide, each with its mortar, not " + text(length) + " x " +
-                                      text(width) + " m" + with_mortar + "; nearest: [" + text(2.0 * width + house.mortar) + ", " +
-                                      text(width) + ", " + text(house.brick[2]) + "]" + fitting + ", or bond = \"running\"");
+  const char* bond = house.bond == Bond::header ? "header" : house.bond == Bond::flemish ? "Flemish" : "English";
+  throw InputError("house.brick", std::string(bond) + " bond needs bricks twice as long as wide, each with its mortar, not " +
+                                      text(length) + " x " + text(width) + " m" + with_mortar + "; nearest: [" +
+                                      text(2.0 * width + house.mortar) + ", " + text(width) + ", " + text(house.brick[2]) + "]" + fitting +
+                                      ", or bond = \"running\"");
 }
 
 void plan_bricks(const House& house, HousePlan& plan) {
@@ -293,6 +295,7 @@ HousePlan plan_house(const House& house) {
   plan_storeys(house, plan);
   plan_walls(house, plan);
   choose_walls(house, plan);
+  plan_leaves(house, plan);
   plan_crossings(plan);
   plan_piers(house, plan);
   plan_copies(house, plan);

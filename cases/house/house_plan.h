@@ -58,6 +58,7 @@ struct WallPlan {
   Tick length = 0;          // outer
   Tick thickness = 0;
   Tick corner = 0;  // thickness of the outer walls it meets
+  Tick leaf = 0;    // thickness of its outer leaf; 0: a wall of one leaf
   Interval height;
   bool built = true;
   std::array<bool, 2> meets{true, true};  // an outer wall at its low and its high end

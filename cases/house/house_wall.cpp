@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "cases/house/house_parts.h"
+#include "cases/names.h"
 
 namespace voussoir::cases {
 namespace {
@@ -37,6 +38,7 @@ struct Laid {
   bool whole = true;
   std::int32_t member = -1;
   std::size_t opening = 0;
+  bool through = false;
 };
 
 /// A lintel is as thick as its wall, in equal rows about a brick long through the wall; each row is a member of its own.
@@ -51,6 +53,68 @@ void add_lintel(const House& house, const HousePlan& plan, const WallPlan& wall,
     }
     ++parts.members;
   }
+}
+
+/// Flemish bond: the pieces of two neighbouring layers become a header where one lies: in the faces before each stretcher, between the
+/// faces all along. A piece that an end or an opening changed in one layer alone stays as it is.
+void join_headers(const HousePlan& plan, int course, Interval leaf, bool full_height, std::vector<LaidBrick>& bricks) {
+  const Tick width = plan.brick_width;
+  const std::vector<Wythe> layers = wythes(plan, leaf.length(), course);
+  if (layers[0].header == 0) return;
+  const Tick period = layers[0].header + layers[0].unit, offset = layers[0].offset;
+  const auto begins_header = [&](const LaidBrick& b) {
+    const Tick middle = (b.along.low + b.along.high) / 2 - offset, layer = (b.depth.low - leaf.low) / width;
+    const bool in_header = (middle % period + period) % period < width;
+    return layer % 2 == (in_header ? 0 : 1);
+  };
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    const LaidBrick first = bricks[i];
+    if (first.depth.low < leaf.low || first.depth.high >= leaf.high || first.depth.length() != width || !begins_header(first)) continue;
+    const Interval next{first.depth.high, first.depth.high + width};
+    const auto second = std::ranges::find_if(bricks, [&](const LaidBrick& b) { return b.along == first.along && b.depth == next; });
+    if (second == bricks.end()) continue;
+    bricks[i] = {first.along, {first.depth.low, next.high}, full_height && first.along.length() == width};
+    const bool before = second - bricks.begin() < static_cast<std::ptrdiff_t>(i);
+    bricks.erase(second);
+    if (before) --i;
+  }
+}
+
+std::vector<Interval> without(const std::vector<Interval>& spans, const std::vector<Interval>& stones) {
+  std::vector<Interval> left;
+  for (Interval span : spans) {
+    for (const Interval stone : stones) {
+      if (!span.overlaps(stone)) continue;
+      if (stone.low > span.low) left.push_back({span.low, stone.low});
+      span.low = stone.high;
+    }
+    if (span.high > span.low) left.push_back(span);
+  }
+  return left;
+}
+
+/// Places of stones through both leaves in a course, ascending. Where one would lie in a hole, or leave a piece shorter than half a brick
+/// beside it, there is none.
+std::vector<Interval> through_stones(const House& house, const HousePlan& plan, const WallPlan& wall, int course) {
+  if (wall.leaf == 0 || !house.leaves->through) return {};
+  const ThroughStones& through = *house.leaves->through;
+  if (course % through.every != through.every / 2) return {};
+  const Tick spacing = ticks(through.spacing), width = plan.brick_width;
+  const bool stretchers = plan.bond == Bond::running || wall.leaf == width;
+  const Tick grid = stretchers || course % 2 == 1 ? width / 2 : 0;  // so that no joint runs on beside it
+  const bool second_row = course / through.every % 2 == 1;
+  const std::vector<Interval> spans = free_spans(plan, wall, course, {0, wall.thickness});
+  const Interval between_corners{wall.meets[0] ? wall.corner : 0, wall.length - (wall.meets[1] ? wall.corner : 0)};
+  std::vector<Interval> stones;
+  for (Tick at = second_row ? spacing : spacing / 2; at < wall.length; at += spacing) {
+    const Tick low = (at - grid) / width * width + grid;
+    const Interval stone{low, low + width};
+    if (stone.low < between_corners.low || stone.high > between_corners.high) continue;
+    const auto room = [&](Tick beside) { return beside == 0 || beside >= plan.shortest_piece(); };
+    const auto holds = [&](Interval s) { return room(stone.low - s.low) && room(s.high - stone.high); };
+    if (std::ranges::any_of(spans, holds)) stones.push_back(stone);
+  }
+  return stones;
 }
 
 /// What the pockets of beams leave of a layer of a course behind them.
@@ -70,7 +134,8 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
   prototype.member = laid.member;
   if (laid.member < 0) {
     prototype.kind = PartKind::brick;
-    prototype.material = parts.masonry;
+    prototype.material = laid.through ? parts.through : parts.masonry;
+    prototype.leaf = leaf_of(plan, wall, laid.depth);
     prototype.tag = wall_tag(house, wall);
     prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
   } else {
@@ -86,7 +151,8 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
 void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, HouseParts& parts) {
   const Interval height = plan.courses[static_cast<std::size_t>(course)];
   std::vector<Laid> laid;
-  for (const LaidBrick& brick : lay_course(plan, wall, course)) laid.push_back({brick.along, brick.depth, height, brick.whole});
+  for (const LaidBrick& brick : lay_course(house, plan, wall, course))
+    laid.push_back({brick.along, brick.depth, height, brick.whole, -1, 0, brick.through});
   for (const Hole& hole : wall.holes) {
     if (hole.lintel && hole.height.low == height.low) add_lintel(house, plan, wall, hole, parts, laid);
   }
@@ -114,6 +180,13 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
       add(width, length, even ? 0 : length / 2);
       result.back().half_at_edge = true;
     }
+  } else if (plan.bond == Bond::flemish && thickness % length == 0) {
+    const Tick offset = even ? 0 : length / 4 * 3;
+    while (at < thickness) {
+      const bool face = at == 0 || at + width == thickness;
+      add(width, face ? length : width, offset);
+      if (face) result.back().header = width;
+    }
   } else if (plan.bond == Bond::header && thickness == length) {
     add(length, width, even ? 0 : width / 2);
   } else if (even) {
@@ -127,15 +200,34 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
   return result;
 }
 
+std::vector<Wythe> wythes(const HousePlan& plan, const WallPlan& wall, int course) {
+  if (wall.leaf == 0) return wythes(plan, wall.thickness, course);
+  std::vector<Wythe> both = wythes(plan, wall.leaf, course);
+  for (Wythe& inner : wythes(plan, wall.thickness - wall.leaf, course)) {
+    inner.depth = {inner.depth.low + wall.leaf, inner.depth.high + wall.leaf};
+    both.push_back(inner);
+  }
+  return both;
+}
+
+std::int32_t leaf_of(const HousePlan& plan, const WallPlan& wall, Interval depth) {
+  if (wall.leaf == 0 || (depth.low < wall.leaf && depth.high > wall.leaf)) return -1;
+  return static_cast<std::int32_t>(2 * (&wall - plan.walls.data()) + (depth.low < wall.leaf ? 0 : 1));
+}
+
 std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length) {
-  const Tick unit = wythe.unit, offset = wythe.offset;
+  const Tick period = wythe.header + wythe.unit;
   std::vector<Interval> pieces;
-  Tick joint = span.low - offset;
-  joint = offset + (joint - (joint % unit + unit) % unit) + unit;  // the first joint above span.low
   Tick at = span.low;
-  for (; joint < span.high; joint += unit) {
+  const auto lay_to = [&](Tick joint) {
+    if (joint <= at || joint >= span.high) return;
     pieces.push_back({at, joint});
     at = joint;
+  };
+  const Tick before = span.low - wythe.offset;
+  for (Tick joint = span.low - (before % period + period) % period; joint < span.high; joint += period) {
+    lay_to(joint);
+    if (wythe.header > 0) lay_to(joint + wythe.header);
   }
   pieces.push_back({at, span.high});
   mirror(pieces);
@@ -145,20 +237,53 @@ std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_lengt
   return pieces;
 }
 
-std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, int course) {
-  std::vector<LaidBrick> bricks;
+std::vector<LaidBrick> lay_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course) {
   const bool full_height = plan.courses[static_cast<std::size_t>(course)].length() == plan.brick_height;
-  for (const Wythe& wythe : wythes(plan, wall.thickness, course)) {
-    for (const Interval span : free_spans(plan, wall, course, wythe.depth)) {
+  const std::vector<Interval> stones = through_stones(house, plan, wall, course);
+  std::vector<LaidBrick> bricks;
+  for (const Wythe& wythe : wythes(plan, wall, course)) {
+    for (const Interval span : without(free_spans(plan, wall, course, wythe.depth), stones)) {
       for (const Interval along : divide(span, wythe, plan.brick_length)) {
-        bricks.push_back({along, wythe.depth, full_height && along.length() == wythe.unit});
+        const bool is_unit = along.length() == wythe.unit && !(plan.bond == Bond::flemish && wythe.unit == wythe.depth.length());
+        bricks.push_back({along, wythe.depth, full_height && is_unit});
       }
     }
     fill_behind_beams(plan, wall, course, wythe, bricks);
   }
+  if (plan.bond == Bond::flemish) {
+    join_headers(plan, course, {0, wall.leaf == 0 ? wall.thickness : wall.leaf}, full_height, bricks);
+    if (wall.leaf > 0) join_headers(plan, course, {wall.leaf, wall.thickness}, full_height, bricks);
+  }
+  for (const Interval along : stones) bricks.push_back({along, {0, wall.thickness}, false, true});
   std::sort(bricks.begin(), bricks.end(),
             [](const LaidBrick& a, const LaidBrick& b) { return std::tie(a.along.low, a.depth.low) < std::tie(b.along.low, b.depth.low); });
   return bricks;
+}
+
+void plan_leaves(const House& house, HousePlan& plan) {
+  if (!house.leaves) return;
+  const Leaves& leaves = *house.leaves;
+  if (leaves.through) {
+    const Tick spacing = positive_length(leaves.through->spacing, "house.leaves.through.spacing"), least = 2 * plan.brick_length;
+    if (spacing < least)
+      throw InputError("house.leaves.through.spacing",
+                       text(leaves.through->spacing) + " m is less than two bricks' length; at least " + text(metres(least)) + " m");
+    if (leaves.through->every < 2)
+      throw InputError("house.leaves.through.every", std::to_string(leaves.through->every) + "; stones lie in every second course at most");
+  }
+  for (const Side side : chosen_walls(plan, leaves.walls, "house.leaves")) {
+    for (WallPlan& wall : plan.walls) {
+      if (!wall.outer() || wall.side != side) continue;
+      const Tick half = wall.thickness / plan.brick_width / 2 * plan.brick_width;
+      const Tick outer = leaves.outer ? multiple_of(*leaves.outer, plan.brick_width, "house.leaves.outer", "brick widths") : half;
+      if (outer > 0 && outer < wall.thickness) wall.leaf = outer;
+      if (wall.leaf > 0 || wall.storey > 0) continue;
+      throw InputError(leaves.outer ? "house.leaves.outer" : "house.leaves",
+                       "the " + wall_name(house, wall) + " of " + text(metres(wall.thickness)) + " m has no room for two leaves" +
+                           (leaves.outer ? ", the outer one of " + text(*leaves.outer) + " m" : std::string()) +
+                           "; name thicker ones in house.leaves.walls, each leaf at least " + text(metres(plan.brick_width)) + " m");
+    }
+  }
 }
 
 void build_walls(const House& house, const HousePlan& plan, HouseParts& parts) {

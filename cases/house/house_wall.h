@@ -12,13 +12,16 @@ namespace voussoir::cases {
 /// A brick of a course in the wall's own coordinates.
 struct LaidBrick {
   Interval along, depth;
-  bool whole = true;  // false: cut, or a leftover joined to its neighbour
+  bool whole = true;     // false: cut, or a leftover joined to its neighbour
+  bool through = false;  // a stone through both leaves
 };
 
-/// A layer of a course through the wall's thickness. Joints lie at offset + unit * i along the wall, from the outer corner of the house.
+/// A layer of a course through the wall's thickness. Joints lie at offset + unit * i along the wall, from the outer corner of the house; in
+/// Flemish bond a header lies before each unit, so that there are two joints in header + unit.
 struct Wythe {
   Interval depth;
   Tick unit = 0, offset = 0;
+  Tick header = 0;  // length of what lies before each unit; 0: nothing
   /// Where a leftover at an edge makes two pieces of one brick: the half brick at the edge. So it must be where the course above is half a
   /// brick off: its own joint lies half a brick and the leftover from the edge.
   bool half_at_edge = false;
@@ -29,7 +32,18 @@ struct Wythe {
 /// English bond, n = thickness / brick width. Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
 /// stretcher at the inner face, all a quarter brick off the even grid. With n odd the even course ends in a stretcher at the inner face and
 /// the odd course has none there. Running bond, and any wall one brick width thick: n stretchers, every second course half a brick off.
+/// Flemish bond, n even: n layers of a brick's width, headers and stretchers in turn in the faces, the odd course's headers over the middle
+/// of the even course's stretchers, headers between the faces; lay_course() makes headers of the layers' pieces.
 std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);
+
+/// Those of a wall, of both its leaves if it has two.
+std::vector<Wythe> wythes(const HousePlan& plan, const WallPlan& wall, int course);
+
+/// WallPlan::leaf of the outer walls that House::leaves is about. \throw InputError with the key at fault
+void plan_leaves(const House& house, HousePlan& plan);
+
+/// Block::leaf of what lies in a layer of a wall.
+std::int32_t leaf_of(const HousePlan& plan, const WallPlan& wall, Interval depth);
 
 /// Divides a span at the joints offset + unit * i. A leftover at an end shorter than half a brick joins its neighbour; if the two are
 /// longer than a brick, the inner part of them is half a brick and the rest is at the end, or the other way round (Wythe::half_at_edge).
@@ -37,6 +51,6 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);
 std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length);
 
 /// All bricks of a course, by their place along the wall, then through it.
-std::vector<LaidBrick> lay_course(const HousePlan& plan, const WallPlan& wall, int course);
+std::vector<LaidBrick> lay_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course);
 
 }  // namespace voussoir::cases

@@ -56,6 +56,29 @@ Table<Roof> roof_table() {
           }};
 }
 
+Table<ThroughStones> through_table() {
+  using S = ThroughStones;
+  return {
+      "stones through both leaves, a brick's width along the wall and a course high; none where an opening, a corner or a beam is in "
+      "the way",
+      {value<S>("spacing", &S::spacing, "m", above(0.0), "along the wall, at least two bricks; those of the next row lie between them"),
+       value<S>("every", &S::every, "", within(2.0, 1000.0), "course with such stones"),
+       value<S>("material", &S::material, "", filled(), "none: that of the bricks")},
+      nullptr};
+}
+
+Table<Leaves> leaves_table() {
+  using S = Leaves;
+  return {
+      "outer walls of two leaves, each in the house's bond; storeys that are too thin for it have one leaf",
+      {value<S>("walls", &S::walls, "", filled(), "front, right, rear, left; none: all that are built"),
+       value<S>("outer", &S::outer, "m", above(0.0), "thickness of the outer leaf, a whole number of brick widths; none: half the wall"),
+       value<S>("joint", &S::joint, "", filled(),
+                "law of the collar joint between the leaves (dry: friction alone); none: that of the bricks"),
+       table<S>("through", &S::through, through_table())},
+      nullptr};
+}
+
 Table<Lintel> lintel_table() {
   using S = Lintel;
   return {"timber over an opening, centred on it",
@@ -138,8 +161,11 @@ Table<House> house_table() {
        value<S>("mortar", &S::mortar, "m", at_least(0.0),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
-           "bond", &S::bond, "", {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}},
-           "bond of the bricks; header: walls as thick as a brick is long are all headers, others as in English bond"),
+           "bond", &S::bond, "",
+           {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}, {"flemish", Bond::flemish}},
+           "bond of the bricks; header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks "
+           "are long have headers and stretchers in turn; others, and gables, as in English bond"),
+       table<S>("leaves", &S::leaves, leaves_table()),
        value<S>("material", &S::material, "", filled(), "of the bricks"),
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
        value<S>("halves", &S::halves, "", any(),

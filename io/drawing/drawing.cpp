@@ -175,10 +175,19 @@ class Drawing {
     return named_.count(element) != 0 ? kNamed : style_of(model_.blocks[element]).colour.text(light);
   }
 
+  /// Depth of the nearest face; a pier or buttress stands before its wall and does not darken it.
+  [[nodiscard]] double nearest_wall(const std::vector<VisibleFace>& faces) const {
+    for (std::size_t i = faces.size(); i-- > 0;) {
+      const cases::Block& block = model_.blocks[faces[i].element];
+      if (block.house < 0 || block.tag.find(" pier ") == std::string::npos) return faces[i].depth;
+    }
+    return faces.empty() ? 0.0 : faces.back().depth;
+  }
+
   void draw_elevation(Svg& svg, const View& view, Point2 corner, double height) const {
     const Frame frame = frame_of(view, corner, height);
     const std::vector<VisibleFace> faces = visible(frame);
-    const double nearest = faces.empty() ? 0.0 : faces.back().depth;
+    const double nearest = nearest_wall(faces);
     for (const VisibleFace& f : faces) svg.polygon(f.corners, fill(f.element, f.upright && f.depth > nearest + kBehind ? 0.62 : 1.0));
     for (const auto& [element, name] : named_) {  // one inside the wall too
       if (frame.depth(model_.assembly.elements[element].mass.centroid) <= nearest + kBehind) label(svg, frame, element);

@@ -78,7 +78,7 @@ std::vector<double> divided_mm(double low, double high, double unit, double offs
 std::set<std::pair<Tick, Tick>> upright_joints(const HousePlan& plan, const WallPlan& wall, int number) {
   std::set<std::pair<Tick, Tick>> joints;
   const Tick margin = 2 * plan.brick_length;
-  for (const LaidBrick& b : lay_course(plan, wall, number)) {
+  for (const LaidBrick& b : lay_course({}, plan, wall, number)) {
     if (b.along.low < margin || b.along.low > wall.length - margin) continue;
     for (Tick d = b.depth.low; d < b.depth.high; d += plan.brick_width / 2) joints.insert({d, b.along.low});
   }
@@ -189,7 +189,7 @@ TEST_CASE("a 0.4 m wall is stretcher, header core, stretcher over two headers") 
 }
 
 TEST_CASE("no upright joint runs through two courses, whatever the thickness and bond") {
-  for (const Bond bond : {Bond::english, Bond::running}) {
+  for (const Bond bond : {Bond::english, Bond::running, Bond::flemish}) {
     for (int n = 1; n <= 6; ++n) {
       CAPTURE(n);
       House house = plain_house();
@@ -208,7 +208,7 @@ TEST_CASE("no upright joint runs through two courses, whatever the thickness and
 }
 
 TEST_CASE("no upright joint runs through two courses beside an opening, wherever it stands") {
-  for (const Bond bond : {Bond::english, Bond::running}) {
+  for (const Bond bond : {Bond::english, Bond::running, Bond::flemish}) {
     for (const double from : {1.0, 1.01, 1.03, 1.05, 1.07, 1.09, 1.1, 1.15}) {
       CAPTURE(from);
       House house = *testing::paper_flat20().house;
@@ -232,7 +232,7 @@ TEST_CASE("no upright joint runs through two courses beside an opening, wherever
 
 TEST_CASE("volumes: walls minus openings, lintels in their place, plus roof") {
   for (const Case& c : {testing::paper_flat20(), testing::paper_flat40()}) {
-    for (const Bond bond : {Bond::english, Bond::running}) {
+    for (const Bond bond : {Bond::english, Bond::running, Bond::flemish}) {
       House house = *c.house;
       house.bond = bond;
       const double roof = 5.4 * 3.4 * 0.2;  // 27 beams of 0.2 m; in 0.4 m walls they keep their length

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "cases/census.h"
 #include "tests/cases/house/house_checks.h"
@@ -135,6 +136,19 @@ void add_roof(Dice& dice, House& h) {
   if (dice.one_in(3) && r.kind != RoofKind::none && r.kind != RoofKind::gables) r.surcharge = dice.pick(10.0, 200.0, 10.0);
 }
 
+void add_leaves(Dice& dice, House& h) {
+  Leaves leaves;
+  leaves.joint = "weak";
+  const double width = h.brick[1] + h.mortar;
+  const bool anywhere = dice.one_in(20);
+  if (h.bearing_wall > 1.5 * width || anywhere) leaves.walls = {"front", "rear"};
+  if (h.nonbearing_wall > 1.5 * width || anywhere) leaves.walls.emplace_back("left");
+  if (leaves.walls.empty()) return;
+  if (dice.one_in(2)) leaves.outer = width * (dice.one_in(8) ? 2 : 1);
+  if (dice.one_in(2)) leaves.through = ThroughStones{dice.pick(0.6, 1.2, 0.1), dice.whole(2, 5), {}};
+  h.leaves = leaves;
+}
+
 void add_reinforcement(Dice& dice, House& h) {
   Reinforcement r;
   if (!h.storeys.empty() || !h.inner_walls.empty() || !h.floors.empty()) {
@@ -156,7 +170,7 @@ Case random_case(Dice& dice) {
   Case c = testing::paper_flat20();
   House& h = *c.house;
   h.openings.clear();
-  h.bond = std::array{Bond::english, Bond::running, Bond::header}[static_cast<std::size_t>(dice.whole(0, 2))];
+  h.bond = std::array{Bond::english, Bond::running, Bond::header, Bond::flemish}[static_cast<std::size_t>(dice.whole(0, 3))];
   const double step = dice.one_in(3) ? 0.013 : 0.1;
   h.inner_size = {dice.pick(0.6, 2.2, step), dice.pick(0.8, 2.4, step)};
   h.height = dice.pick(0.5, 1.2, 0.1);
@@ -172,6 +186,7 @@ Case random_case(Dice& dice) {
   if (dice.one_in(3)) add_inner_walls(dice, h);
   if (dice.one_in(3)) add_floor(dice, h);
   if (dice.one_in(4)) add_pier(dice, h);
+  if (dice.one_in(3)) add_leaves(dice, h);
   add_roof(dice, h);
   if (dice.one_in(3)) add_reinforcement(dice, h);
   const bool four_walls = h.reinforcement || !h.floors.empty() || !h.piers.empty();
@@ -186,8 +201,8 @@ Case random_case(Dice& dice) {
 }  // namespace
 
 TEST_CASE("any house is built whole or refused by name") {
-  Dice dice(20261121);
-  int built = 0, refused = 0, vaulted = 0, timbered = 0, storeyed = 0, parted = 0, floored = 0, pitched = 0, piers = 0;
+  Dice dice(20261125);
+  int built = 0, refused = 0, vaulted = 0, timbered = 0, storeyed = 0, parted = 0, floored = 0, pitched = 0, piers = 0, leaved = 0;
   const int houses = houses_to_try();
   for (int i = 0; i < houses; ++i) {
     CAPTURE(i);
@@ -207,6 +222,7 @@ TEST_CASE("any house is built whole or refused by name") {
       floored += c.house->floors.empty() ? 0 : 1;
       pitched += c.house->roof.kind == RoofKind::pitched ? 1 : 0;
       piers += c.house->piers.empty() ? 0 : 1;
+      leaved += c.house->leaves ? 1 : 0;
     } catch (const InputError& e) {
       CAPTURE(e.what());
       CHECK(e.key().starts_with("house."));  // never a fault of geometry: every refusal names a key of the house
@@ -221,6 +237,7 @@ TEST_CASE("any house is built whole or refused by name") {
   CHECK(floored > houses / 30);
   CHECK(pitched > houses / 30);
   CHECK(piers > houses / 60);
+  CHECK(leaved > houses / 60);
   CHECK(refused > houses / 10);
 }
 

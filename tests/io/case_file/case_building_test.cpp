@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "cases/model.h"
 #include "io/case_file/case_file.h"
@@ -25,6 +26,11 @@ std::string refusal(const std::string& text) {
 }
 
 const std::string kBuilding = R"(
+[house.leaves]
+walls = ["front", "rear"]
+outer = 0.15
+joint = "rubble"
+through = { spacing = 0.9, every = 5, material = "lava" }
 [[house.storey]]
 height = 2.2
 bearing_wall = 0.2
@@ -88,6 +94,14 @@ void faulty(const std::string& table, const std::string& line, const std::string
 TEST_CASE("case file: every key of a building is read") {
   const cases::Case c = read(kBuilding);
   const cases::House& h = *c.house;
+  REQUIRE(h.leaves);
+  CHECK(h.leaves->walls == std::vector<std::string>{"front", "rear"});
+  CHECK(h.leaves->outer == 0.15);
+  CHECK(h.leaves->joint == "rubble");
+  REQUIRE(h.leaves->through);
+  CHECK(h.leaves->through->spacing == 0.9);
+  CHECK(h.leaves->through->every == 5);
+  CHECK(h.leaves->through->material == "lava");
   REQUIRE(h.storeys.size() == 1);
   CHECK(h.storeys[0].height == 2.2);
   CHECK(h.storeys[0].bearing_wall == 0.2);
@@ -161,7 +175,21 @@ TEST_CASE("faults: storeys, inner walls, piers") {
   faulty("[[house.pier]]\nwall = \"rear\"\nfrom = 1.0\n", "width = -1", "house.pier[0].width = -1 m: must be > 0");
   faulty("[[house.opening]]\nwall = \"rear\"\nfrom = 1.0\nwidth = 1.0\nheight = 1.0\n", "storey = 0",
          "house.opening[0].storey = 0: must be");
-  faulty("[house]\n", "bond = \"dutch\"", "house.bond = \"dutch\": must be \"english\" | \"running\" | \"header\"");
+  faulty("[house]\n", "bond = \"dutch\"",
+         "house.bond = \"dutch\": must be \"english\" | \"running\" | \"header\" | \"flemish\"");
+}
+
+TEST_CASE("faults: walls of two leaves") {
+  faulty("[house.leaves]\n", "outer = 0", "house.leaves.outer = 0 m: must be > 0");
+  faulty("[house.leaves]\n", "outer = \"half\"", "house.leaves.outer = \"half\": found a string in quotes, wanted a number (m, > 0)");
+  faulty("[house.leaves]\n", "walls = \"front\"", "house.leaves.walls = \"front\": found a string in quotes, wanted an array");
+  faulty("[house.leaves]\n", "joint = \"\"", "house.leaves.joint = \"\": must not be empty");
+  faulty("[house.leaves]\n", "collar = 1", "house.leaves.collar");
+  faulty("[house.leaves]\n", "through = 1", "house.leaves.through = 1: found an integer, wanted a table");
+  faulty("[house.leaves]\n", "through = { spacing = 0 }", "house.leaves.through.spacing = 0 m: must be > 0");
+  faulty("[house.leaves]\n", "through = { every = 1 }", "house.leaves.through.every = 1: must be");
+  faulty("[house.leaves]\n", "through = { every = 2.5 }", "house.leaves.through.every = 2.5: found a number with a fraction, wanted an integer (in [2, 1000])");
+  faulty("[house.leaves]\n", "through = { material = 3 }", "house.leaves.through.material = 3: found an integer, wanted a string in quotes");
 }
 
 TEST_CASE("faults: floors") {

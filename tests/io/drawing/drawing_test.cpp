@@ -61,6 +61,13 @@ TEST_CASE("a house's plans lie in two courses that meet its openings, and its hi
   CHECK(count(svg, "#d62828") + count(svg, "red") == 0);  // which is for cracks
 }
 
+TEST_CASE("a pier does not count as the face behind which walls are dark and unnamed") {
+  cases::Case c = testing::paper_flat20();
+  c.house->piers = {cases::Pier{"front", 2.6, 0.3, 0.6, 1.6}};
+  const std::string svg = io::draw(c, cases::build_model(c));
+  CHECK(count(svg, ">element2<") == 1 + 2);  // in the front elevation and both plans
+}
+
 TEST_CASE("a drawing says how large openings are, how thick walls, which way the axes go and how long a metre is") {
   const cases::Case c = testing::paper_vault20();
   const std::string svg = io::draw(c, cases::build_model(c));

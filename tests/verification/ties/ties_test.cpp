@@ -138,6 +138,15 @@ TEST_CASE("V16: a wall held by a tie overturns at the multiplier of the moment b
   expect_near("V16: multiplier at which the tied wall overturns", 0.5 * (low + high), expected, 1e-2);
 }
 
+TEST_CASE("V16: a deck in shear is as stiff as the shear panel") {
+  Run run("deck_shear");
+  run.until(0.8);
+  const auto last = static_cast<std::size_t>(run.sim().world().elements.count) - 1;  // "right", and "left" before it
+  const double panel = 100.0 * 0.5 / (2.0e4 * 0.8);
+  expect_near("V16: one beam of a deck against the other, pushed along them [m]", run.displacement(last - 1).y - run.displacement(last).y,
+              panel, 1e-2);
+}
+
 TEST_CASE("V16: a tie stiffer than the step bears is bounded, and takes no smaller step") {
   const std::vector<std::string> stiff{"tie[0].area=0.05", "tie[0].pretension=0.0"};
   Run plain("tie_column"), run("tie_column", stiff);
