@@ -81,7 +81,7 @@ struct JointLaw {
   std::optional<double> residual_friction{};  // degrees, of this joint without its bond; none: that of [contact]
   double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
   std::optional<double> normal_stiffness{},
-      shear_stiffness{};  // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
+      shear_stiffness{};                    // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
   std::optional<double> maximum_closure{};  // V, m: a dry joint stiffens as it closes, k_n is that without pressure; none: it does not
 
   [[nodiscard]] bool stiffens() const noexcept { return maximum_closure.has_value(); }  // then it has no bond

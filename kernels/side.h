@@ -55,7 +55,7 @@ struct Side {
   double factor = 0.0;  // of Eq. 11, on the segment areas
   Stiffness k;
   Strength strength;
-  const SoftSide* soft = nullptr;  // its bonds soften
+  const SoftSide* soft = nullptr;    // its bonds soften
   const Closing* closing = nullptr;  // it stiffens as it closes
 };
 

@@ -145,7 +145,8 @@ void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& cloc
     constexpr std::int32_t kBlocksAtATime = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, Pace::every_step, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
+    for (std::int32_t i = 0; i < n; i += kBlocksAtATime)
+      advance_blocks(s, Pace::every_step, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
     return;
   }
   s.tasks.run_own(advance_task(s, found, clock));

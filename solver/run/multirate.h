@@ -6,7 +6,7 @@
 
 #include "solver/world/world.h"
 
-/// What multi-rate stepping (solver/world/multirate.h, THEORY.md (25)) adds to the step.
+/// What multi-rate stepping (solver/world/multirate.h, THEORY.md (24a)) adds to the step.
 namespace voussoir::solver {
 
 /// From now on cycles are as long as the case wants them; slow pairs see the velocities of now until the first cycle is over.

@@ -47,7 +47,8 @@ void set_up_multirate(World& w, const cases::Case& c) {
   if (m.wanted == 1) return;
   if (w.options.gather) throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " goes with --scatter colour alone");
   if (cases::is_assessment(c.analysis))
-    throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
+    throw cases::InputError("time.multirate",
+                            "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
   m.fast = stiff_elements(w, m.wanted * w.dt);
   for (int ring = 0; ring < kRings; ++ring) m.fast = with_neighbours(w, m.fast);
   const auto rows = static_cast<std::size_t>(w.elements.rows);

@@ -146,7 +146,8 @@ void add_ties(Table& t, Ties& ties) {
 }
 
 void add_multirate(Table& t, World& w) {
-  if (w.multirate.wanted > 1) t.push_back(rows<double>("cycle_velocity", "m/s, rad/s", "element", w.multirate.twist, kernels::kTwistStride));
+  if (w.multirate.wanted > 1)
+    t.push_back(rows<double>("cycle_velocity", "m/s, rad/s", "element", w.multirate.twist, kernels::kTwistStride));
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.

@@ -13,7 +13,7 @@ namespace voussoir::solver {
 /// How often a pair of bodies is evaluated.
 enum class Pace : std::uint8_t { every_step, every_cycle };
 
-/// Multi-rate stepping (THEORY.md (25), `time.multirate`). A pair is *fast* if one of its two elements is, and is evaluated in every step.
+/// Multi-rate stepping (THEORY.md (24a), `time.multirate`). A pair is *fast* if one of its two elements is, and is evaluated in every step.
 /// All others are *slow*: they are evaluated in the first step of every cycle, as if the cycle were one step, and their forces act in that
 /// step with the impulse of the whole cycle. An element is fast if the cycle is longer than its own bound (Eq. 19) allows, and so are its
 /// neighbours and their neighbours: the impulses of slow pairs can hardly excite the elements that limit the step then
@@ -28,8 +28,8 @@ struct Multirate {
 
   [[nodiscard]] bool on() const noexcept { return cycle > 1; }
   [[nodiscard]] bool starts_cycle(std::int64_t step) const noexcept { return step % cycle == 0; }
-  /// Steps whose impulse acts in this one, of slow pairs, gravity and ground: those of a cycle in its first step, else none. The first cycle
-  /// of all begins with a velocity of half a step before it, so half a cycle and half a step.
+  /// Steps whose impulse acts in this one, of slow pairs, gravity and ground: those of a cycle in its first step, else none. The first
+  /// cycle of all begins with a velocity of half a step before it, so half a cycle and half a step.
   [[nodiscard]] double impulse_steps(std::int64_t step) const noexcept {
     return step == 0 ? 0.5 * (cycle + 1.0) : starts_cycle(step) ? cycle : 0.0;
   }

@@ -166,7 +166,7 @@ struct Contacts {
   // Of multi-rate stepping; else empty. A patch is fast if its element or one of its candidates is.
   std::vector<std::uint8_t> slow;         // by active patch, 0 or 1
   std::vector<std::uint8_t> gather_slow;  // by entry of `gather`, 0 or 1, and 8 zeros
-  std::int64_t searched = 0;            // active patches whose candidates a search found; the others are new (state)
+  std::int64_t searched = 0;              // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
 };
 
@@ -256,7 +256,7 @@ struct World {
   bool has_base = false;
   bool out_of_cache = false;  // the model is larger than the caches, see joints/out_of_cache.h
   bool drop_debris_damping = false;
-  double dt = 0.0;          // s
+  double dt = 0.0;  // s
   Multirate multirate;
   double bound = 0.0;       // s, Eq. 19
   int threads = 1;          // of the teams that work on it

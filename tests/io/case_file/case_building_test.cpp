@@ -175,8 +175,7 @@ TEST_CASE("faults: storeys, inner walls, piers") {
   faulty("[[house.pier]]\nwall = \"rear\"\nfrom = 1.0\n", "width = -1", "house.pier[0].width = -1 m: must be > 0");
   faulty("[[house.opening]]\nwall = \"rear\"\nfrom = 1.0\nwidth = 1.0\nheight = 1.0\n", "storey = 0",
          "house.opening[0].storey = 0: must be");
-  faulty("[house]\n", "bond = \"dutch\"",
-         "house.bond = \"dutch\": must be \"english\" | \"running\" | \"header\" | \"flemish\"");
+  faulty("[house]\n", "bond = \"dutch\"", "house.bond = \"dutch\": must be \"english\" | \"running\" | \"header\" | \"flemish\"");
 }
 
 TEST_CASE("faults: walls of two leaves") {
@@ -188,8 +187,10 @@ TEST_CASE("faults: walls of two leaves") {
   faulty("[house.leaves]\n", "through = 1", "house.leaves.through = 1: found an integer, wanted a table");
   faulty("[house.leaves]\n", "through = { spacing = 0 }", "house.leaves.through.spacing = 0 m: must be > 0");
   faulty("[house.leaves]\n", "through = { every = 1 }", "house.leaves.through.every = 1: must be");
-  faulty("[house.leaves]\n", "through = { every = 2.5 }", "house.leaves.through.every = 2.5: found a number with a fraction, wanted an integer (in [2, 1000])");
-  faulty("[house.leaves]\n", "through = { material = 3 }", "house.leaves.through.material = 3: found an integer, wanted a string in quotes");
+  faulty("[house.leaves]\n", "through = { every = 2.5 }",
+         "house.leaves.through.every = 2.5: found a number with a fraction, wanted an integer (in [2, 1000])");
+  faulty("[house.leaves]\n", "through = { material = 3 }",
+         "house.leaves.through.material = 3: found an integer, wanted a string in quotes");
 }
 
 TEST_CASE("faults: floors") {
