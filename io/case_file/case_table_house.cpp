@@ -70,7 +70,7 @@ Table<ThroughStones> through_table() {
 Table<Leaves> leaves_table() {
   using S = Leaves;
   return {
-      "outer walls of two leaves, each in the house's bond; storeys that are too thin for it have one leaf",
+      "outer walls of two leaves, each in the house's bond; storeys whose walls are too thin for two leaves have one",
       {value<S>("walls", &S::walls, "", filled(), "front, right, rear, left; none: all that are built"),
        value<S>("outer", &S::outer, "m", above(0.0), "thickness of the outer leaf, a whole number of brick widths; none: half the wall"),
        value<S>("joint", &S::joint, "", filled(),

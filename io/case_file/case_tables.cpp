@@ -41,7 +41,8 @@ Table<Time> time_table() {
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
            value<S>("multirate", &S::multirate, "", within(1.0, 8.0),
-                    "steps from one evaluation of soft pairs of elements to the next; 1: all in every step, as in the paper")},
+                    "steps from one evaluation of slow pairs of elements, which allow so long a step, to the next; 1: all in every step, as in the paper; "
+                    "of time histories alone")},
           nullptr};
 }
 
@@ -150,8 +151,8 @@ Table<JointLaw> joint_law_table() {
            value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
            value<S>(
                "maximum_closure", &S::maximum_closure, "m", above(0.0),
-               "most that a dry joint closes: it stiffens by a hyperbola from normal_stiffness, without pressure, to its blocks'; friction "
-               "is residual_friction or that of [contact]; none: one stiffness")},
+               "largest closure of a dry joint (Bandis' hyperbola): its stiffness grows from normal_stiffness, without pressure; friction is "
+               "residual_friction or that of [contact]; none: one stiffness")},
           [](const S& s, const RuleCheck& check) {
             check_softening(s, check);
             check_stiffness(s, check);

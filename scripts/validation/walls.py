@@ -234,11 +234,11 @@ COMMON_SOURCES = {
 REASONS = {
     "SW.30": "both tests bore more than a rigid wall that turns about its toe can, so the load was not constant, or the top not free to "
              "turn, at their peaks: a top held level would allow 33.6 L/H = 37 kN. Load (30 kN and 3.6 kN of weight), height of zero "
-             "moment and drift (1 % is 10 mm, so over H0) are those of the tables. Up to a displacement of 20 mm the force measured on "
+             "moment and drift (displacement over H0: 1 % is 10 mm) are those of the tables. Up to a displacement of 20 mm the force measured on "
              "SW.30.1 is 13 to 17 kN, near the computed one.",
     "ISP3": "bending governs up to the peak, as in the test; then the bricks crack and the wall splits. The flexural formula with f_m, N "
             "L (1 − σ0/(0.85 f_m))/H, gives 86 kN, near the computed peak: the measured one lies below both. With a tensile strength of "
-            "the bricks of 0.03 f_b the error is 15 % (see below).",
+            "the bricks of 0.03 f_b, in place of the assumed 0.05 f_b, the error is 15 % (see below).",
     "MI1": "the values of σ0 in the table are in doubt (see MI2); with them the computed wall is too strong. The tensile strength of its "
            "bricks is assumed as 0.05 f_b; with 0.03 f_b the error is −5 % (see below).",
     "MI3": "σ0 is in doubt, and the tensile strength of bricks is assumed, as for MI1.",
