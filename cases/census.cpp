@@ -15,6 +15,8 @@
 namespace voussoir::cases {
 namespace {
 
+constexpr double kLess = 1.0 - 1e-9;  // of a bound: round-off must not make one of many equal bricks, or faces, the slowest
+
 /// "roof beam 12" and "roof beam 3" are one group.
 std::string group_name(const Model& model, const Block& block) {
   if (block.house < 0) return "blocks of " + model.materials[static_cast<std::size_t>(block.material)].name;
@@ -100,16 +102,11 @@ void find_step_bound(const Model& model, Census& result) {
   result.step_bound = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (model.blocks[i].fixed) continue;
-    const geometry::Element& element = model.assembly.elements[i];
-    const Material& material = model.materials[static_cast<std::size_t>(model.blocks[i].material)].value;
-    for (std::int32_t f = 0; f < element.face_count; ++f) {
-      const double bound = step_bound(material, model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].distance);
-      // Round-off must not make one of many equal bricks the slowest.
-      if (bound >= result.step_bound * (1.0 - 1e-9)) continue;
-      result.step_bound = bound;
-      result.step_element = static_cast<std::int32_t>(i);
-      result.step_face = f;
-    }
+    const StepBound bound = step_bound(model, i);
+    if (bound.step >= result.step_bound * kLess) continue;
+    result.step_bound = bound.step;
+    result.step_element = static_cast<std::int32_t>(i);
+    result.step_face = bound.face;
   }
 }
 
@@ -124,6 +121,17 @@ Census census(const Model& model) {
   count_segments(model.assembly, result);
   find_step_bound(model, result);
   return result;
+}
+
+StepBound step_bound(const Model& model, std::size_t block) {
+  const geometry::Element& element = model.assembly.elements[block];
+  const Material& material = model.materials[static_cast<std::size_t>(model.blocks[block].material)].value;
+  StepBound least{std::numeric_limits<double>::infinity(), -1};
+  for (std::int32_t f = 0; f < element.face_count; ++f) {
+    const double bound = step_bound(material, model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].distance);
+    if (bound < least.step * kLess) least = {bound, f};
+  }
+  return least;
 }
 
 double step_bound(const Material& material, double distance) noexcept {

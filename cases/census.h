@@ -55,4 +55,11 @@ Census census(const Model& model);
 /// Bound on the time step from one face (Eq. 19), s. \param distance  from the centroid to the face, m.
 double step_bound(const Material& material, double distance) noexcept;
 
+/// The least of all faces of a block, and which of its faces that is.
+struct StepBound {
+  double step = 0.0;  // s
+  std::int32_t face = -1;
+};
+StepBound step_bound(const Model& model, std::size_t block);
+
 }  // namespace voussoir::cases

@@ -108,7 +108,7 @@ void find_slow_patches(World& w) {
   c.slow.clear(), c.gather_slow.clear();
   if (!w.multirate.on()) return;
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    const auto is_slow = [&](std::int32_t slave) { return w.multirate.pace(c.master[a], slave) == Pace::every_cycle; };
+    const auto is_slow = [&](std::int32_t slave) { return w.multirate.pace_now(c.master[a], slave) == Pace::every_cycle; };
     const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
     c.slow.push_back(std::all_of(first, last, is_slow) ? 1 : 0);
   }

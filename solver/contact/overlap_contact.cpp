@@ -33,7 +33,7 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
 /// Two springs in line; the base is rigid.
 double in_line(double a, double b) { return b > 0.0 ? a * b / (a + b) : a; }
 
-Pace pace_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirate.pace(a, b); }
+Pace pace_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirate.pace_now(a, b); }
 
 /// Springs of the two bodies in line, and dashpots with the ratio of all contacts (Eq. 9, semi-implicit as THEORY.md (20)).
 kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {

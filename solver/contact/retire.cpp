@@ -36,7 +36,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 /// the trapezoid rule the work of their last force in the coming step, as advance_segment does for one that breaks (a row of the ledger in
 /// this very step has that work early).
 void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
-  const double step = w.step_of(w.multirate.pace(s.master, s.slave));
+  const double step = w.step_of(w.multirate.pace_now(s.master, s.slave));
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
@@ -120,7 +120,7 @@ void retire_side(World& w, std::int32_t side) {
   const auto i = static_cast<std::size_t>(id);
   Sides& sides = w.sides;
   const kernels::Side s = sides.side(id);
-  const double *pose = w.elements.pose.data(), *twist = w.twist_rows(w.multirate.pace(s.master, s.slave));
+  const double *pose = w.elements.pose.data(), *twist = w.twist_rows(w.multirate.pace_now(s.master, s.slave));
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
   record_torn_bonds(w, id, s, f);

@@ -10,20 +10,11 @@ namespace {
 // Rows of springs round the elements that limit the step: with one, a beam in a hundred of perf/multirate_resonance.py grew at k = 2.
 constexpr int kRings = 2;
 
-/// True if a step of that length is longer than Eq. 19 allows for the element alone.
-bool is_too_stiff(const World& w, std::size_t e, double step) {
-  const geometry::Element& g = w.model.assembly.elements[e];
-  const cases::Material& material = w.model.materials[static_cast<std::size_t>(w.model.blocks[e].material)].value;
-  for (std::int32_t f = g.first_face; f < g.first_face + g.face_count; ++f) {
-    if (cases::step_bound(material, w.model.assembly.faces[static_cast<std::size_t>(f)].distance) < step * (1.0 - 1e-9)) return true;
-  }
-  return false;
-}
-
+/// Elements for which a step of that length is longer than Eq. 19 allows.
 std::vector<std::uint8_t> stiff_elements(const World& w, double step) {
   std::vector<std::uint8_t> stiff(static_cast<std::size_t>(w.elements.rows), 0);
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    if (!w.elements.fixed[e]) stiff[e] = is_too_stiff(w, e, step) ? 1 : 0;
+    if (!w.elements.fixed[e]) stiff[e] = cases::step_bound(w.model, e).step < step * (1.0 - 1e-9) ? 1 : 0;
   }
   return stiff;
 }

@@ -107,7 +107,7 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
   const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
                       w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
-  const bool slow = w.multirate.own_pace(s.master, s.slave) == Pace::every_cycle;
+  const bool slow = w.multirate.pace_in_cycles(s.master, s.slave) == Pace::every_cycle;
   const double step = slow ? w.multirate.wanted * w.dt : w.dt;
   const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);
@@ -263,7 +263,7 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
   };
   const auto is_fast = [&](std::int32_t i) {
     const NewSide& side = sides[static_cast<std::size_t>(i)];
-    return w.multirate.own_pace(side.master, side.slave) == Pace::every_step;
+    return w.multirate.pace_in_cycles(side.master, side.slave) == Pace::every_step;
   };
   for (auto& tasks : d.colours) {
     s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));

@@ -33,13 +33,13 @@ struct Multirate {
   [[nodiscard]] double impulse_steps(std::int64_t step) const noexcept {
     return step == 0 ? 0.5 * (cycle + 1.0) : starts_cycle(step) ? cycle : 0.0;
   }
-  /// Of two elements that meet, for good: by this sides are put in blocks. The base is never fast.
-  [[nodiscard]] Pace own_pace(std::int32_t a, std::int32_t b) const noexcept {
+  /// Of the pair of two elements while it shakes: by this sides are put in blocks. The base is never fast.
+  [[nodiscard]] Pace pace_in_cycles(std::int32_t a, std::int32_t b) const noexcept {
     const auto is_fast = [&](std::int32_t e) { return fast.empty() || fast[static_cast<std::size_t>(e)] != 0; };
     return is_fast(a) || is_fast(b) ? Pace::every_step : Pace::every_cycle;
   }
-  /// The same now.
-  [[nodiscard]] Pace pace(std::int32_t a, std::int32_t b) const noexcept { return on() ? own_pace(a, b) : Pace::every_step; }
+  /// The same in this step: while it settles every pair is evaluated in every step.
+  [[nodiscard]] Pace pace_now(std::int32_t a, std::int32_t b) const noexcept { return on() ? pace_in_cycles(a, b) : Pace::every_step; }
 };
 
 }  // namespace voussoir::solver

@@ -75,6 +75,21 @@ void stiffen(SideUnderTest& u) {
   u.closing = {.most = 1e-4, .scale = 1e-4 * 2e9, .blocks = 2e9};
 }
 
+/// Shakes both for 800 steps, comparing their forces, and calls `look(bodies)` after each.
+template <class Look>
+void shake_together(Twin& fast, Twin& plain, std::uint64_t seed, kernels::FailureOptions o, Look look) {
+  Shaker shaker{Noise(seed), fast.u.side.on_base ? 0 : 1};
+  double unit = 1.0;
+  for (int i = 0; i < 800; ++i) {
+    const TwoBodies b = shaker.at(1e-2);
+    fast.step(b, i * kStep, o);
+    plain.step(b, i * kStep, o);
+    unit = std::max({unit, norm(plain.last.force_a)});
+    compare(fast, plain, unit);
+    look(b);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("vector and plain segments go the same way through cracking, slip and contact") {
@@ -89,16 +104,7 @@ TEST_CASE("vector and plain segments go the same way through cracking, slip and 
       SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);  // 9 to 21 points: odd tails
       if (seed % 3 == 0) u.put_onto_base();
       Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
-      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
-      double unit = 1.0;
-      for (int i = 0; i < 800; ++i) {
-        const TwoBodies b = shaker.at(1e-2);
-        fast.step(b, i * kStep, o);
-        plain.step(b, i * kStep, o);
-        unit = std::max({unit, norm(plain.last.force_a)});
-        compare(fast, plain, unit);
-        touching += plain.last.result.touching;
-      }
+      shake_together(fast, plain, seed, o, [&](const TwoBodies&) { touching += plain.last.result.touching; });
       REQUIRE(fast.events.size() == plain.events.size());
       for (std::size_t i = 0; i < fast.events.size(); ++i) {
         CHECK(fast.events[i].point == plain.events[i].point);
@@ -125,19 +131,12 @@ TEST_CASE("vector and plain segments of a side that softens go the same way") {
       if (seed % 3 == 0) u.put_onto_base();
       u.soften(soft_law(option));
       Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
-      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
-      double unit = 1.0;
-      for (int i = 0; i < 800; ++i) {
-        const TwoBodies b = shaker.at(1e-2);
-        fast.step(b, i * kStep, o);
-        plain.step(b, i * kStep, o);
-        unit = std::max({unit, norm(plain.last.force_a)});
-        compare(fast, plain, unit);
+      shake_together(fast, plain, seed, o, [&](const TwoBodies&) {
         for (std::size_t k = 0; k < u.wear.size(); ++k) {
           worn += plain.u.wear[k] > 0.0;
           CHECK(fast.u.wear[k] == doctest::Approx(plain.u.wear[k]).epsilon(1e-8).scale(1e-6));
         }
-      }
+      });
       for (const kernels::SegmentEvent& e : plain.events) broken += e.broke != kernels::Mode::none;
       CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
     }
@@ -155,18 +154,11 @@ TEST_CASE("vector and plain segments of a dry side that stiffens as it closes go
       stiffen(u);
       if (crushes) u.crush(crushing_law(1));
       Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
-      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
-      double unit = 1.0;
-      for (int i = 0; i < 800; ++i) {
-        const TwoBodies b = shaker.at(1e-2);
-        fast.step(b, i * kStep, {});
-        plain.step(b, i * kStep, {});
-        unit = std::max({unit, norm(plain.last.force_a)});
-        compare(fast, plain, unit);
+      shake_together(fast, plain, seed, {}, [&](const TwoBodies& b) {
         const double stored = energy(plain.u, b).contact;
         stiffer += stored > 0.0;
         CHECK(energy(fast.u, b).contact == doctest::Approx(stored).epsilon(1e-8).scale(1e-6));
-      }
+      });
       for (const double depth : plain.u.crushed) crushed += depth > 0.0;
       CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
     }
@@ -185,18 +177,11 @@ TEST_CASE("vector and plain segments of a side whose contacts crush go the same 
       if (option > 1) u.soften(soft_law(option));
       u.crush(crushing_law(option));
       Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
-      Shaker shaker{Noise(seed), u.side.on_base ? 0 : 1};
-      double unit = 1.0;
-      for (int i = 0; i < 800; ++i) {
-        const TwoBodies b = shaker.at(1e-2);
-        fast.step(b, i * kStep, {});
-        plain.step(b, i * kStep, {});
-        unit = std::max({unit, norm(plain.last.force_a)});
-        compare(fast, plain, unit);
+      shake_together(fast, plain, seed, {}, [&](const TwoBodies&) {
         for (std::size_t k = 0; k < u.crushed.size(); ++k) {
           CHECK(fast.u.crushed[k] == doctest::Approx(plain.u.crushed[k]).epsilon(1e-8).scale(1e-6));
         }
-      }
+      });
       for (const double depth : plain.u.crushed) crushed += depth > 0.0, at_depth += depth == u.crushing.depth;
       CHECK(fast.lost == doctest::Approx(plain.lost).epsilon(1e-8));
     }
