@@ -67,8 +67,10 @@ async function checkTwo(page) {
   if (cameras[0] !== cameras[1]) faults.push(`one camera, but they are at ${cameras.join(" and ")}`);
   const alone = await page.evaluate(`report.plots.filter((p) => !["A", "B"].every((run) => p.series.some((s) => s.label?.endsWith(" " + run)))).map((p) => p.title)`);
   if (alone.length > 0) faults.push(`not of both runs: ${alone}`);
-  const heads = await page.evaluate(`[...document.querySelectorAll("#summary table")].slice(0, 2).map((t) => [...t.querySelectorAll("th[scope=col]")].map((h) => h.textContent).join(""))`);
-  if (heads.join() !== "AB,AB") faults.push(`the tables are not of A and B: ${heads}`);
+  const keys = await page.evaluate(`[...document.querySelectorAll("#keys > div")].map((tile) => [...tile.querySelectorAll("dd")].map((line) => line.textContent[0]).join(""))`);
+  if (keys.length < 2 || keys.some((letters) => letters !== "AB")) faults.push(`key figures are not of A and B: ${keys}`);
+  const heads = await page.evaluate(`[...document.querySelector("#summary table").querySelectorAll("th[scope=col]")].map((h) => h.textContent).join("")`);
+  if (heads !== "AB") faults.push(`the first table is not of A and B: ${heads}`);
   const wide = await page.evaluate(`(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)(document.querySelector("aside"))`);
   if (wide > 0) faults.push(`the side panel is ${wide} pixels too wide`);
 }
@@ -191,6 +193,11 @@ for (const [name, options] of [["desk, light", { colorScheme: "light" }], ["desk
   if (name === "phone") {
     const small = await other.evaluate(`[...document.querySelectorAll("button:not(.tick), select, summary, input[type=range]")].filter((e) => e.offsetHeight > 0 && e.offsetHeight < 44).map((e) => e.id || e.textContent)`);
     if (small.length > 0) faults.push(`phone: lower than 44 pixels: ${small}`);
+    const over = await other.evaluate(`(() => {
+      const boxes = [...document.querySelectorAll(".tick")].map((e) => e.getBoundingClientRect());
+      return boxes.flatMap((a, i) => boxes.slice(i + 1).filter((b) => Math.abs(a.top - b.top) < 5 && a.left < b.right && b.left < a.right)).length;
+    })()`);
+    if (over > 0) faults.push(`phone: ${over} pairs of texts on the slider lie over each other`);
     await other.evaluate("scrollTo(0, 1500)");
     const top = await other.evaluate(`document.getElementById("transport").getBoundingClientRect().top`);
     if (top < -1 || top > 1) faults.push(`phone: the transport bar does not stay in view: it is at ${top}`);

@@ -112,17 +112,17 @@ function both(runs, rowsOf) {
   return names.map((name) => [name, ...maps.map((m) => m.get(name) ?? "–")]);
 }
 
+/** A key figure: its name, and lines of text by their class. */
+function tile(parent, name, lines) {
+  const div = parent.appendChild(document.createElement("div"));
+  div.appendChild(document.createElement("dt")).textContent = name;
+  for (const [className, textContent] of lines) div.appendChild(Object.assign(document.createElement("dd"), { className, textContent }));
+}
+
 /** @param runs  one, or two side by side */
 export function showSummary(top, rest, folded, runs) {
-  if (runs.length === 1) {
-    for (const [name, value, small] of keys(runs[0])) {
-      const tile = top.appendChild(document.createElement("div"));
-      for (const [kind, text] of [["dt", name], ["dd", value], ["small", small]]) tile.appendChild(document.createElement(kind === "small" ? "dd" : kind)).textContent = text;
-      tile.lastChild.className = "small";
-    }
-  } else {
-    table(rest, ["", "A", "B"], both(runs, (run) => keys(run).map(([name, value]) => [name, value])).map(mark), "Two runs");
-  }
+  if (runs.length === 1) for (const [name, value, small] of keys(runs[0])) tile(top, name, [["large", value], ["small", small]]);
+  else for (const [name, ...values] of both(runs, keys)) tile(top, name, values.map((value, i) => ["run", `${"AB"[i]} ${value}`]));
   if (runs.some((run) => run.facts.capacity)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, capacityTable).map(mark), "Capacity");
   if (runs.some((run) => run.facts.limit)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, limitTable).map(mark), "Second opinion: limit analysis");
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");

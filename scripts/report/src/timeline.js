@@ -27,14 +27,24 @@ export function showTimeline(bands, ticks, facts, from, until, seek) {
     if (width <= 0) return;
     add(bands, `band grade${g}`, width > 0.035 ? `G${g}` : "", place(t), width).title = `G${g}, ${kGrades[g]}, from ${t.toFixed(2)} s`;
   });
-  let last = -1;
   for (const [name, t] of moments(facts).sort((a, b) => a[1] - b[1])) {
     const tick = ticks.appendChild(Object.assign(document.createElement("button"), { type: "button", className: "tick", textContent: `${name} ${t.toFixed(2)} s` }));
-    const x = place(t);
-    tick.style.left = `${100 * x}%`;
-    if (x > 0.8) tick.classList.add("leftwards");
-    if (last >= 0 && x - last < 0.17) tick.classList.add("second"); // no room beside the one before: below it
-    else last = x;
+    tick.style.left = `${100 * place(t)}%`;
     tick.addEventListener("click", () => seek(t));
+  }
+  new ResizeObserver(() => arrange(ticks)).observe(ticks);
+}
+
+const kGap = 6; // px between two texts
+
+/** Texts that would reach over the end of the slider go to the left of their tick; those without room before the next one stand higher. */
+function arrange(ticks) {
+  let next = Infinity;
+  for (const tick of [...ticks.children].reverse()) {
+    tick.classList.remove("second", "leftwards");
+    tick.classList.toggle("leftwards", tick.offsetLeft + tick.offsetWidth > ticks.clientWidth);
+    const left = tick.offsetLeft - (tick.classList.contains("leftwards") ? tick.offsetWidth : 0);
+    if (left + tick.offsetWidth + kGap > next) tick.classList.add("second");
+    else next = left;
   }
 }
