@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/multirate.h"
 
+#include <algorithm>
 #include <array>
+
+#include "solver/contact/overlap_contact.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::solver {
 
@@ -25,30 +29,51 @@ void start_cycles(World& w) {
   if (!m.on()) return;
   for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.rows); ++i) {
     const std::array<double, 6> now = velocities_of(w.elements, i);
-    for (std::size_t k = 0; k < now.size(); ++k) m.twist[i * kernels::kTwistStride + k] = now[k];
+    for (Multirate::Rows& r : m.rows) std::ranges::copy(now, r.twist.data() + i * kernels::kTwistStride);
   }
-  w.contacts.gather_stale = true;  // patches are fast or slow from now on
+  w.contacts.stale_level = 0;  // patches and pairs have levels from now on
+  list_overlap_levels(w);
 }
 
-void add_slow_impulses(World& w, double steps) {
+void renew_contact_levels(World& w) {
+  const Sides& s = w.sides;
+  Pairs joined;
+  for (std::size_t id = 0; id < s.retired.size(); ++id) {
+    if (s.retired[id]) continue;
+    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
+    const std::size_t lane = id % kernels::kLanes;
+    if (b.slave[lane] != w.elements.base) joined.emplace_back(b.master[lane], b.slave[lane]);
+  }
+  w.multirate.of_contacts = with_rings(w.multirate.own, joined);
+  list_overlap_levels(w);
+}
+
+void add_impulses(World& w, std::int64_t step) {
   Multirate& m = w.multirate;
+  for (int level = 1; level < m.due(step); ++level) {
+    Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
+    const double steps = m.impulse_steps(level, step);
 #pragma omp parallel for schedule(static) num_threads(w.threads)
-  for (std::int64_t i = 0; i < w.elements.rows; ++i) {
-    double* slow = m.wrench.data() + i * kernels::kWrenchStride;
-    if (slow[kernels::kDashedColumn] != 0.0) {
-      move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, m.dashpot.data() + i * kernels::kDashpotStride, steps);
+    for (std::int64_t i = 0; i < w.elements.rows; ++i) {
+      double* wrench = of_level.wrench.data() + i * kernels::kWrenchStride;
+      if (wrench[kernels::kDashedColumn] != 0.0) {
+        move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, of_level.dashpot.data() + i * kernels::kDashpotStride, steps);
+      }
+      move_row(w.elements.wrench.data() + i * kernels::kWrenchStride, wrench, steps);
     }
-    move_row(w.elements.wrench.data() + i * kernels::kWrenchStride, slow, steps);
   }
 }
 
 void sum_velocities(World& w, std::int64_t step, std::int64_t first, std::int64_t last) {
   Multirate& m = w.multirate;
-  const double before = m.starts_cycle(step) ? 0.0 : 1.0, scale = m.starts_cycle(step + 1) ? 1.0 / m.cycle : 1.0;
-  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-    const std::array<double, 6> now = velocities_of(w.elements, i);
-    double* row = m.twist.data() + i * kernels::kTwistStride;
-    for (std::size_t k = 0; k < now.size(); ++k) row[k] = scale * (before * row[k] + now[k]);
+  for (std::size_t level = 1; level < m.every.size(); ++level) {
+    const std::int32_t every = m.every[level];
+    const double before = step % every == 0 ? 0.0 : 1.0, scale = (step + 1) % every == 0 ? 1.0 / every : 1.0;
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      const std::array<double, 6> now = velocities_of(w.elements, i);
+      double* row = m.rows[level - 1].twist.data() + i * kernels::kTwistStride;
+      for (std::size_t k = 0; k < now.size(); ++k) row[k] = scale * (before * row[k] + now[k]);
+    }
   }
 }
 

@@ -127,7 +127,8 @@ kernels::BodyForces Simulation::body_forces() const {
 
 /// Gravity and ground act with the impulse of a cycle, as slow pairs do: what rests on slow pairs has no velocity then.
 void Simulation::give_cycle(kernels::BodyForces& f) const {
-  const double steps = world_->multirate.impulse_steps(step_);
+  const Multirate& m = world_->multirate;
+  const double steps = m.starts_cycle(step_) ? m.impulse_steps(m.levels() - 1, step_) : 0.0;
   f.gravity = steps * f.gravity, f.ground = steps * f.ground;
 }
 
@@ -168,7 +169,7 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
-// Forces of slow pairs, which are not among those of the other pairs yet, count as the others do: not with their impulse.
+// Forces of pairs of higher levels, which are not among those of the other pairs yet, count as the others do: not with their impulse.
 // Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
 void Simulation::measure_base_forces() {
   const World& w = *world_;
@@ -177,13 +178,14 @@ void Simulation::measure_base_forces() {
     const auto i = static_cast<std::size_t>(e);
     if (w.elements.fixed[i]) continue;
     const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
-    for (const Array<double>* rows : {&w.elements.wrench, &w.multirate.wrench}) {
-      if (rows->size() == 0) continue;
-      const double* r = rows->data() + i * kernels::kWrenchStride;
+    const auto add = [&](const Array<double>& rows) {
+      const double* r = rows.data() + i * kernels::kWrenchStride;
       const Vec3 f{r[0], r[1], r[2]};
       forces_.base_shear += f;
       forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
-    }
+    };
+    add(w.elements.wrench);
+    for (const Multirate::Rows& r : w.multirate.rows) add(r.wrench);
   }
 }
 
@@ -250,6 +252,9 @@ void Simulation::note_velocities() {
   }
 }
 
+/// A search waits for the first step of a cycle.
+void Simulation::note_move(double moved) { moved_ = world_->multirate.starts_cycle(step_) ? moved : std::max(moved_, moved); }
+
 void Simulation::kick(const kernels::BodyForces& f) {
   World& w = *world_;
   over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.element_rows()](std::int64_t first, std::int64_t last) {
@@ -260,26 +265,28 @@ void Simulation::kick(const kernels::BodyForces& f) {
 
 void Simulation::drift(double dt) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
-                             std::int64_t first, std::int64_t last) {
-                           kernels::drift(view, rows, dt, first, last);
-                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
-                           return kernels::advance_travel(view, travel, first, last);
-                         });
+  const double moved = over_elements(w, update_shares_,
+                                     [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
+                                         std::int64_t first, std::int64_t last) {
+                                       kernels::drift(view, rows, dt, first, last);
+                                       if (w.multirate.on()) sum_velocities(w, step_, first, last);
+                                       return kernels::advance_travel(view, travel, first, last);
+                                     });
+  note_move(moved);
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
 void Simulation::kick_and_drift(const kernels::BodyForces& f) {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
-                             std::int64_t first, std::int64_t last) {
-                           kernels::kick(view, rows, f, first, last);
-                           kernels::drift(view, rows, f.dt, first, last);
-                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
-                           return kernels::advance_travel(view, travel, first, last);
-                         });
+  const double moved = over_elements(w, update_shares_,
+                                     [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
+                                         std::int64_t first, std::int64_t last) {
+                                       kernels::kick(view, rows, f, first, last);
+                                       kernels::drift(view, rows, f.dt, first, last);
+                                       if (w.multirate.on()) sum_velocities(w, step_, first, last);
+                                       return kernels::advance_travel(view, travel, first, last);
+                                     });
+  note_move(moved);
 }
 
 void Simulation::step(Due due) {
@@ -290,9 +297,12 @@ void Simulation::step(Due due) {
     const StageTimer timer(times_, Stage::search);
     // After a restore all pairs are listed before a search, which lists those of the elements that it searches again and keeps the others.
     if (w.overlaps.stale && w.travel.is_searched()) list_all_overlap_pairs(w);
-    if (w.travel.search_due(moved_)) search_contacts(w);
+    if (w.multirate.starts_cycle(step_) && w.travel.search_due(moved_)) {
+      search_contacts(w);
+      if (w.multirate.on()) renew_contact_levels(w);
+    }
     if (w.overlaps.stale) list_all_overlap_pairs(w);
-    if (w.contacts.gather_stale) build_gather(w);
+    if (w.contacts.stale_level < w.multirate.due(step_)) build_gather(w);
   }
   const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
@@ -308,7 +318,7 @@ void Simulation::step(Due due) {
     record_damage(w, forces_stage_.events, t, damage_, cracks_);
   }
   if (due.sample) measure_base_forces();
-  if (w.multirate.on() && w.multirate.starts_cycle(step_)) add_slow_impulses(w, w.multirate.impulse_steps(step_));
+  if (w.multirate.on()) add_impulses(w, step_);
   if (due.ledger) {
     const StageTimer timer(times_, Stage::ledger);
     ledger_.before_kick(w);

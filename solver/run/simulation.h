@@ -94,6 +94,7 @@ class Simulation {
   void note_velocities();
   void kick(const kernels::BodyForces& f);
   void drift(double dt);
+  void note_move(double moved);
   void kick_and_drift(const kernels::BodyForces& f);
   void guard();
   [[nodiscard]] kernels::BodyForces body_forces() const;
@@ -116,7 +117,7 @@ class Simulation {
   ForceStage forces_stage_;
   // A run of elements taken from another thread is half a thousand lines of memory that go there and back: much patience.
   TaskShares update_shares_{1.0};
-  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has
+  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has in this cycle
   StageTimes times_{};
   Damage damage_;
   Ledger ledger_;

@@ -73,7 +73,7 @@ void size_search(World& w, const SavedState& from) {
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
   c.element.assign(slots, 0);
-  c.gather_stale = true;
+  c.stale_level = 0;
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
   w.overlaps.pairs.clear();
   w.overlaps.stale = true;
