@@ -21,6 +21,17 @@ void move_row(double* to, double* from, double factor) {
   for (int k = 0; k < kernels::kWrenchStride; ++k) to[k] += factor * from[k], from[k] = 0.0;
 }
 
+/// Calls `use(master, slave)`; the slave may be the base.
+template <class Use>
+void each_live_side(const World& w, Use use) {
+  const Sides& s = w.sides;
+  for (std::size_t id = 0; id < s.retired.size(); ++id) {
+    if (s.retired[id]) continue;
+    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
+    use(b.master[id % kernels::kLanes], b.slave[id % kernels::kLanes]);
+  }
+}
+
 }  // namespace
 
 void start_cycles(World& w) {
@@ -36,26 +47,44 @@ void start_cycles(World& w) {
 }
 
 void renew_contact_levels(World& w) {
-  const Sides& s = w.sides;
   Pairs joined;
-  for (std::size_t id = 0; id < s.retired.size(); ++id) {
-    if (s.retired[id]) continue;
-    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
-    const std::size_t lane = id % kernels::kLanes;
-    if (b.slave[lane] != w.elements.base) joined.emplace_back(b.master[lane], b.slave[lane]);
-  }
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) {
+    if (b != w.elements.base) joined.emplace_back(a, b);
+  });
   w.multirate.of_contacts = with_rings(w.multirate.own, joined);
   list_overlap_levels(w);
+}
+
+void renew_moves(World& w) {
+  const Multirate& m = w.multirate;
+  std::ranges::fill(w.moved_at, static_cast<std::uint8_t>(m.levels() - 1));
+  const auto lower = [&](std::int32_t element, int level) {
+    std::uint8_t& at = w.moved_at[static_cast<std::size_t>(element / kernels::kBatch)];
+    at = std::min(at, static_cast<std::uint8_t>(level));
+  };
+  const auto lower_both = [&](std::int32_t a, std::int32_t b, int level) { lower(a, level), lower(b, level); };
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) { lower_both(a, b, m.joint_level(a, b)); });
+  const Contacts& c = w.contacts;
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot)
+      lower_both(c.master[a], c.element[static_cast<std::size_t>(slot)], c.level[a]);
+  }
+  for (const OverlapPair& p : w.overlaps.pairs) lower_both(p.a, p.b, m.contact_level(p.a, p.b));
+  // What acts in every step.
+  for (const std::int32_t e : w.ties.element) lower(e, 0);
+  for (const PointLoad& l : w.loads) lower(l.element, 0);
+  for (const Support& s : w.supports) lower(s.element, 0);
 }
 
 void add_impulses(World& w, std::int64_t step) {
   Multirate& m = w.multirate;
   for (int level = 1; level < m.due(step); ++level) {
     Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
-    const double steps = m.impulse_steps(level, step);
+    const double impulse = m.impulse_steps(level, step);
 #pragma omp parallel for schedule(static) num_threads(w.threads)
     for (std::int64_t i = 0; i < w.elements.rows; ++i) {
       double* wrench = of_level.wrench.data() + i * kernels::kWrenchStride;
+      const double steps = impulse / m.steps_of(w.batch_level(static_cast<std::size_t>(i / kernels::kBatch)));
       if (wrench[kernels::kDashedColumn] != 0.0) {
         move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, of_level.dashpot.data() + i * kernels::kDashpotStride, steps);
       }
@@ -66,9 +95,10 @@ void add_impulses(World& w, std::int64_t step) {
 
 void sum_velocities(World& w, std::int64_t step, std::int64_t first, std::int64_t last) {
   Multirate& m = w.multirate;
+  const std::int32_t at_once = m.steps_of(w.batch_level(static_cast<std::size_t>(first / kernels::kBatch)));
   for (std::size_t level = 1; level < m.every.size(); ++level) {
-    const std::int32_t every = m.every[level];
-    const double before = step % every == 0 ? 0.0 : 1.0, scale = (step + 1) % every == 0 ? 1.0 / every : 1.0;
+    const std::int32_t every = std::max(m.every[level], at_once);
+    const double before = step % every == 0 ? 0.0 : 1.0, scale = (step + at_once) % every == 0 ? static_cast<double>(at_once) / every : 1.0;
     for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
       const std::array<double, 6> now = velocities_of(w.elements, i);
       double* row = m.rows[level - 1].twist.data() + i * kernels::kTwistStride;

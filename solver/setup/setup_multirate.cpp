@@ -11,6 +11,7 @@ namespace {
 
 // Rows of springs round the elements that limit the step: with one, a beam in a hundred of perf/multirate_resonance.py grew at k = 2.
 constexpr int kRings = 2;
+constexpr double kFlies = 20.0;  // m/s, of what has fallen from a height of 20 m
 
 /// By level: a cycle halved as long as that gives whole steps, and one step.
 std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
@@ -56,6 +57,8 @@ std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const
   return level;
 }
 
+double search_margin(const World& w, double skin) { return std::min(0.1 * skin, (w.multirate.wanted - 1) * w.dt * kFlies); }
+
 void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
   m.wanted = c.time.multirate;
@@ -70,6 +73,7 @@ void set_up_multirate(World& w, const cases::Case& c) {
   m.of_contacts = m.of_joints;
   const auto rows = static_cast<std::size_t>(w.elements.rows);
   m.rows.resize(m.every.size() - 1);
+  w.moved_at.assign(rows / kernels::kBatch, 0);
   for (Multirate::Rows& r : m.rows) {
     r.twist.assign(rows * kernels::kTwistStride, 0.0);
     r.wrench.assign(rows * kernels::kWrenchStride, 0.0);

@@ -152,7 +152,9 @@ void add_multirate(Table& t, World& w) {
   static constexpr std::array<const char*, 3> kVelocities = {"level_1_velocity", "level_2_velocity", "level_3_velocity"};
   for (std::size_t level = 1; level < m.every.size(); ++level)
     t.push_back(rows<double>(kVelocities[level - 1], "m/s, rad/s", "element", m.rows[level - 1].twist, kernels::kTwistStride));
-  t.push_back(field("contact_level", "-", "element", m.of_contacts, 0, static_cast<std::int64_t>(m.every.size()) - 1));
+  const auto highest = static_cast<std::int64_t>(m.every.size()) - 1;
+  t.push_back(field("contact_level", "-", "element", m.of_contacts, 0, highest));
+  t.push_back(field("moved_at_level", "-", "batch", w.moved_at, 0, highest));
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.

@@ -204,7 +204,7 @@ std::uint64_t model_hash(const World& w) {
     for (const double v : {h.share, h.arm.x, h.arm.y, h.arm.z}) hash.add(&v, sizeof v);
   }
   hash.add(&w.dt, sizeof w.dt);
-  if (w.multirate.wanted > 1) hash.add(&w.multirate.wanted, sizeof w.multirate.wanted);
+  if (w.multirate.wanted > 1) hash.add(w.multirate.every.data(), w.multirate.every.size() * sizeof w.multirate.every[0]);
   return hash.value();
 }
 

@@ -290,8 +290,15 @@ struct World {
   [[nodiscard]] kernels::ContactOptions contact_of(int level) const noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
+  /// s, by which an element is moved on at a time.
+  [[nodiscard]] double step_of_element(std::size_t e) const noexcept { return step_of(batch_level(e / kernels::kBatch)); }
+  [[nodiscard]] int batch_level(std::size_t batch) const noexcept { return multirate.on() ? moved_at[batch] : 0; }
+
   std::vector<PointLoad> loads;
   std::vector<Support> supports;
+  // State by batch of multi-rate stepping, else empty: the level (multirate.h) in whose steps its elements are moved on, by all of these
+  // steps at once. None of their pairs has a lower one.
+  std::vector<std::uint8_t> moved_at;
 };
 
 }  // namespace voussoir::solver
