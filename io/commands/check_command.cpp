@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -94,8 +95,13 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
   const solver::Multirate& rates = w.multirate;
   if (rates.wanted == 1) return;
-  std::printf("two rates                %s of %s elements in every step, pairs of others in one of %d\n",
-              format_count(std::ranges::count(rates.fast, 1)).c_str(), format_count(n.elements).c_str(), rates.wanted);
+  const auto elements = std::span(rates.of_joints).first(static_cast<std::size_t>(n.elements));
+  for (std::size_t level = 0; level < rates.every.size(); ++level) {
+    const std::string steps = level == 0 ? "every step" : "one step of " + std::to_string(rates.every[level]);
+    std::printf("%-25s%s of %s elements in %s\n", level == 0 ? "rates" : "",
+                format_count(std::ranges::count(elements, static_cast<std::uint8_t>(level))).c_str(), format_count(n.elements).c_str(),
+                steps.c_str());
+  }
 }
 
 /// s of wall-clock that a step of the intact model takes. Takes a few.

@@ -30,19 +30,19 @@ bool is_quiet(const World& w, std::size_t a) {
 
 const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
 
-Pace pace_of(const Contacts& c, std::size_t a) { return !c.slow.empty() && c.slow[a] != 0 ? Pace::every_cycle : Pace::every_step; }
+int level_of(const Contacts& c, std::size_t a) { return c.level.empty() ? 0 : c.level[a]; }
 
-void prefetch_body(const World& w, Pace pace, std::int32_t element) {
+void prefetch_body(const World& w, int level, std::int32_t element) {
   const Elements& e = w.elements;
   const auto i = static_cast<std::size_t>(element);
   kernels::prefetch(&e.pose[i * kernels::kPoseStride], kernels::kPoseStride * sizeof(double));
-  kernels::prefetch(w.twist_rows(pace) + i * kernels::kTwistStride, kernels::kTwistStride * sizeof(double));
+  kernels::prefetch(w.twist_rows(level) + i * kernels::kTwistStride, kernels::kTwistStride * sizeof(double));
   kernels::prefetch(&e.body[i], sizeof e.body[i]);
 }
 
 void prefetch_patch(const World& w, std::size_t a) {
   kernels::prefetch(&patch_at(w, a), sizeof(FreePatch));
-  prefetch_body(w, pace_of(w.contacts, a), w.contacts.master[a]);
+  prefetch_body(w, level_of(w.contacts, a), w.contacts.master[a]);
 }
 
 /// Once the patch is there, asks for its points that touch and for whom they touch.
@@ -55,7 +55,7 @@ void prefetch_points(const World& w, std::size_t a) {
     const kernels::Candidate& k = c.candidate[slot];
     if (k.first >= k.last) continue;
     kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]);
-    prefetch_body(w, pace_of(c, a), k.element);
+    prefetch_body(w, level_of(c, a), k.element);
     if (k.face >= 0) kernels::prefetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
     kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
@@ -70,12 +70,6 @@ void note_push(Contacts& c, std::size_t slot) {
     if (place >= 0) c.gather_on[static_cast<std::size_t>(place)] = c.on[slot];
   }
 }
-
-/// What patches of one pace have in common in a step.
-struct PatchStep {
-  kernels::Bodies bodies;
-  kernels::ContactOptions options;
-};
 
 void advance_one(World& w, std::size_t a, const PatchStep& step, const kernels::Face* faces, ContactRoom& scratch) {
   Contacts& c = w.contacts;
@@ -99,24 +93,31 @@ void advance_one(World& w, std::size_t a, const PatchStep& step, const kernels::
   patch.fracture += r.fracture;
 }
 
-/// Calls `use(slot, is_slave)` for the slots of that pace of an element that push, in their order. (Flags are 0 or 1; the first is the
-/// lowest byte.)
+/// 1 in each byte that is below that number, else 0: both are at most 127.
+std::uint64_t bytes_below(std::uint64_t bytes, int number) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101;
+  return (~(bytes + kOnes * static_cast<std::uint64_t>(0x80 - number)) >> 7) & kOnes;
+}
+
+/// Calls `use(place among `gather`, slot, is_slave)` for the slots of an element that push and whose level is due, in their order. (Flags
+/// are 0 or 1; the first is the lowest byte.)
 template <class Use>
-void each_push(const Contacts& c, Pace pace, std::size_t element, Use use) {
+void each_push(const Contacts& c, int due, std::size_t element, Use use) {
   constexpr std::int64_t kFlags = sizeof(std::uint64_t);
   const std::int64_t last = c.first_gather[element + 1];
   for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
     std::uint64_t flags;
     std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
-    if (!c.gather_slow.empty()) {
-      std::uint64_t slow;
-      std::memcpy(&slow, &c.gather_slow[static_cast<std::size_t>(g)], sizeof slow);
-      flags &= pace == Pace::every_step ? ~slow : slow;
+    if (!c.gather_level.empty()) {
+      std::uint64_t levels;
+      std::memcpy(&levels, &c.gather_level[static_cast<std::size_t>(g)], sizeof levels);
+      flags &= bytes_below(levels, due);
     }
     if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
     for (; flags != 0; flags &= flags - 1) {
-      const std::int64_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
-      use(static_cast<std::size_t>(code / 2), code % 2 != 0);
+      const auto place = static_cast<std::size_t>(g + std::countr_zero(flags) / 8);
+      const std::int64_t code = c.gather[place];
+      use(place, static_cast<std::size_t>(code / 2), code % 2 != 0);
     }
   }
 }
@@ -137,11 +138,14 @@ void ContactRoom::part(std::int64_t patches, int threads) {
   }
 }
 
-void advance_contacts(World& w, bool slow_too, ContactRoom& room) {
-  const PatchStep steps[] = {{w.bodies(), w.contact_of(Pace::every_step)}, {w.bodies(Pace::every_cycle), w.contact_of(Pace::every_cycle)}};
-  const kernels::Face* faces = w.faces.data();
-  const auto patches = static_cast<std::int64_t>(w.contacts.active.size());
+void advance_contacts(World& w, int due, ContactRoom& room) {
+  const ByLevel& by_level = w.contacts.patches;
+  const bool listed = w.multirate.on();
+  const auto patches = listed ? by_level.end[static_cast<std::size_t>(due) - 1] : static_cast<std::int64_t>(w.contacts.active.size());
   if (patches == 0) return;
+  room.steps.clear();
+  for (int level = 0; level < due; ++level) room.steps.push_back({w.bodies(level), w.contact_of(level)});
+  const kernels::Face* faces = w.faces.data();
   room.fit(w.points.largest, w.most_faces);
   room.part(patches, omp_get_num_threads());
 #pragma omp for schedule(dynamic) nowait
@@ -149,8 +153,8 @@ void advance_contacts(World& w, bool slow_too, ContactRoom& room) {
     std::size_t near[kMostRun];
     std::size_t count = 0;
     for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
-      const auto i = static_cast<std::size_t>(a);
-      if ((!slow_too && pace_of(w.contacts, i) == Pace::every_cycle) || is_quiet(w, i)) continue;
+      const auto i = static_cast<std::size_t>(listed ? by_level.list[static_cast<std::size_t>(a)] : a);
+      if (is_quiet(w, i)) continue;
       if (count < kPrefetchPatches) prefetch_patch(w, i);
       near[count++] = i;
     }
@@ -158,20 +162,28 @@ void advance_contacts(World& w, bool slow_too, ContactRoom& room) {
     for (std::size_t k = 0; k < count; ++k) {
       if (k + kPrefetchPatches < count) prefetch_patch(w, near[k + kPrefetchPatches]);
       if (k + kPrefetchPoints < count) prefetch_points(w, near[k + kPrefetchPoints]);
-      advance_one(w, near[k], steps[static_cast<std::size_t>(pace_of(w.contacts, near[k]))], faces, room);
+      advance_one(w, near[k], room.steps[static_cast<std::size_t>(level_of(w.contacts, near[k]))], faces, room);
     }
   }
 }
 
-void gather_contacts(World& w, Pace pace, std::int32_t element) {
+std::int64_t gatherers(const World& w, int due) {
+  return w.multirate.on() ? w.contacts.gatherers.end[static_cast<std::size_t>(due) - 1] : w.elements.count;
+}
+
+void gather_contacts(World& w, int due, std::int64_t number) {
   const Contacts& c = w.contacts;
-  if (element + kPrefetchElements < w.elements.count) {
-    each_push(c, pace, static_cast<std::size_t>(element + kPrefetchElements),
-              [&](std::size_t slot, bool) { kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]); });
+  const auto element_at = [&](std::int64_t i) {
+    return w.multirate.on() ? c.gatherers.list[static_cast<std::size_t>(i)] : static_cast<std::int32_t>(i);
+  };
+  if (number + kPrefetchElements < gatherers(w, due)) {
+    each_push(c, due, static_cast<std::size_t>(element_at(number + kPrefetchElements)),
+              [&](std::size_t, std::size_t slot, bool) { kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]); });
   }
-  const kernels::Rows rows = w.rows(pace);
-  each_push(c, pace, static_cast<std::size_t>(element), [&](std::size_t slot, bool is_slave) {
+  const std::int32_t element = element_at(number);
+  each_push(c, due, static_cast<std::size_t>(element), [&](std::size_t place, std::size_t slot, bool is_slave) {
     const kernels::PairWrench& x = c.wrench[slot];
+    const kernels::Rows rows = w.rows(c.gather_level.empty() ? 0 : c.gather_level[place]);
     if (!is_slave) {
       kernels::add_wrench(rows.wrench, element, x.force, x.torque_a);
       kernels::add_dashpot(rows.wrench, rows.dashpot, element, x.dash_force, x.dash_torque_a);

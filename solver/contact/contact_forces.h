@@ -15,11 +15,18 @@ void search_contacts(World& w);
 /// The same for all elements.
 void search_all(World& w);
 
+/// What patches of one level (multirate.h) have in common in a step.
+struct PatchStep {
+  kernels::Bodies bodies;
+  kernels::ContactOptions options;
+};
+
 /// One thread's room for the points of a patch and the faces of what it may touch, and how the threads part the patches.
 struct ContactRoom {
   std::vector<double> depth;
   std::vector<std::int32_t> candidate, face;
   std::vector<kernels::PlaneField> planes;
+  std::vector<PatchStep> steps;    // by level
   std::vector<std::uint8_t> on;    // of the slots of a patch before this step
   std::vector<std::int64_t> runs;  // a thread takes those of [runs[i], runs[i + 1]) at a time
   [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data(), planes.data()}; }
@@ -29,11 +36,13 @@ struct ContactRoom {
 };
 
 /// Forces of active patches into their slots. To be called by every thread of a team; they may leave it before all is done.
-/// \param slow_too  also of slow patches (solver/world/multirate.h)
-void advance_contacts(World& w, bool slow_too, ContactRoom& room);
+/// \param due  levels of patches whose turn it is, from 0 on (solver/world/multirate.h)
+void advance_contacts(World& w, int due, ContactRoom& room);
 
-/// Adds to the row of an element what its slots of that pace hold, in slot order. Best called for one element after the other.
-void gather_contacts(World& w, Pace pace, std::int32_t element);
+/// Elements that may take something from slots of these levels.
+[[nodiscard]] std::int64_t gatherers(const World& w, int due);
+/// Adds to the rows of one of these elements what its slots hold, in slot order. Best called for one after the other.
+void gather_contacts(World& w, int due, std::int64_t number);
 
 /// Turns a side that has come apart into a free patch of its master, and one of its slave if it stood for both faces. Points that touch
 /// keep their partner and slip, and a closure with which their force goes on.

@@ -102,22 +102,31 @@ void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
   }
 }
 
-/// Of multi-rate stepping: which patches are slow.
-void find_slow_patches(World& w) {
+/// Of multi-rate stepping: the levels of patches, and who gathers from them.
+void find_levels(World& w) {
   Contacts& c = w.contacts;
-  c.slow.clear(), c.gather_slow.clear();
+  c.level.clear(), c.gather_level.clear();
   if (!w.multirate.on()) return;
+  const int levels = w.multirate.levels();
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    const auto is_slow = [&](std::int32_t slave) { return w.multirate.pace_now(c.master[a], slave) == Pace::every_cycle; };
-    const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
-    c.slow.push_back(std::all_of(first, last, is_slow) ? 1 : 0);
+    int lowest = levels - 1;
+    for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot)
+      lowest = std::min(lowest, w.multirate.contact_level(c.master[a], c.element[slot]));
+    c.level.push_back(static_cast<std::uint8_t>(lowest));
   }
-  c.gather_slow.assign(c.gather_on.size(), 0);
+  c.patches.sort(c.level, levels);
+  c.gather_level.assign(c.gather_on.size(), 0);
   for (std::size_t a = 0; a < c.active.size(); ++a) {
     for (auto code = static_cast<std::size_t>(2 * c.first_slot[a]); code < static_cast<std::size_t>(2 * c.first_slot[a + 1]); ++code) {
-      if (c.place[code] >= 0) c.gather_slow[static_cast<std::size_t>(c.place[code])] = c.slow[a];
+      if (c.place[code] >= 0) c.gather_level[static_cast<std::size_t>(c.place[code])] = c.level[a];
     }
   }
+  std::vector<std::uint8_t> lowest(static_cast<std::size_t>(w.elements.count), static_cast<std::uint8_t>(levels));
+  for (std::size_t e = 0; e < lowest.size(); ++e) {
+    for (std::int64_t g = c.first_gather[e]; g < c.first_gather[e + 1]; ++g)
+      lowest[e] = std::min(lowest[e], c.gather_level[static_cast<std::size_t>(g)]);
+  }
+  c.gatherers.sort(lowest, levels);
 }
 
 }  // namespace
@@ -135,7 +144,7 @@ void list_candidates(World& w) {
   for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
   c.wrench.assign(c.element.size(), {});
   c.on.assign(c.element.size(), 0);
-  c.gather_stale = true;  // it knows who pushed
+  c.stale_level = 0;  // the lists know who pushed
 }
 
 void build_gather(World& w) {
@@ -168,8 +177,8 @@ void build_gather(World& w) {
     c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
     c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
   });
-  find_slow_patches(w);
-  c.gather_stale = false;
+  find_levels(w);
+  c.stale_level = Contacts::kUpToDate;
 }
 
 void replace_candidates(World& w, const ReSearch& re_search, std::span<const Found> found) {
@@ -186,7 +195,7 @@ void replace_candidates(World& w, const ReSearch& re_search, std::span<const Fou
   settle_partners(w, changed);
   c.searched = static_cast<std::int64_t>(c.active.size());
   w.travel.answer_search();
-  c.gather_stale = true;
+  c.stale_level = 0;
 }
 
 }  // namespace voussoir::solver

@@ -32,7 +32,7 @@ void replace_candidates(World& w, const ReSearch& re_search, std::span<const Fou
 /// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
 void list_candidates(World& w);
 
-/// Lists for every element the slots that push it. Due where Contacts::gather_stale says so.
+/// Lists for every element the slots that push it. Due in a step that evaluates Contacts::stale_level.
 void build_gather(World& w);
 
 }  // namespace voussoir::solver

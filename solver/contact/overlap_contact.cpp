@@ -33,7 +33,7 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
 /// Two springs in line; the base is rigid.
 double in_line(double a, double b) { return b > 0.0 ? a * b / (a + b) : a; }
 
-Pace pace_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirate.pace_now(a, b); }
+int level_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirate.contact_level(a, b); }
 
 /// Springs of the two bodies in line, and dashpots with the ratio of all contacts (Eq. 9, semi-implicit as THEORY.md (20)).
 kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {
@@ -46,7 +46,7 @@ kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, con
   const double beta = w.elements.body[i].beta + w.elements.body[base ? i : j].beta;
   const auto dashpot = [&](double stiff) {
     const double c = 2.0 * w.contact.damping * std::sqrt(stiff / inverse);
-    return c / (1.0 + w.step_of(pace_of(w, a, b)) * (beta + c * inverse));
+    return c / (1.0 + w.step_of(level_of(w, a, b)) * (beta + c * inverse));
   };
   k.cn = dashpot(k.kn), k.cs = dashpot(k.ks);
   return k;
@@ -64,7 +64,7 @@ struct Motion {
   kernels::Twist a, b;
 };
 Motion motion_of(const World& w, std::int32_t a, std::int32_t b) {
-  const double* rows = w.twist_rows(pace_of(w, a, b));
+  const double* rows = w.twist_rows(level_of(w, a, b));
   return {kernels::load_twist(rows, a), kernels::load_twist(rows, b)};
 }
 
@@ -74,7 +74,7 @@ double work(const OverlapSpring& s, const Motion& m, double step) {
 }
 
 void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Vec3 dashpot) {
-  const kernels::Rows rows = w.rows(pace_of(w, s.a, s.b));
+  const kernels::Rows rows = w.rows(level_of(w, s.a, s.b));
   double *wrench = rows.wrench, *dash = rows.dashpot;
   const Vec3 torque_a = cross(at.arm_a, dashpot), torque_b = -cross(at.arm_b, dashpot);
   kernels::add_wrench(wrench, s.a, s.force + dashpot, s.torque_a + torque_a);
@@ -86,14 +86,14 @@ void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Ve
 
 /// The bodies have parted: what the spring still held, less its last work, is lost.
 void end_spring(World& w, const OverlapSpring& s) {
-  w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.step_of(pace_of(w, s.a, s.b)));
+  w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.step_of(level_of(w, s.a, s.b)));
 }
 
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
 OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels::Overlap& at) {
   OverlapSpring s;
   s.a = last.a, s.b = last.b;
-  const double step = w.step_of(pace_of(w, s.a, s.b));
+  const double step = w.step_of(level_of(w, s.a, s.b));
   const kernels::Stiffness k = stiffness(w, s.a, s.b, at);
   const Motion m = motion_of(w, s.a, s.b);
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
@@ -134,12 +134,20 @@ kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, doub
   return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
 }
 
-void find_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
-  const auto count = static_cast<std::int64_t>(w.overlaps.pairs.size());
+void list_overlap_levels(World& w) {
+  std::vector<std::uint8_t> level;
+  for (const OverlapPair& p : w.overlaps.pairs) level.push_back(static_cast<std::uint8_t>(level_of(w, p.a, p.b)));
+  w.overlaps.by_level.sort(level, w.multirate.levels());
+}
+
+void find_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
+  const ByLevel& by_level = w.overlaps.by_level;
+  const bool listed = w.multirate.on();
+  const auto count = listed ? by_level.end[static_cast<std::size_t>(due) - 1] : static_cast<std::int64_t>(w.overlaps.pairs.size());
 #pragma omp for schedule(static) nowait
-  for (std::int64_t i = 0; i < count; ++i) {
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::int64_t i = listed ? by_level.list[static_cast<std::size_t>(k)] : k;
     OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
-    if (!slow_too && pace_of(w, p.a, p.b) == Pace::every_cycle) continue;
     const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
     if (travel < p.safe && !w.options.reference_kernels) continue;
     const double allowed = allowed_overlap(w, p.a, p.b);
@@ -153,7 +161,7 @@ void find_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
   }
 }
 
-void apply_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
+void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
   std::vector<OverlapSpring>& springs = w.overlaps.springs;
   w.overlaps.wrench.clear();
   if (found.empty() && springs.empty()) return;
@@ -163,7 +171,7 @@ void apply_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found) {
   auto last = springs.begin();
   const auto order = [](const auto& s) { return std::pair(s.a, s.b); };
   const auto leave = [&](const OverlapSpring& s) {
-    if (!slow_too && pace_of(w, s.a, s.b) == Pace::every_cycle) {
+    if (level_of(w, s.a, s.b) >= due) {
       now.push_back(s);
     } else {
       end_spring(w, s);

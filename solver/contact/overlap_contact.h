@@ -32,10 +32,14 @@ void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, do
 /// Lists all pairs, whenever elements were searched: for a state that was read.
 void list_all_overlap_pairs(World& w);
 
+/// Of multi-rate stepping: sorts pairs by level. Call when they, or levels, are others.
+void list_overlap_levels(World& w);
+
 /// Looks at pairs whose bodies have gone far enough to overlap. To be called by every thread of a team; they may leave before all is done.
-void find_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found);
+/// \param due  levels of pairs whose turn it is, from 0 on (solver/world/multirate.h)
+void find_overlaps(World& w, int due, std::vector<OverlapFound>& found);
 
 /// Adds the forces of all that was found to the rows of elements, pair by pair, and adds up what springs lose. To be called by one thread.
-void apply_overlaps(World& w, bool slow_too, std::vector<OverlapFound>& found);
+void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found);
 
 }  // namespace voussoir::solver

@@ -83,6 +83,7 @@ void take_pairs(World& w, std::vector<OverlapPair> pairs) {
   }
   w.overlaps.pairs = std::move(pairs);
   w.overlaps.stale = false;
+  if (w.multirate.on()) list_overlap_levels(w);
 }
 
 }  // namespace

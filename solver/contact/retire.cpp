@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/setup/setup.h"
@@ -36,7 +38,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
 /// the trapezoid rule the work of their last force in the coming step, as advance_segment does for one that breaks (a row of the ledger in
 /// this very step has that work early).
 void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const kernels::SideFrame& f) {
-  const double step = w.step_of(w.multirate.pace_now(s.master, s.slave));
+  const double step = w.step_of(w.multirate.joint_level(s.master, s.slave));
   const auto i = static_cast<std::size_t>(id);
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
@@ -106,7 +108,7 @@ void activate_last_patch(World& w) {
   c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
   c.wrench.emplace_back();
   c.on.push_back(0);
-  c.gather_stale = true;
+  c.stale_level = std::min(c.stale_level, w.multirate.contact_level(p.element, p.origin));
 }
 
 }  // namespace
@@ -120,7 +122,7 @@ void retire_side(World& w, std::int32_t side) {
   const auto i = static_cast<std::size_t>(id);
   Sides& sides = w.sides;
   const kernels::Side s = sides.side(id);
-  const double *pose = w.elements.pose.data(), *twist = w.twist_rows(w.multirate.pace_now(s.master, s.slave));
+  const double *pose = w.elements.pose.data(), *twist = w.twist_rows(w.multirate.joint_level(s.master, s.slave));
   const kernels::SideFrame f = kernels::side_frame(s, kernels::load_pose(pose, s.master), kernels::load_pose(pose, s.slave),
                                                    kernels::load_twist(twist, s.master), kernels::load_twist(twist, s.slave));
   record_torn_bonds(w, id, s, f);
@@ -133,7 +135,8 @@ void retire_side(World& w, std::int32_t side) {
   sides.retired[i] = 1;
   if (w.options.gather) sides.pair_on[i] = 0;
   sides.side_state[i] = kernels::SideState::segments;
-  w.travel.ask_for_search(kStepsToSearch);
+  const std::int32_t cycle = w.multirate.cycle;
+  w.travel.ask_for_search((kStepsToSearch + cycle - 1) / cycle);
 }
 
 void list_live_blocks(World& w) {
@@ -144,17 +147,17 @@ void list_live_blocks(World& w) {
   }
   s.live.clear();
   s.live_first.clear();
-  s.live_slow.clear();
-  for (std::size_t t = 0; t + 1 < s.task_first.size(); ++t) {
-    s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
-    const std::int32_t slow = s.task_slow[t];
-    for (std::int32_t b = s.task_first[t]; b < s.task_first[t + 1]; ++b) {
-      if (b == slow) s.live_slow.push_back(static_cast<std::int32_t>(s.live.size()));
+  s.live_level.clear();
+  const std::size_t levels = w.multirate.every.size();
+  for (std::size_t i = 0; i + 1 < s.task_level.size(); ++i) {
+    if (i % levels == 0) s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
+    s.live_level.push_back(static_cast<std::int32_t>(s.live.size()));
+    for (std::int32_t b = s.task_level[i]; b < s.task_level[i + 1]; ++b) {
       if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live.push_back(b);
     }
-    if (slow == s.task_first[t + 1]) s.live_slow.push_back(static_cast<std::int32_t>(s.live.size()));
   }
   s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
+  s.live_level.push_back(static_cast<std::int32_t>(s.live.size()));
 }
 
 }  // namespace voussoir::solver

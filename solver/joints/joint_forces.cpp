@@ -32,18 +32,17 @@ void have_velocity_rows(World& w, const kernels::SideBlock& block, JointFindings
   }
 }
 
-/// What all blocks of one pace have in common in a step.
+/// What all blocks of one level have in common in a step.
 struct BlockStep {
   const JointStep& at;
   kernels::Rows rows;
   kernels::StepClock clock;
-  std::int64_t number;  // of those in which blocks of this pace are advanced
+  std::int64_t number;  // of those in which blocks of this level are advanced
   JointFindings& found;
 };
 
-BlockStep block_step(const JointStep& at, Pace pace, JointFindings& found) {
-  const std::int64_t number = pace == Pace::every_step ? at.step : at.step / at.w.multirate.cycle;
-  return {at, at.w.rows(pace), {at.w.step_of(pace), at.time}, number, found};
+BlockStep block_step(const JointStep& at, int level, JointFindings& found) {
+  return {at, at.w.rows(level), {at.w.step_of(level), at.time}, at.step / at.w.multirate.steps_of(level), found};
 }
 
 /// \param whole  lanes that have been advanced already as whole sides; nothing if that has not been tried in this step
@@ -94,12 +93,12 @@ void advance_whole_blocks(const BlockStep& step, std::span<const std::int32_t> n
 }
 
 /// Places [first, last) of the list of live blocks. \param next  elements that are needed after them
-void advance_blocks(const JointStep& at, Pace pace, std::int32_t first, std::int32_t last, std::span<const std::int32_t> next,
+void advance_blocks(const JointStep& at, int level, std::int32_t first, std::int32_t last, std::span<const std::int32_t> next,
                     JointFindings& found, LapClock& laps) {
   if (first == last) return;
   World& w = at.w;
   const Sides& s = w.sides;
-  const BlockStep step = block_step(at, pace, found);
+  const BlockStep step = block_step(at, level, found);
   const std::span<const std::int32_t> numbers{s.live.data() + first, static_cast<std::size_t>(last - first)};
   RowPrefetch next_rows(step.rows, next, numbers.size());
   laps.begin();
@@ -130,10 +129,13 @@ void advance_blocks(const JointStep& at, Pace pace, std::int32_t first, std::int
 auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
   return [&](std::size_t task, std::span<const std::int32_t> prefetch) {
     const Sides& s = at.w.sides;
-    const std::int32_t first = s.live_first[task], slow = s.live_slow[task], last = s.live_first[task + 1];
-    if (!at.w.multirate.on()) return advance_blocks(at, Pace::every_step, first, last, prefetch, found, clock);
-    advance_blocks(at, Pace::every_step, first, slow, {}, found, clock);
-    if (at.w.multirate.starts_cycle(at.step)) advance_blocks(at, Pace::every_cycle, slow, last, prefetch, found, clock);
+    const Multirate& m = at.w.multirate;
+    if (!m.on()) return advance_blocks(at, 0, s.live_first[task], s.live_first[task + 1], prefetch, found, clock);
+    const std::int32_t* first = &s.live_level[task * m.every.size()];
+    for (int level = 0; level < at.levels; ++level) {
+      const bool last = level + 1 == m.levels();
+      advance_blocks(at, level, first[level], first[level + 1], last ? prefetch : std::span<const std::int32_t>{}, found, clock);
+    }
   };
 }
 
@@ -145,8 +147,7 @@ void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& cloc
     constexpr std::int32_t kBlocksAtATime = 8;  // blocks
     const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
 #pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kBlocksAtATime)
-      advance_blocks(s, Pace::every_step, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
+    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, 0, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
     return;
   }
   s.tasks.run_own(advance_task(s, found, clock));

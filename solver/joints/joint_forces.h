@@ -34,6 +34,7 @@ struct JointStep {
   World& w;
   double time;  // s
   std::int64_t step;
+  int levels;  // that are due in it, from 0 on
   JointTasks& tasks;
 };
 /// Those of a thread's own queue; by gather, where no task has to wait for another, all that are left.

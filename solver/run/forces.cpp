@@ -9,22 +9,22 @@ namespace voussoir::solver {
 namespace {
 
 /// What each element takes from the buffer for pairs and from the slots of its contacts.
-void gather(World& w, bool slow_too, LapClock& clock) {
+void gather(World& w, int due, LapClock& clock) {
   const Sides& s = w.sides;
   const bool contacts = !w.contacts.active.empty();
   if (!w.options.gather && !contacts) return;
   const kernels::Rows rows = w.rows();
 #pragma omp barrier
   clock.begin();
+  const std::int64_t elements = gatherers(w, due);
 #pragma omp for schedule(static) nowait
-  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+  for (std::int64_t e = 0; e < elements; ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (w.options.gather) {
       const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
-      kernels::gather_sides({s.gather.data() + first, last - first}, e, rows);
+      kernels::gather_sides({s.gather.data() + first, last - first}, static_cast<std::int32_t>(e), rows);
     }
-    if (contacts) gather_contacts(w, Pace::every_step, e);
-    if (contacts && slow_too) gather_contacts(w, Pace::every_cycle, e);
+    if (contacts) gather_contacts(w, due, e);
   }
   clock.lap(ForcePart::assembly);
 }
@@ -34,8 +34,8 @@ void gather(World& w, bool slow_too, LapClock& clock) {
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   stage.by_thread.resize(static_cast<std::size_t>(w.threads));
   if (!w.options.gather) stage.tasks.begin(w.threads);
-  const JointStep joints{w, time, step, stage.tasks};
-  const bool slow_too = w.multirate.starts_cycle(step);
+  const int due = w.multirate.due(step);
+  const JointStep joints{w, time, step, due, stage.tasks};
   int team = 0;  // the system may give fewer
 #pragma omp parallel num_threads(w.threads) reduction(+ : team)
   {
@@ -44,11 +44,11 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     mine.clock = LapClock(stage.split);
     advance_own_joints(joints, mine.joints, mine.clock);
     mine.clock.begin();
-    advance_contacts(w, slow_too, mine.contacts);
-    find_overlaps(w, slow_too, mine.overlaps);
+    advance_contacts(w, due, mine.contacts);
+    find_overlaps(w, due, mine.overlaps);
     mine.clock.lap(ForcePart::contacts);
     help_with_joints(joints, mine.joints, mine.clock);
-    gather(w, slow_too && w.multirate.on(), mine.clock);
+    gather(w, due, mine.clock);
   }
   std::vector<JointFindings*> found;
   std::vector<OverlapFound> overlaps;
@@ -62,7 +62,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
   }
   collect(found, stage.events);
-  apply_overlaps(w, slow_too, overlaps);
+  apply_overlaps(w, due, overlaps);
 }
 
 }  // namespace voussoir::solver

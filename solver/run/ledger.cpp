@@ -101,10 +101,11 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
   double damping_early = 0.0, dashpot_early = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
-    damping_early += 0.25 * w.dt * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
+    const double step = w.step_of_element(i);
+    damping_early += 0.25 * step * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
     if (damps_rotation)
-      damping_early += 0.25 * w.dt * e.alpha[i] * dot(at(l_, i), spin);  // kick has counted with the ω of half a step before
-    dashpot_early -= 0.5 * w.dt * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
+      damping_early += 0.25 * step * e.alpha[i] * dot(at(l_, i), spin);  // kick has counted with the ω of half a step before
+    dashpot_early -= 0.5 * step * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
   row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/multirate.h"
 
+#include <algorithm>
 #include <array>
+
+#include "solver/contact/overlap_contact.h"
+#include "solver/setup/setup.h"
 
 namespace voussoir::solver {
 
@@ -17,6 +21,17 @@ void move_row(double* to, double* from, double factor) {
   for (int k = 0; k < kernels::kWrenchStride; ++k) to[k] += factor * from[k], from[k] = 0.0;
 }
 
+/// Calls `use(master, slave)`; the slave may be the base.
+template <class Use>
+void each_live_side(const World& w, Use use) {
+  const Sides& s = w.sides;
+  for (std::size_t id = 0; id < s.retired.size(); ++id) {
+    if (s.retired[id]) continue;
+    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
+    use(b.master[id % kernels::kLanes], b.slave[id % kernels::kLanes]);
+  }
+}
+
 }  // namespace
 
 void start_cycles(World& w) {
@@ -25,30 +40,70 @@ void start_cycles(World& w) {
   if (!m.on()) return;
   for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.rows); ++i) {
     const std::array<double, 6> now = velocities_of(w.elements, i);
-    for (std::size_t k = 0; k < now.size(); ++k) m.twist[i * kernels::kTwistStride + k] = now[k];
+    for (Multirate::Rows& r : m.rows) std::ranges::copy(now, r.twist.data() + i * kernels::kTwistStride);
   }
-  w.contacts.gather_stale = true;  // patches are fast or slow from now on
+  w.contacts.stale_level = 0;  // patches and pairs have levels from now on
+  list_overlap_levels(w);
 }
 
-void add_slow_impulses(World& w, double steps) {
+void renew_contact_levels(World& w) {
+  Pairs joined;
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) {
+    if (b != w.elements.base) joined.emplace_back(a, b);
+  });
+  w.multirate.of_contacts = with_rings(w.multirate.own, joined);
+  list_overlap_levels(w);
+}
+
+void renew_moves(World& w) {
+  const Multirate& m = w.multirate;
+  std::ranges::fill(w.moved_at, static_cast<std::uint8_t>(m.levels() - 1));
+  const auto lower = [&](std::int32_t element, int level) {
+    std::uint8_t& at = w.moved_at[static_cast<std::size_t>(element / kernels::kBatch)];
+    at = std::min(at, static_cast<std::uint8_t>(level));
+  };
+  const auto lower_both = [&](std::int32_t a, std::int32_t b, int level) { lower(a, level), lower(b, level); };
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) { lower_both(a, b, m.joint_level(a, b)); });
+  const Contacts& c = w.contacts;
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot)
+      lower_both(c.master[a], c.element[static_cast<std::size_t>(slot)], c.level[a]);
+  }
+  for (const OverlapPair& p : w.overlaps.pairs) lower_both(p.a, p.b, m.contact_level(p.a, p.b));
+  // What acts in every step.
+  for (const std::int32_t e : w.ties.element) lower(e, 0);
+  for (const PointLoad& l : w.loads) lower(l.element, 0);
+  for (const Support& s : w.supports) lower(s.element, 0);
+}
+
+void add_impulses(World& w, std::int64_t step) {
   Multirate& m = w.multirate;
+  for (int level = 1; level < m.due(step); ++level) {
+    Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
+    const double impulse = m.impulse_steps(level, step);
 #pragma omp parallel for schedule(static) num_threads(w.threads)
-  for (std::int64_t i = 0; i < w.elements.rows; ++i) {
-    double* slow = m.wrench.data() + i * kernels::kWrenchStride;
-    if (slow[kernels::kDashedColumn] != 0.0) {
-      move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, m.dashpot.data() + i * kernels::kDashpotStride, steps);
+    for (std::int64_t i = 0; i < w.elements.rows; ++i) {
+      double* wrench = of_level.wrench.data() + i * kernels::kWrenchStride;
+      const double steps = impulse / m.steps_of(w.batch_level(static_cast<std::size_t>(i / kernels::kBatch)));
+      if (wrench[kernels::kDashedColumn] != 0.0) {
+        move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, of_level.dashpot.data() + i * kernels::kDashpotStride, steps);
+      }
+      move_row(w.elements.wrench.data() + i * kernels::kWrenchStride, wrench, steps);
     }
-    move_row(w.elements.wrench.data() + i * kernels::kWrenchStride, slow, steps);
   }
 }
 
 void sum_velocities(World& w, std::int64_t step, std::int64_t first, std::int64_t last) {
   Multirate& m = w.multirate;
-  const double before = m.starts_cycle(step) ? 0.0 : 1.0, scale = m.starts_cycle(step + 1) ? 1.0 / m.cycle : 1.0;
-  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-    const std::array<double, 6> now = velocities_of(w.elements, i);
-    double* row = m.twist.data() + i * kernels::kTwistStride;
-    for (std::size_t k = 0; k < now.size(); ++k) row[k] = scale * (before * row[k] + now[k]);
+  const std::int32_t at_once = m.steps_of(w.batch_level(static_cast<std::size_t>(first / kernels::kBatch)));
+  for (std::size_t level = 1; level < m.every.size(); ++level) {
+    const std::int32_t every = std::max(m.every[level], at_once);
+    const double before = step % every == 0 ? 0.0 : 1.0, scale = (step + at_once) % every == 0 ? static_cast<double>(at_once) / every : 1.0;
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      const std::array<double, 6> now = velocities_of(w.elements, i);
+      double* row = m.rows[level - 1].twist.data() + i * kernels::kTwistStride;
+      for (std::size_t k = 0; k < now.size(); ++k) row[k] = scale * (before * row[k] + now[k]);
+    }
   }
 }
 

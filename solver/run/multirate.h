@@ -13,10 +13,19 @@ namespace voussoir::solver {
 /// \pre  the next step is number 0
 void start_cycles(World& w);
 
-/// Adds to the forces on each element those of slow pairs, with the impulse of so many steps, and clears their rows.
-void add_slow_impulses(World& w, double steps);
+/// Finds the levels of elements for their contacts anew: an element that no joint holds to stiff ones any more has its own. For use in
+/// first steps of cycles, when contacts have been searched.
+void renew_contact_levels(World& w);
 
-/// Adds the velocities of rows [first, last) to the sums over this cycle, or takes their means, if the step was its last.
+/// Then: finds for each batch of elements the level at which it is moved on, the lowest of its pairs. \pre gather lists are up to date
+void renew_moves(World& w);
+
+/// Adds to the forces on each element those of pairs of higher levels that were evaluated in this step, so that in the time by which the
+/// element is moved on they have the impulse of all their steps. Clears their rows.
+void add_impulses(World& w, std::int64_t step);
+
+/// Adds the velocities of a batch, rows [first, last), to the sums of each level, or takes the means of one that is evaluated before the
+/// batch is moved on again.
 /// \param step  that has just been done
 void sum_velocities(World& w, std::int64_t step, std::int64_t first, std::int64_t last);
 

@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -111,10 +112,19 @@ Vec3 Simulation::gravity_at(double t) const { return gravity_share(t) * full_gra
 
 Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
 
-kernels::BodyForces Simulation::body_forces() const {
-  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
-  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, phase_ == Phase::settling || program_.active()};
-  if (step_ == 0) return f;  // no interval behind the first step
+bool Simulation::damps_rotation() const { return phase_ == Phase::settling || program_.active(); }
+
+/// On elements that are moved on in steps of a level. Gravity and ground act with the impulse of all of them, as pairs of that level do:
+/// what rests on these has no velocity then.
+kernels::BodyForces Simulation::body_forces(int level) const {
+  const double dt = world_->step_of(level), t = static_cast<double>(step_) * world_->dt;
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, damps_rotation()};
+  if (step_ == 0) {  // no interval behind the first step
+    const Multirate& m = world_->multirate;
+    const double share = m.impulse_steps(level, 0) / m.steps_of(level);
+    f.gravity = share * f.gravity, f.ground = share * f.ground;
+    return f;
+  }
   f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
   f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
   if (phase_ == Phase::shaking && program_.active()) {
@@ -123,12 +133,6 @@ kernels::BodyForces Simulation::body_forces() const {
     f.mean_ground = -1.0 * program_.mean_acceleration();
   }
   return f;
-}
-
-/// Gravity and ground act with the impulse of a cycle, as slow pairs do: what rests on slow pairs has no velocity then.
-void Simulation::give_cycle(kernels::BodyForces& f) const {
-  const double steps = world_->multirate.impulse_steps(step_);
-  f.gravity = steps * f.gravity, f.ground = steps * f.ground;
 }
 
 void Simulation::place_supports() {
@@ -168,7 +172,7 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
-// Forces of slow pairs, which are not among those of the other pairs yet, count as the others do: not with their impulse.
+// Forces of pairs of higher levels, which are not among those of the other pairs yet, count as the others do: not with their impulse.
 // Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
 void Simulation::measure_base_forces() {
   const World& w = *world_;
@@ -177,13 +181,14 @@ void Simulation::measure_base_forces() {
     const auto i = static_cast<std::size_t>(e);
     if (w.elements.fixed[i]) continue;
     const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
-    for (const Array<double>* rows : {&w.elements.wrench, &w.multirate.wrench}) {
-      if (rows->size() == 0) continue;
-      const double* r = rows->data() + i * kernels::kWrenchStride;
+    const auto add = [&](const Array<double>& rows) {
+      const double* r = rows.data() + i * kernels::kWrenchStride;
       const Vec3 f{r[0], r[1], r[2]};
       forces_.base_shear += f;
       forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
-    }
+    };
+    add(w.elements.wrench);
+    for (const Multirate::Rows& r : w.multirate.rows) add(r.wrench);
   }
 }
 
@@ -250,36 +255,49 @@ void Simulation::note_velocities() {
   }
 }
 
-void Simulation::kick(const kernels::BodyForces& f) {
+/// A search waits for the first step of a cycle.
+void Simulation::note_move(double moved) { moved_ = world_->multirate.starts_cycle(step_) ? moved : std::max(moved_, moved); }
+
+/// Calls `work(move, first, last)` for all batches that are moved on in this step. \return the most of what it returns
+template <class Work>
+double Simulation::over_due_elements(Work work) {
   World& w = *world_;
-  over_elements(w, update_shares_, [&, view = w.elements.view(), rows = w.element_rows()](std::int64_t first, std::int64_t last) {
-    kernels::kick(view, rows, f, first, last);
+  std::array<Move, Multirate::kMostLevels> moves{};
+  const int due = w.multirate.due(step_);
+  for (int level = 0; level < due; ++level)
+    moves[static_cast<std::size_t>(level)] = {body_forces(level), w.travel.view(w.elements, w.step_of(level))};
+  return over_elements(w, update_shares_, [&](std::int64_t first, std::int64_t last) {
+    const int level = w.batch_level(static_cast<std::size_t>(first / kernels::kBatch));
+    return level < due ? work(moves[static_cast<std::size_t>(level)], first, last) : 0.0;
+  });
+}
+
+void Simulation::kick() {
+  World& w = *world_;
+  over_due_elements([&, view = w.elements.view(), rows = w.element_rows()](const Move& m, std::int64_t first, std::int64_t last) {
+    kernels::kick(view, rows, m.forces, first, last);
     return 0.0;
   });
 }
 
-void Simulation::drift(double dt) {
+void Simulation::drift() {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
-                             std::int64_t first, std::int64_t last) {
-                           kernels::drift(view, rows, dt, first, last);
-                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
-                           return kernels::advance_travel(view, travel, first, last);
-                         });
+  note_move(over_due_elements([&, view = w.elements.view(), rows = w.element_rows()](const Move& m, std::int64_t first, std::int64_t last) {
+    kernels::drift(view, rows, m.forces.dt, first, last);
+    if (w.multirate.on()) sum_velocities(w, step_, first, last);
+    return kernels::advance_travel(view, m.travel, first, last);
+  }));
 }
 
 // In one go where nobody looks in between: an element's rows are then still at hand.
-void Simulation::kick_and_drift(const kernels::BodyForces& f) {
+void Simulation::kick_and_drift() {
   World& w = *world_;
-  moved_ = over_elements(w, update_shares_,
-                         [&, view = w.elements.view(), rows = w.element_rows(), travel = w.travel.view(w.elements, w.dt)](
-                             std::int64_t first, std::int64_t last) {
-                           kernels::kick(view, rows, f, first, last);
-                           kernels::drift(view, rows, f.dt, first, last);
-                           if (w.multirate.on()) sum_velocities(w, step_, first, last);
-                           return kernels::advance_travel(view, travel, first, last);
-                         });
+  note_move(over_due_elements([&, view = w.elements.view(), rows = w.element_rows()](const Move& m, std::int64_t first, std::int64_t last) {
+    kernels::kick(view, rows, m.forces, first, last);
+    kernels::drift(view, rows, m.forces.dt, first, last);
+    if (w.multirate.on()) sum_velocities(w, step_, first, last);
+    return kernels::advance_travel(view, m.travel, first, last);
+  }));
 }
 
 void Simulation::step(Due due) {
@@ -290,9 +308,12 @@ void Simulation::step(Due due) {
     const StageTimer timer(times_, Stage::search);
     // After a restore all pairs are listed before a search, which lists those of the elements that it searches again and keeps the others.
     if (w.overlaps.stale && w.travel.is_searched()) list_all_overlap_pairs(w);
-    if (w.travel.search_due(moved_)) search_contacts(w);
+    const bool search = w.multirate.starts_cycle(step_) && w.travel.search_due(moved_);
+    if (search) search_contacts(w);
+    if (search && w.multirate.on()) renew_contact_levels(w);
     if (w.overlaps.stale) list_all_overlap_pairs(w);
-    if (w.contacts.gather_stale) build_gather(w);
+    if (w.contacts.stale_level < w.multirate.due(step_)) build_gather(w);
+    if ((search || step_ == 0) && w.multirate.on()) renew_moves(w);
   }
   const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
@@ -308,7 +329,7 @@ void Simulation::step(Due due) {
     record_damage(w, forces_stage_.events, t, damage_, cracks_);
   }
   if (due.sample) measure_base_forces();
-  if (w.multirate.on() && w.multirate.starts_cycle(step_)) add_slow_impulses(w, w.multirate.impulse_steps(step_));
+  if (w.multirate.on()) add_impulses(w, step_);
   if (due.ledger) {
     const StageTimer timer(times_, Stage::ledger);
     ledger_.before_kick(w);
@@ -319,16 +340,14 @@ void Simulation::step(Due due) {
   if (phase_ == Phase::shaking) program_.advance(w, step_);
   apply_loads();
   move_supports_on();
-  kernels::BodyForces f = body_forces();
-  if (w.multirate.on()) give_cycle(f);
   if (due.sample) {
-    kick(f);
+    kick();
     take_samples();
-    drift(f.dt);
+    drift();
   } else {
-    kick_and_drift(f);
+    kick_and_drift();
   }
-  if (due.ledger) ledger_.after_drift(w, f.damps_rotation, t);
+  if (due.ledger) ledger_.after_drift(w, damps_rotation(), t);
   ++step_;
   if (step_ % kGuardInterval == 0) guard();
 }

@@ -92,12 +92,20 @@ class Simulation {
   void measure_base_forces();
   void take_samples();
   void note_velocities();
-  void kick(const kernels::BodyForces& f);
-  void drift(double dt);
-  void kick_and_drift(const kernels::BodyForces& f);
+  void kick();
+  void drift();
+  void kick_and_drift();
+  template <class Work>
+  double over_due_elements(Work work);
+  void note_move(double moved);
   void guard();
-  [[nodiscard]] kernels::BodyForces body_forces() const;
-  void give_cycle(kernels::BodyForces& f) const;
+  /// How elements of one level (multirate.h) are moved on.
+  struct Move {
+    kernels::BodyForces forces;
+    kernels::TravelView travel;
+  };
+  [[nodiscard]] bool damps_rotation() const;
+  [[nodiscard]] kernels::BodyForces body_forces(int level) const;
   [[nodiscard]] double gravity_share(double t) const;  // of gravity, and of what tightens ties
   [[nodiscard]] Vec3 gravity_at(double t) const;
   [[nodiscard]] Vec3 ground_at(double t) const;
@@ -116,7 +124,7 @@ class Simulation {
   ForceStage forces_stage_;
   // A run of elements taken from another thread is half a thousand lines of memory that go there and back: much patience.
   TaskShares update_shares_{1.0};
-  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has
+  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has in this cycle
   StageTimes times_{};
   Damage damage_;
   Ledger ledger_;

@@ -127,6 +127,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_loads(*w, c);
   // By gather all batches are active: several threads may look at an element at a time, and none may write its velocity row then.
   w->travel = Travel(w->elements, choose_skin(m), o.gather);
+  w->travel.set_margin(search_margin(*w, w->travel.skin()));
   return w;
 }
 

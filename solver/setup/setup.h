@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "cases/case.h"
 #include "solver/world/world.h"
@@ -22,8 +25,14 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
 void set_up_elements(World& w, const cases::Case& c);
 void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
-/// Which elements are fast, for a case that steps at two rates. \pre elements
+/// The levels of all elements, for a case with multi-rate stepping. \pre elements
 void set_up_multirate(World& w, const cases::Case& c);
+/// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile.
+[[nodiscard]] double search_margin(const World& w, double skin);
+/// Elements that are joined.
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+/// By element, the lowest level of itself, its neighbours and their neighbours. \param own  its own, see Multirate::own
+std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const Pairs& joined);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_overlaps(World& w);

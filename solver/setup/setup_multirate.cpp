@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "cases/census.h"
 #include "solver/setup/setup.h"
 
@@ -9,28 +11,53 @@ namespace {
 
 // Rows of springs round the elements that limit the step: with one, a beam in a hundred of perf/multirate_resonance.py grew at k = 2.
 constexpr int kRings = 2;
+constexpr double kFlies = 20.0;  // m/s, of what has fallen from a height of 20 m
 
-/// Elements for which a step of that length is longer than Eq. 19 allows.
-std::vector<std::uint8_t> stiff_elements(const World& w, double step) {
-  std::vector<std::uint8_t> stiff(static_cast<std::size_t>(w.elements.rows), 0);
-  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    if (!w.elements.fixed[e]) stiff[e] = cases::step_bound(w.model, e).step < step * (1.0 - 1e-9) ? 1 : 0;
-  }
-  return stiff;
+/// By level: a cycle halved as long as that gives whole steps, and one step.
+std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
+  std::vector<std::int32_t> every;
+  for (std::int32_t steps = cycle; steps > 1; steps = steps % 2 == 0 ? steps / 2 : 1) every.push_back(steps);
+  every.push_back(1);
+  std::ranges::reverse(every);
+  return every;
 }
 
-/// With all that are joined to a marked one.
-std::vector<std::uint8_t> with_neighbours(const World& w, const std::vector<std::uint8_t>& marked) {
-  std::vector<std::uint8_t> all = marked;
-  for (const geometry::Joint& j : w.model.assembly.joints) {
-    if (j.element_b == geometry::kBase) continue;
-    const auto a = static_cast<std::size_t>(j.element_a), b = static_cast<std::size_t>(j.element_b);
-    if (marked[a] || marked[b]) all[a] = all[b] = 1;
+/// By row: the highest level whose step Eq. 19 allows the element.
+std::vector<std::uint8_t> own_levels(const World& w) {
+  const std::vector<std::int32_t>& every = w.multirate.every;
+  std::vector<std::uint8_t> level(static_cast<std::size_t>(w.elements.rows), static_cast<std::uint8_t>(every.size() - 1));
+  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
+    if (w.elements.fixed[e]) continue;
+    const double bound = cases::step_bound(w.model, e).step;
+    while (level[e] > 0 && bound < every[level[e]] * w.dt * (1.0 - 1e-9)) --level[e];
   }
-  return all;
+  return level;
+}
+
+Pairs joined_pairs(const World& w) {
+  Pairs pairs;
+  for (const geometry::Joint& j : w.model.assembly.joints) {
+    if (j.element_b != geometry::kBase) pairs.emplace_back(j.element_a, j.element_b);
+  }
+  return pairs;
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const Pairs& joined) {
+  std::vector<std::uint8_t> level = own;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const std::vector<std::uint8_t> inside = level;
+    for (const auto& [a, b] : joined) {
+      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+      level[i] = std::min(level[i], inside[j]);
+      level[j] = std::min(level[j], inside[i]);
+    }
+  }
+  return level;
+}
+
+double search_margin(const World& w, double skin) { return std::min(0.1 * skin, (w.multirate.wanted - 1) * w.dt * kFlies); }
 
 void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
@@ -40,12 +67,18 @@ void set_up_multirate(World& w, const cases::Case& c) {
   if (cases::is_assessment(c.analysis))
     throw cases::InputError("time.multirate",
                             "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
-  m.fast = stiff_elements(w, m.wanted * w.dt);
-  for (int ring = 0; ring < kRings; ++ring) m.fast = with_neighbours(w, m.fast);
+  m.every = steps_by_level(m.wanted);
+  m.own = own_levels(w);
+  m.of_joints = with_rings(m.own, joined_pairs(w));
+  m.of_contacts = m.of_joints;
   const auto rows = static_cast<std::size_t>(w.elements.rows);
-  m.twist.assign(rows * kernels::kTwistStride, 0.0);
-  m.wrench.assign(rows * kernels::kWrenchStride, 0.0);
-  m.dashpot.assign(rows * kernels::kDashpotStride, 0.0);
+  m.rows.resize(m.every.size() - 1);
+  w.moved_at.assign(rows / kernels::kBatch, 0);
+  for (Multirate::Rows& r : m.rows) {
+    r.twist.assign(rows * kernels::kTwistStride, 0.0);
+    r.wrench.assign(rows * kernels::kWrenchStride, 0.0);
+    r.dashpot.assign(rows * kernels::kDashpotStride, 0.0);
+  }
 }
 
 }  // namespace voussoir::solver

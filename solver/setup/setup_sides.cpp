@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <string>
@@ -107,8 +108,7 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
   const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
                       w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
-  const bool slow = w.multirate.pace_in_cycles(s.master, s.slave) == Pace::every_cycle;
-  const double step = slow ? w.multirate.wanted * w.dt : w.dt;
+  const double step = w.step_of(w.multirate.joint_level_in_cycles(s.master, s.slave));
   const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);
   k.cs = c * std::sqrt(mass * k.ks);
@@ -261,22 +261,26 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
     numbered.insert(numbered.end(), first, last);
     numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
   };
-  const auto is_fast = [&](std::int32_t i) {
+  const auto level_of = [&](std::int32_t i) {
     const NewSide& side = sides[static_cast<std::size_t>(i)];
-    return w.multirate.pace_in_cycles(side.master, side.slave) == Pace::every_step;
+    return w.multirate.joint_level_in_cycles(side.master, side.slave);
   };
+  const auto levels = static_cast<int>(w.multirate.every.size());
   for (auto& tasks : d.colours) {
     s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
     for (auto& task : tasks) {
       s.task_first.push_back(blocks());
-      const auto slow = std::stable_partition(task.begin(), task.end(), is_fast);
-      append(task.begin(), slow);
-      s.task_slow.push_back(blocks());
-      append(slow, task.end());
+      for (int level = 0; level < levels; ++level) {
+        s.task_level.push_back(blocks());
+        std::vector<std::int32_t> of_level;
+        std::ranges::copy_if(task, std::back_inserter(of_level), [&](std::int32_t i) { return level_of(i) == level; });
+        append(of_level.begin(), of_level.end());
+      }
     }
   }
   s.colour_first.push_back(static_cast<std::int32_t>(s.task_first.size()));
   s.task_first.push_back(blocks());
+  s.task_level.push_back(blocks());
   return numbered;
 }
 

@@ -3,6 +3,7 @@
 #include "solver/state/field_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <type_traits>
 
@@ -146,8 +147,14 @@ void add_ties(Table& t, Ties& ties) {
 }
 
 void add_multirate(Table& t, World& w) {
-  if (w.multirate.wanted > 1)
-    t.push_back(rows<double>("cycle_velocity", "m/s, rad/s", "element", w.multirate.twist, kernels::kTwistStride));
+  if (w.multirate.wanted == 1) return;
+  Multirate& m = w.multirate;
+  static constexpr std::array<const char*, 3> kVelocities = {"level_1_velocity", "level_2_velocity", "level_3_velocity"};
+  for (std::size_t level = 1; level < m.every.size(); ++level)
+    t.push_back(rows<double>(kVelocities[level - 1], "m/s, rad/s", "element", m.rows[level - 1].twist, kernels::kTwistStride));
+  const auto highest = static_cast<std::int64_t>(m.every.size()) - 1;
+  t.push_back(field("contact_level", "-", "element", m.of_contacts, 0, highest));
+  t.push_back(field("moved_at_level", "-", "batch", w.moved_at, 0, highest));
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.

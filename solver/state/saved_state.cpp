@@ -73,7 +73,7 @@ void size_search(World& w, const SavedState& from) {
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
   c.element.assign(slots, 0);
-  c.gather_stale = true;
+  c.stale_level = 0;
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
   w.overlaps.pairs.clear();
   w.overlaps.stale = true;
@@ -204,7 +204,7 @@ std::uint64_t model_hash(const World& w) {
     for (const double v : {h.share, h.arm.x, h.arm.y, h.arm.z}) hash.add(&v, sizeof v);
   }
   hash.add(&w.dt, sizeof w.dt);
-  if (w.multirate.wanted > 1) hash.add(&w.multirate.wanted, sizeof w.multirate.wanted);
+  if (w.multirate.wanted > 1) hash.add(w.multirate.every.data(), w.multirate.every.size() * sizeof w.multirate.every[0]);
   return hash.value();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,36 +11,51 @@
 
 namespace voussoir::solver {
 
-/// How often a pair of bodies is evaluated.
-enum class Pace : std::uint8_t { every_step, every_cycle };
-
-/// Multi-rate stepping (THEORY.md (24a), `time.multirate`). A pair is *fast* if one of its two elements is, and is evaluated in every step.
-/// All others are *slow*: they are evaluated in the first step of every cycle, as if the cycle were one step, and their forces act in that
-/// step with the impulse of the whole cycle. An element is fast if the cycle is longer than its own bound (Eq. 19) allows, and so are its
-/// neighbours and their neighbours: the impulses of slow pairs can hardly excite the elements that limit the step then
-/// (perf/multirate_resonance.py).
+/// Multi-rate stepping (THEORY.md (24a), `time.multirate`). A pair of elements has a *level*: those of level l are evaluated in every
+/// `every[l]`-th step, as if that were one step, and their forces act there with the impulse of all these steps. Level 0 is every step. An
+/// element has the highest level whose step its own bound (Eq. 19) allows, but its neighbours and their neighbours have none above its own:
+/// the impulses of the others can hardly excite it then (perf/multirate_resonance.py). A pair has the lower level of its two elements.
 struct Multirate {
-  std::int32_t wanted = 1;         // steps of a cycle while it shakes
-  std::int32_t cycle = 1;          // now: 1 while it settles
-  std::vector<std::uint8_t> fast;  // Constant by row of elements; empty: every pair is fast
-  // Rows as in kernels/rows.h, of slow pairs alone.
-  Array<double> twist;            // State: sums over the steps of this cycle; when the cycle is over, the means
-  Array<double> wrench, dashpot;  // N, N m, in the first step of a cycle; else 0
+  static constexpr std::size_t kMostLevels = 4;  // 1, 2, 4 and 8 steps
+  std::int32_t wanted = 1;                       // steps of a cycle while it shakes: the last of `every`
+  std::int32_t cycle = 1;                        // now: 1 while it settles
+  std::vector<std::int32_t> every{1};            // by level: steps; each divides the next
+  std::vector<std::uint8_t> own;                 // Constant by row of elements: the highest level that its own bound allows; empty: 0
+  std::vector<std::uint8_t> of_joints;           // Constant by row of elements: for its joints, as they are at first
+  std::vector<std::uint8_t> of_contacts;  // State by row of elements: for its contacts; neighbours count as long as joints hold to them
+  /// Rows as in kernels/rows.h, of the pairs of one level alone.
+  struct Rows {
+    Array<double> twist;            // State: sums over the steps since the last evaluation; in the last of them, the means
+    Array<double> wrench, dashpot;  // N, N m, in a step of evaluation; else 0
+  };
+  std::vector<Rows> rows;  // of levels from 1 on
 
   [[nodiscard]] bool on() const noexcept { return cycle > 1; }
   [[nodiscard]] bool starts_cycle(std::int64_t step) const noexcept { return step % cycle == 0; }
-  /// Steps whose impulse acts in this one, of slow pairs, gravity and ground: those of a cycle in its first step, else none. The first
-  /// cycle of all begins with a velocity of half a step before it, so half a cycle and half a step.
-  [[nodiscard]] double impulse_steps(std::int64_t step) const noexcept {
-    return step == 0 ? 0.5 * (cycle + 1.0) : starts_cycle(step) ? cycle : 0.0;
+  /// Those that a pair can have in this phase.
+  [[nodiscard]] int levels() const noexcept { return on() ? static_cast<int>(every.size()) : 1; }
+  /// How many levels are evaluated in a step: it is these from 0 on.
+  [[nodiscard]] int due(std::int64_t step) const noexcept {
+    int levels_due = 1;
+    while (levels_due < levels() && step % every[static_cast<std::size_t>(levels_due)] == 0) ++levels_due;
+    return levels_due;
   }
-  /// Of the pair of two elements while it shakes: by this sides are put in blocks. The base is never fast.
-  [[nodiscard]] Pace pace_in_cycles(std::int32_t a, std::int32_t b) const noexcept {
-    const auto is_fast = [&](std::int32_t e) { return fast.empty() || fast[static_cast<std::size_t>(e)] != 0; };
-    return is_fast(a) || is_fast(b) ? Pace::every_step : Pace::every_cycle;
+  /// Steps from one evaluation of a level to the next.
+  [[nodiscard]] std::int32_t steps_of(int level) const noexcept { return level == 0 ? 1 : every[static_cast<std::size_t>(level)]; }
+  /// Steps whose impulse acts in one in which a level is evaluated. The first begins with a velocity of half a step before it.
+  [[nodiscard]] double impulse_steps(int level, std::int64_t step) const noexcept {
+    return step == 0 ? 0.5 * (steps_of(level) + 1.0) : steps_of(level);
   }
-  /// The same in this step: while it settles every pair is evaluated in every step.
-  [[nodiscard]] Pace pace_now(std::int32_t a, std::int32_t b) const noexcept { return on() ? pace_in_cycles(a, b) : Pace::every_step; }
+  /// Of the joint of two elements while it shakes: by this sides are put in blocks. The base has the highest.
+  [[nodiscard]] int joint_level_in_cycles(std::int32_t a, std::int32_t b) const noexcept { return lower(of_joints, a, b); }
+  /// The same in this step: while it settles there is one level.
+  [[nodiscard]] int joint_level(std::int32_t a, std::int32_t b) const noexcept { return on() ? lower(of_joints, a, b) : 0; }
+  [[nodiscard]] int contact_level(std::int32_t a, std::int32_t b) const noexcept { return on() ? lower(of_contacts, a, b) : 0; }
+
+ private:
+  static int lower(const std::vector<std::uint8_t>& of, std::int32_t a, std::int32_t b) noexcept {
+    return of.empty() ? 0 : std::min(of[static_cast<std::size_t>(a)], of[static_cast<std::size_t>(b)]);
+  }
 };
 
 }  // namespace voussoir::solver

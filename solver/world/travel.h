@@ -32,7 +32,9 @@ class Travel {
   [[nodiscard]] double skin() const noexcept { return skin_; }
   void set_skin(double skin) noexcept { skin_ = skin; }
   /// m, that an element may move before it is searched again.
-  [[nodiscard]] double limit() const noexcept { return 0.5 * skin_; }
+  [[nodiscard]] double limit() const noexcept { return 0.5 * skin_ - margin_; }
+  /// Searches that are due may have to wait: an element is searched again so much earlier [m]. Before the first step.
+  void set_margin(double margin) noexcept { margin_ = margin; }
 
   // Displacement since the search.
   /// m, of the point of an element that has moved most, or a little more. \pre is_searched()
@@ -102,7 +104,7 @@ class Travel {
  private:
   [[nodiscard]] kernels::SearchedPoses searched_poses(const Elements& e) const noexcept;
 
-  double skin_ = 0.0;                               // m
+  double skin_ = 0.0, margin_ = 0.0;                // m
   bool due_at_once_ = true;                         // state
   std::int32_t countdown_ = 0;                      // steps to a search that was asked for, 0: none (state)
   Array<double> ux_, uy_, uz_, qw_, qx_, qy_, qz_;  // m, -; poses at the last search, by element (state)

@@ -48,17 +48,17 @@ kernels::ElementRows World::element_rows() noexcept {
   return {e.pose.data(), e.twist.data(), e.wrench.data(), e.dashpot.data(), travel.active().data(), out_of_cache};
 }
 
-const double* World::twist_rows(Pace pace) const noexcept {
-  return pace == Pace::every_step ? elements.twist.data() : multirate.twist.data();
+const double* World::twist_rows(int level) const noexcept {
+  return level == 0 ? elements.twist.data() : multirate.rows[static_cast<std::size_t>(level) - 1].twist.data();
 }
 
-kernels::Bodies World::bodies(Pace pace) const noexcept {
-  return {elements.pose.data(), twist_rows(pace), elements.body.data(), travel.bounds()};
+kernels::Bodies World::bodies(int level) const noexcept {
+  return {elements.pose.data(), twist_rows(level), elements.body.data(), travel.bounds()};
 }
 
-kernels::ContactOptions World::contact_of(Pace pace) const noexcept {
+kernels::ContactOptions World::contact_of(int level) const noexcept {
   kernels::ContactOptions o = contact;
-  o.step = step_of(pace);
+  o.step = step_of(level);
   return o;
 }
 
@@ -68,12 +68,22 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
   return {s.data() + at, t.data() + at, area.data() + at, count[i]};
 }
 
-kernels::Rows World::rows(Pace pace) noexcept {
+kernels::Rows World::rows(int level) noexcept {
   kernels::PairBuffer pairs;
   if (options.gather || keep_pairs) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data(), !options.gather};
-  double* const wrench = pace == Pace::every_step ? elements.wrench.data() : multirate.wrench.data();
-  double* const dashpot = pace == Pace::every_step ? elements.dashpot.data() : multirate.dashpot.data();
-  return {elements.pose.data(), twist_rows(pace), wrench, dashpot, pairs};
+  if (level == 0) return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
+  Multirate::Rows& of_level = multirate.rows[static_cast<std::size_t>(level) - 1];
+  return {elements.pose.data(), of_level.twist.data(), of_level.wrench.data(), of_level.dashpot.data(), pairs};
+}
+
+void ByLevel::sort(const std::vector<std::uint8_t>& level, int levels) {
+  list.clear(), end.clear();
+  for (int l = 0; l < levels; ++l) {
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (level[i] == l) list.push_back(static_cast<std::int32_t>(i));
+    }
+    end.push_back(static_cast<std::int64_t>(list.size()));
+  }
 }
 
 kernels::Side Sides::side(std::int64_t id) const noexcept {

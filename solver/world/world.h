@@ -79,13 +79,13 @@ struct Sides {
   Array<kernels::SideConstants> constants;  // of blocks that are alike
   Array<kernels::WholeConstants> whole;     // of the same blocks
   Array<kernels::SideBlock> blocks;
-  std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
-  std::vector<std::int32_t> task_slow;     // by task, its first block of slow sides (multirate.h), after the fast ones
+  std::vector<std::int32_t> task_first;  // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> task_level;  // by task and level (multirate.h): the first block of its sides of that level; one more at the end
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
   std::int32_t overflow_colour = -1;       // one task; −1: none
   std::vector<std::int32_t> live;          // blocks with a side that is not retired, ascending
   std::vector<std::int32_t> live_first;    // by task, into `live`; tasks + 1 entries
-  std::vector<std::int32_t> live_slow;     // by task, into `live`: its blocks of slow sides, after those of fast ones
+  std::vector<std::int32_t> live_level;    // by task and level, into `live`: as task_level
   std::vector<std::uint8_t> live_lanes;    // by block, bit mask of the sides that are not retired
   // Constants by side.
   std::vector<std::int32_t> joint, set;               // joint −1: unused lane
@@ -147,11 +147,20 @@ struct Patches {
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };
 
+/// Numbers by their level of multi-rate stepping (multirate.h), each level ascending: those that are due in a step come first.
+struct ByLevel {
+  std::vector<std::int32_t> list;
+  std::vector<std::int64_t> end;  // by level
+  /// \param level  of each number from 0 on; those of `levels` or above are left out
+  void sort(const std::vector<std::uint8_t>& level, int levels);
+};
+
 /// Possible contacts: for each active patch a few candidates, each with a slot for its wrench; every element gathers
 /// its slots in a fixed order, so no two threads ever add to one row.
 struct Contacts {
+  static constexpr int kUpToDate = 127;  // no level is as high
   geometry::UniformGrid grid;
-  bool gather_stale = false;             // slots were added since the gather lists were made
+  int stale_level = kUpToDate;           // the lowest level (multirate.h) of slots that were added since the gather lists were made
   std::vector<std::int32_t> active;      // patches with candidates
   std::vector<std::int64_t> first_slot;  // by active patch, count + 1 entries
   std::vector<std::int32_t> master;      // by active patch: its element (derived)
@@ -163,10 +172,11 @@ struct Contacts {
   std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
   std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
-  // Of multi-rate stepping; else empty. A patch is fast if its element or one of its candidates is.
-  std::vector<std::uint8_t> slow;         // by active patch, 0 or 1
-  std::vector<std::uint8_t> gather_slow;  // by entry of `gather`, 0 or 1, and 8 zeros
-  std::int64_t searched = 0;              // active patches whose candidates a search found; the others are new (state)
+  // Of multi-rate stepping; else empty. A patch has the lowest level of its pairs.
+  std::vector<std::uint8_t> level;         // by active patch
+  std::vector<std::uint8_t> gather_level;  // by entry of `gather`, and 8 zeros
+  ByLevel patches, gatherers;              // active patches; elements with entries in `gather`, by the lowest of these
+  std::int64_t searched = 0;               // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
 };
 
@@ -197,6 +207,7 @@ struct Overlaps {
   // Derived.
   bool stale = true;               // pairs are to be listed for all elements
   std::vector<OverlapPair> pairs;  // ascending (a, b)
+  ByLevel by_level;                // of pairs; empty unless multi-rate
   // State.
   std::vector<OverlapSpring> springs;       // ascending (a, b)
   std::vector<kernels::PairWrench> wrench;  // of each spring with its dashpot in this step, if World::keep_pairs (derived)
@@ -271,16 +282,23 @@ struct World {
   Contacts contacts;
   Overlaps overlaps;
   Ties ties;
-  /// Those that pairs of that pace read and write, and the step that they take.
-  [[nodiscard]] kernels::Bodies bodies(Pace pace = Pace::every_step) const noexcept;
-  [[nodiscard]] kernels::Rows rows(Pace pace = Pace::every_step) noexcept;
-  [[nodiscard]] const double* twist_rows(Pace pace) const noexcept;
-  [[nodiscard]] double step_of(Pace pace) const noexcept { return pace == Pace::every_step ? dt : multirate.cycle * dt; }
-  [[nodiscard]] kernels::ContactOptions contact_of(Pace pace) const noexcept;
+  /// Those that pairs of that level (multirate.h) read and write, and the step that they take.
+  [[nodiscard]] kernels::Bodies bodies(int level = 0) const noexcept;
+  [[nodiscard]] kernels::Rows rows(int level = 0) noexcept;
+  [[nodiscard]] const double* twist_rows(int level) const noexcept;
+  [[nodiscard]] double step_of(int level) const noexcept { return level == 0 ? dt : multirate.steps_of(level) * dt; }
+  [[nodiscard]] kernels::ContactOptions contact_of(int level) const noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
+
+  /// s, by which an element is moved on at a time.
+  [[nodiscard]] double step_of_element(std::size_t e) const noexcept { return step_of(batch_level(e / kernels::kBatch)); }
+  [[nodiscard]] int batch_level(std::size_t batch) const noexcept { return multirate.on() ? moved_at[batch] : 0; }
 
   std::vector<PointLoad> loads;
   std::vector<Support> supports;
+  // State by batch of multi-rate stepping, else empty: the level (multirate.h) in whose steps its elements are moved on, by all of these
+  // steps at once. None of their pairs has a lower one.
+  std::vector<std::uint8_t> moved_at;
 };
 
 }  // namespace voussoir::solver
