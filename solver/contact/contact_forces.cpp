@@ -104,7 +104,7 @@ std::uint64_t bytes_below(std::uint64_t bytes, int number) {
 template <class Use>
 void each_push(const Contacts& c, int due, std::size_t element, Use use) {
   constexpr std::int64_t kFlags = sizeof(std::uint64_t);
-  const std::int64_t last = c.first_gather[element + 1];
+  const std::int64_t last = c.last_gather[element];
   for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
     std::uint64_t flags;
     std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);

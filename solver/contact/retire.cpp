@@ -108,7 +108,7 @@ void activate_last_patch(World& w) {
   c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
   c.wrench.emplace_back();
   c.on.push_back(0);
-  c.stale_level = std::min(c.stale_level, w.multirate.contact_level(p.element, p.origin));
+  add_to_gather(w);
 }
 
 }  // namespace
