@@ -286,7 +286,8 @@ Books walk(std::uint64_t seed, bool crushes, int steps) {
 }  // namespace
 
 TEST_CASE(
-    "what the springs of a dry side take that stiffens as it closes is stored or lost, and half the step leaves a quarter of the error") {
+    "what the springs of a dry side take that stiffens as it closes is stored or lost, and half the step leaves a quarter of what the "
+    "trapezoid rule misses") {
   for (const bool crushes : {false, true}) {
     CAPTURE(crushes);
     Books sum[3];  // of 600, 1200 and 2400 steps
@@ -294,7 +295,7 @@ TEST_CASE(
       CAPTURE(seed);
       for (int i = 0; i < 3; ++i) {
         const Books b = walk(200 + seed, crushes, 600 << i);
-        CHECK(b.off < 1e-3 * b.most);
+        CHECK(b.off < 1e-4 * b.most);  // the work is taken to first order in the turn of a step
         CHECK(b.gained < 1e-3 * b.most);
         CHECK(b.lost > 0.0);
         sum[i].off += b.off, sum[i].gained += b.gained, sum[i].lost += b.lost, sum[i].most += b.most;
@@ -304,7 +305,7 @@ TEST_CASE(
       MESSAGE("off ", sum[i].off / sum[i].most, ", at twice the step ", sum[i - 1].off / sum[i - 1].most, "; gained ",
               sum[i].gained / sum[i].most, ", at twice the step ", sum[i - 1].gained / sum[i - 1].most, "; lost ",
               sum[i].lost / sum[i].most);
-      CHECK(sum[i].off < 0.3 * sum[i - 1].off);
+      CHECK(sum[i].off < 0.6 * sum[i - 1].off);
       CHECK(sum[i].gained < 0.3 * sum[i - 1].gained);
       CHECK(sum[i].lost == doctest::Approx(sum[i - 1].lost).epsilon(1e-2));
     }

@@ -16,6 +16,7 @@ constexpr double kEdge = 0.1, kModulus = 1e8, kLoad = 2e4;  // m of a block; Pa 
 /// cannot turn anyway, as the plate is its own mirror image.
 cases::Case plate(int n) {
   cases::Case c;
+  c.gravity.acceleration = {};
   c.gravity.settle = false;
   c.time.duration = 0.4;
   c.damping.ratio = 0.3;
