@@ -32,7 +32,7 @@ cases::Case plate(int n) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       cases::BlockSpec b;
-      b.name = std::to_string(i) + " " + std::to_string(j), b.material = "stone", b.fixed = i + j == 0;
+      b.name = std::to_string(i * n + j), b.material = "stone", b.fixed = i + j == 0;
       b.box = {{Vec3{kEdge * i, 0.0, kEdge * j}, Vec3{kEdge * (i + 1), kEdge, kEdge * (j + 1)}}};
       c.blocks.push_back(b);
     }
