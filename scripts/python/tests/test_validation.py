@@ -15,6 +15,8 @@ SCRIPTS = pathlib.Path(__file__).resolve().parent.parent.parent / "validation"
 sys.path.insert(0, str(SCRIPTS))
 import case_file
 import measures
+import tables
+import verdicts
 import walls
 
 PROGRAM = os.environ.get("VOUSSOIR", str(SCRIPTS.parent.parent / "build/release/io/voussoir"))
@@ -114,6 +116,57 @@ class Curves(unittest.TestCase):
         inner = push.displacement < 0.9 * push.displacement.max()
         self.assertLess(np.abs(push.force[inner] / (1e6 * push.displacement[inner]) - 1.0).max(), 1e-9)
         self.assertGreater(pull.displacement.max(), 0.01)
+
+
+class Verdicts(unittest.TestCase):
+    def test_modes(self):
+        self.assertEqual(verdicts.measured_modes(["F, R", "R, SL"]), {"R", "SL"})
+        self.assertEqual(verdicts.modes_of_slip(0.5), {"R", "SL"})
+        self.assertEqual(verdicts.modes_of_slip(0.9), {"SL"})
+        self.assertEqual(verdicts.compare_modes({"R", "SL"}, {"R", "SL"}), "yes")
+        self.assertEqual(verdicts.compare_modes({"R"}, {"R", "SL"}), "partly: sliding as well")
+        self.assertEqual(verdicts.compare_modes({"R", "TC"}, {"R"}), "**no**: no toe crushing")
+
+    def test_loss_and_loops(self):
+        u = np.linspace(0.0, 0.03, 301)
+        falls, holds = (measures.Curve(u, np.where(u < 0.015, 2e4, last)) for last in (1e4, 2e4))
+
+        class Found:
+            wall = rigid_pier()  # lever height 0.5 m
+            curves, ways, residual_share = {}, [falls], 0.1
+
+            @staticmethod
+            def first_drop(way):
+                return way.first_drop
+
+        wall = Found()
+        self.assertEqual(verdicts.loss(wall), "none")  # at 3 %: beyond what is watched
+        wall.wall.shear_span = 1.0
+        self.assertIn("**miss**", verdicts.loss(wall))
+        wall.curves = {"a": (falls.displacement, falls.force)}
+        self.assertIn("as in tests", verdicts.loss(wall))
+        wall.ways = [holds]
+        self.assertEqual(verdicts.loss(wall), "none; 1 of the tests' curves have one")
+        self.assertEqual(verdicts.centred(wall), "–")
+        wall.wall.drifts = (0.01,)
+        self.assertEqual(verdicts.centred(wall), "10 % remains: yes")
+        wall.residual_share = 0.3
+        self.assertIn("**miss**", verdicts.centred(wall))
+
+
+class QuotedTables(unittest.TestCase):
+    def test_quoted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "a.txt").write_text("`by`, today\n| x |\n|---|\n| 1 |\n", encoding="utf-8")
+            self.assertEqual(tables.quoted("before\n{table a}\nafter", folder), "before\n| x |\n|---|\n| 1 |\n\n(`by`, today)\nafter")
+            with self.assertRaises(FileNotFoundError):
+                tables.quoted("{table b}", folder)
+
+    def test_tables_of_the_report_are_there(self):
+        """Every table that the notes quote is kept, and every table that is kept is quoted."""
+        notes = (SCRIPTS.parent.parent / "tests/validation/notes.md").read_text(encoding="utf-8")
+        wanted = {line[7:-1] for line in notes.splitlines() if line.startswith("{table ")}
+        self.assertEqual(wanted, {path.stem for path in tables.FOLDER.glob("*.txt")})
 
 
 class Cases(unittest.TestCase):

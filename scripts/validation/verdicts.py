@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""What has to hold for each wall beside its peak: the mode of failure, no loss of force that the tests have not, loops that centre themselves."""
+import math
+
+import measures
+
+SLIDES, ROCKS = 0.6, 0.15  # shares of the top's displacement by slip
+WATCHED = 0.02             # drift up to which a loss of force counts
+CENTRED = 0.2              # share of the largest displacement that may remain when the force is gone
+WORDS = {"R": "rocking", "SL": "sliding", "TC": "toe crushing"}
+
+
+def modes_of_slip(slip):
+    """Letters of a dry wall whose top moved by this share by slip."""
+    return {"SL"} if slip > SLIDES else {"R"} if slip < ROCKS else {"R", "SL"}
+
+
+def measured_modes(failures):
+    """Letters that any of the tests has; flexure of a dry wall is rocking."""
+    letters = {letter.strip() for failure in failures for letter in failure.split(",")}
+    return {"R" if letter == "F" else letter for letter in letters}
+
+
+def in_words(letters):
+    return " and ".join(WORDS[letter] for letter in ("R", "SL", "TC") if letter in letters)
+
+
+def compare_modes(measured, computed):
+    """Of dry walls: what is missing, and what the run has beside."""
+    missing, beside = measured - computed, computed - measured
+    parts = ([f"no {in_words(missing)}"] if missing else []) + ([f"{in_words(beside)} as well"] if beside else [])
+    return "yes" if not parts else ("**no**: " if missing else "partly: ") + ", ".join(parts)
+
+
+def inner_mode(share):
+    return "shear" if share > 0.5 else "flexure"
+
+
+def mode(c):
+    """Measured, computed, and whether they agree."""
+    if not c.wall.bond:
+        measured, computed = measured_modes([row["failure"] for row in c.rows]), modes_of_slip(c.slip)
+        return in_words(measured), in_words(computed), compare_modes(measured, computed)
+    measured = c.rows[0]["failure"]
+    to_peak, to_end = c.run.inner_share(c.run.time_of_peak()), c.run.inner_share()
+    at_peak, at_end = (inner_mode(to_end if math.isnan(share) else share) for share in (to_peak, to_end))
+    computed = at_peak if at_peak == at_end else f"{at_peak}, then {at_end}"
+    verdict = "yes" if at_peak == at_end == measured else "up to the peak" if at_peak == measured else "beyond the peak alone" if at_end == measured else "**no**"
+    return measured, computed, verdict
+
+
+def before(drift):
+    return not math.isnan(drift) and drift < WATCHED
+
+
+def losses(c):
+    """Drifts of the first loss of a fifth before WATCHED: of the tests with a curve, and of the run."""
+    height = c.wall.lever_height
+    tests = [way.first_drop / height for u, f in c.curves.values() for way in measures.both_ways(u, f) if len(way.displacement) > 2]
+    run = [c.first_drop(way) / height for way in c.ways]
+    return [d for d in tests if before(d)], [d for d in run if before(d)]
+
+
+def loss(c):
+    """In words; nothing is asked of brick walls, which are pushed to 0.5 %."""
+    if c.wall.bond:
+        return "–"
+    tests, run = losses(c)
+    if not run:
+        return "none" + (f"; {len(tests)} of the tests' curves have one" if tests else "")
+    return f"at {100 * min(run):.1f} %" + (", as in tests" if tests else ": **miss**")
+
+
+def centred(c):
+    """In words, of walls that go to and fro."""
+    if not c.wall.cyclic:
+        return "–"
+    share = c.residual_share
+    said = f"{100 * share:.0f} % remains"
+    return said if c.wall.bond else said + (": yes" if share <= CENTRED else ": **miss**")
+
+
+def table(found):
+    lines = ["## What else has to hold", "",
+             "| wall | failure, measured | computed | the same | loss of a fifth of the force before 2 % drift | self-centring |",
+             "|---|---|---|---|---|---|"]
+    for c in found:
+        lines.append(f"| {c.wall.name} | " + " | ".join([*mode(c), loss(c), centred(c)]) + " |")
+    return lines
