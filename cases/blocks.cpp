@@ -95,6 +95,8 @@ void check_halves(const BlockSpec& spec, const std::string& key) {
   if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
 }
 
+}  // namespace
+
 SupportHistory support_history(const SupportMotion& motion, const std::string& key) {
   SupportHistory history;
   history.key = key;
@@ -107,8 +109,6 @@ SupportHistory support_history(const SupportMotion& motion, const std::string& k
   }
   return history;
 }
-
-}  // namespace
 
 void add_free_blocks(const Case& c, Model& model) {
   std::map<std::string, std::size_t> first;

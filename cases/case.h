@@ -203,9 +203,18 @@ struct Load {
   bool follows = false;                  // it turns with its block; else it keeps its direction (a dead load)
   bool grows = false;                    // it is multiplied by the load factor of the analysis
 };
+/// A part of the ground at another height, or one that moves: a rectangle in plan, or what lies under a wall of the house.
+struct BasePart {
+  std::optional<std::array<double, 2>> x, y;  // m
+  std::string wall;                           // front | rear | left | right, or the name of an inner wall
+  std::optional<double> from, to;             // m, along the wall from the outer corner; none: its ends
+  double level = 0.0;                         // m, of its top above Base::z
+  std::optional<SupportMotion> motion;
+};
 struct Base {
   double z = 0.0;                        // m
   std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
+  std::vector<BasePart> parts;           // key: part
 };
 
 /// The whole case file.

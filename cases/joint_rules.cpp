@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/ground.h"
 #include "cases/house/house.h"
 #include "cases/names.h"
 
@@ -119,7 +120,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   std::vector<bool> used(n), taken(n);  // taken: two such faces touch, but something before the rule gives their law
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
-    const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
+    const Block* b = beyond(model, joint);
     bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {
       if (!rules.fits(i, a, b)) continue;

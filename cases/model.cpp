@@ -7,6 +7,7 @@
 
 #include "cases/blocks.h"
 #include "cases/contact_rules.h"
+#include "cases/ground.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/loose_model.h"
@@ -65,6 +66,7 @@ std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
   if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
   const Block& block = model.blocks[static_cast<std::size_t>(element)];
+  if (block.ground >= 0) return indexed_key("base.part", static_cast<std::size_t>(block.ground), "");
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
 }
@@ -136,7 +138,7 @@ void check_segments(const Case& c, const Model& model) {
 void assemble(const Case& c, Model& model) {
   std::vector<geometry::Part> parts;
   parts.reserve(model.blocks.size());
-  for (const Block& block : model.blocks) parts.push_back({&block.shape, block.segment_size, block.fixed || block.free});
+  for (const Block& block : model.blocks) parts.push_back({&block.shape, block.segment_size, block.fixed || block.free, block.ground >= 0});
   try {
     model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt, c.segment_rule);
   } catch (const geometry::ModelError& error) {
@@ -148,7 +150,7 @@ void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
   model.joint_law.reserve(model.assembly.joints.size());
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
-    const Block* b = joint.element_b == geometry::kBase ? nullptr : &model.blocks[static_cast<std::size_t>(joint.element_b)];
+    const Block* b = beyond(model, joint);
     const std::int32_t law = stones.law(a, b).value_or(rules.law(a, b));
     model.joint_law.push_back(b == nullptr ? law : stones.on_bed(law, a, joint.face_a, *b, joint.face_b));
   }
@@ -167,14 +169,18 @@ Model model_of_blocks(const Case& c) {
   if (c.house) {
     for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
   }
+  if (c.base && !c.base->parts.empty()) add_ground_material(model);
   model.contact_friction = contact_friction(c.contact, model.materials);
   check_loads(c);
   if (c.house) add_house(c, model);
   add_free_blocks(c, model);
   add_stone_blocks(c, model);
+  add_ground(c, model);
   if (c.segment_size) {
     if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
-    for (Block& block : model.blocks) block.segment_size = *c.segment_size;
+    for (Block& block : model.blocks) {
+      if (block.ground < 0) block.segment_size = *c.segment_size;
+    }
   }
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     model.load_history.push_back(c.loads[i].history ? static_cast<std::int32_t>(model.support_motions.size()) : -1);
@@ -188,6 +194,7 @@ Model model_of_blocks(const Case& c) {
 }  // namespace
 
 Model build_loose_model(const Case& c) {
+  if (const std::optional<Case> grounded = with_ground(c)) return build_loose_model(*grounded);
   Model model = model_of_blocks(c);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
@@ -205,6 +212,7 @@ Model build_loose_model(const Case& c) {
 }
 
 Model build_model(const Case& c) {
+  if (const std::optional<Case> grounded = with_ground(c)) return build_model(*grounded);
   Model model = model_of_blocks(c);
   const JointRules rules(c, model);
   assemble(c, model);
@@ -263,6 +271,7 @@ const char* name(PartKind kind) noexcept {
 
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
+  if (block.ground >= 0) return block.tag + " (" + number + ")";
   if (block.house < 0) return (block.set < 0 ? "block " : "stone ") + quoted(block.name) + " (" + number + ")";
   return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
 }

@@ -36,6 +36,7 @@ struct Block {
   std::int32_t support_motion = -1;  // into Model::support_motions
   std::int32_t given = -1;           // of Case::blocks; -1: of a house or of a file
   std::int32_t unit = -1;            // the two halves of a unit share it (of one house, or of Case::blocks); -1: in one piece
+  std::int32_t ground = -1;          // of Base::parts; -1: no ground
   std::int32_t set = -1;             // of Case::stones; -1: of no file
   std::int32_t stone = -1;           // number of the stone in the model, the same for all its pieces; -1: of no file
   std::string part_of;               // name of the stone, if this is a piece of it

@@ -73,6 +73,7 @@ struct Part {
   const Polyhedron* shape = nullptr;
   double segment_size = 0.0;  // m, > 0
   bool anchored = false;      // fixed, or allowed to float: holds itself
+  bool ground = false;        // a part of the base: has no points of its own, and no joints with the base or other ground; after all that is none
 };
 
 /// Validates every shape, finds overlaps, touching faces and what they share.
@@ -87,6 +88,8 @@ struct Part {
 ///
 /// That is SegmentRule::centres. Under SegmentRule::rim the points of a joint are those of append_rim_points (geometry/rim_points.h) over
 /// the overlap, with the smaller segment size of the two elements, and every joint between two elements is merged.
+///
+/// Joints with ground have the other element's points alone, as those with the base, and are merged; faces of ground have no patches.
 ///
 /// \param base_z  height of the base plane [m]; absent: no base.
 /// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the

@@ -71,12 +71,15 @@ void check_sum(const Contact& c, const std::vector<Segment>& side, const char* n
                          std::to_string(c.element_b) + " sum to " + figure(sum) + " m2, the overlap is " + figure(c.area) + " m2");
 }
 
+bool is_ground(const Scene& scene, std::int32_t element) { return scene.parts[static_cast<std::size_t>(element)].ground; }
+
 /// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
 class FaceCutter {
  public:
   FaceCutter(const Scene& scene, std::span<const Contact> contacts, Assembly& out) : scene_(scene), contacts_(contacts), out_(out) {}
 
   void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    if (is_ground(scene_, element)) return;
     if (out_.rule == SegmentRule::rim) {
       cut_face_to_rim(element, face, sides);
       return;
@@ -216,9 +219,10 @@ class Matcher {
   std::vector<std::int32_t> by_cell_;  // segment of a, or −1
 };
 
-void finish_joint(const FaceGrid& g, const Contact& c, SegmentRule rule, Matcher& matcher, Joint& joint) {
+/// \param one_sided  both elements share the points of the one
+void finish_joint(const FaceGrid& g, const Contact& c, bool one_sided, Matcher& matcher, Joint& joint) {
   check_sum(c, joint.side_a, "a");
-  if (rule == SegmentRule::rim) {
+  if (one_sided) {
     joint.merged = c.element_b != kBase;
   } else if (c.element_b != kBase) {
     check_sum(c, joint.side_b, "b");
@@ -252,7 +256,8 @@ void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly
   Matcher matcher;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact& c = contacts[k];
-    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, out.rule, matcher, out.joints[k]);
+    const bool one_sided = out.rule == SegmentRule::rim || (c.element_b != kBase && is_ground(scene, c.element_b));
+    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, one_sided, matcher, out.joints[k]);
   }
 }
 

@@ -151,12 +151,13 @@ std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> bas
   const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.elements.size()); ++i) {
     const auto first = static_cast<std::ptrdiff_t>(out.size());
-    if (base_z) touch_base(scene, i, *base_z, out);
+    const bool ground = scene.parts[static_cast<std::size_t>(i)].ground;
+    if (base_z && !ground) touch_base(scene, i, *base_z, out);
     const Box3& box = scene.boxes[static_cast<std::size_t>(i)];
     near.clear();
     grid.query({box.low - margin, box.high + margin}, near);
     for (const std::int32_t j : near) {
-      if (j <= i) continue;
+      if (j <= i || (ground && scene.parts[static_cast<std::size_t>(j)].ground)) continue;
       find_overlap(scene, i, j, overlaps);
       touch_elements(scene, i, j, out);
     }

@@ -15,10 +15,19 @@ namespace voussoir::cases {
 struct Lintel {
   double length = 0.0, height = 0.1, element = 0.2;  // m
 };
+/// An arch of voussoirs over an opening, upon its lintel if it has one, with level extrados: a wedge reaches up to the courses above.
+struct Arch {
+  double rise = 0.0;                    // m, of its soffit; 0: a flat arch
+  double thickness = 0.0;               // m, at the crown
+  double springer = 0.1;                // m, that it reaches beyond the opening at either side
+  std::optional<int> voussoirs;         // none: each about a brick's width at the soffit, an odd number
+  std::optional<std::string> material;  // none: of the bricks
+};
 struct Opening {
   std::string wall;                                          // front | rear | left | right, or the name of an inner wall
   double from = 0.0, width = 0.0, sill = 0.0, height = 0.0;  // m
   std::optional<Lintel> lintel;
+  std::optional<Arch> arch;
   int storey = 1;  // `sill` is above its foot
 };
 /// A storey upon those before it. Its walls have the outer faces of those below.
@@ -144,8 +153,14 @@ struct Reinforcement {
   RingPlace ring_beam_place = RingPlace::inside;
 };
 /// header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks are long have a header beside
-/// each stretcher. Others as in English bond.
-enum class Bond { english, running, header, flemish };
+/// each stretcher. Others as in English bond. rubble: convex stones about the size of a brick (Rubble).
+enum class Bond { english, running, header, flemish, rubble };
+/// Stones of random size, in courses of random height, their joints askew (house_rubble.cpp).
+struct Rubble {
+  int seed = 1;
+  double irregularity = 0.5;  // 0: rectangular stones of one size; 1: the most
+  double through = 0.2;       // share of the stones that go through the wall
+};
 /// Stones through both leaves of a wall, a brick's width along it and a course high.
 struct ThroughStones {
   double spacing = 1.0;                 // m, along the wall; those of the next row lie between them
@@ -159,12 +174,19 @@ struct Leaves {
   std::optional<std::string> joint;  // law of the collar joint; none: that of the bricks
   std::optional<ThroughStones> through;
 };
+/// Ground higher than the foot of the house: a rectangle in its axes. Not a key: made of Case::base (cases/ground.h).
+struct GroundStep {
+  std::array<double, 2> x, y;  // m
+  double level = 0.0;          // m
+  bool only_walls = true;      // nothing but the house may stand on it
+};
 struct House {
   std::array<double, 2> inner_size{5.0, 3.0};  // m
   double height = 2.4;                         // m, of the first storey
   std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m
   double mortar = 0.0;                         // m, of beds and upright joints; 0: the size of the brick has it in it
   Bond bond = Bond::english;
+  std::optional<Rubble> rubble;  // none: as a table without keys
   std::string material = "adobe", joint = "normal";
   std::optional<Leaves> leaves;
   bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between them
@@ -183,7 +205,8 @@ struct House {
   std::vector<Opening> openings;       // key: opening
   std::optional<Reinforcement> reinforcement;
   std::vector<HouseTie> ties;     // key: tie
-  std::vector<HouseMesh> meshes;  // key: mesh
+  std::vector<HouseMesh> meshes;   // key: mesh
+  std::vector<GroundStep> ground;  // by Base::parts
 };
 
 }  // namespace voussoir::cases

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "cases/house/house_arches.h"
+#include "cases/house/house_rubble.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -34,12 +36,19 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
     levels.push_back({sill, key("sill"), opening.sill});
     levels.push_back({head, key("height"), opening.height, true});
     if (opening.lintel) levels.push_back({head + ticks(opening.lintel->height), key("lintel.height"), opening.lintel->height, true});
+    if (opening.arch) levels.push_back({arch_height(opening, head).high, key("arch.thickness"), opening.arch->thickness, true});
   }
   for (std::size_t i = 0; i < house.floors.size(); ++i)
     levels.push_back({plan.floors[i].height.low, indexed_key("house.floor", i, "beam"), house.floors[i].beam[1], true, -1});
   for (std::size_t i = 0; i < house.piers.size(); ++i) {
     if (const std::optional<double> height = house.piers[i].height)
       levels.push_back({ticks(*height), indexed_key("house.pier", i, "height"), *height, true});
+  }
+  for (std::size_t i = 0; i < house.ground.size(); ++i) {
+    const double level = house.ground[i].level;
+    const auto stands = [&](const Hole& hole) { return hole.ground == static_cast<std::int32_t>(i); };
+    if (std::ranges::any_of(plan.walls, [&](const WallPlan& wall) { return std::ranges::any_of(wall.holes, stands); }))
+      levels.push_back({ticks(level), indexed_key("base.part", i, "level"), level, true});
   }
   return levels;
 }
@@ -74,7 +83,10 @@ void plan_courses(const House& house, HousePlan& plan) {
   beds.erase(std::ranges::unique(beds).begin(), beds.end());
   plan.courses.clear();
   for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
-    for (const Interval course : cut_member({beds[i], beds[i + 1]}, plan.brick_height)) plan.courses.push_back(course);
+    const Interval between{beds[i], beds[i + 1]};
+    for (const Interval course : plan.bond == Bond::rubble ? rubble_courses(house, plan, between, static_cast<std::int64_t>(i))
+                                                           : cut_member(between, plan.brick_height))
+      plan.courses.push_back(course);
   }
 }
 

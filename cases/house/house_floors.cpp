@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/house/house_ground.h"
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 
@@ -90,7 +91,7 @@ void add_pocket(const House& house, const Hole& pocket, WallPlan& wall, const Ho
     throw InputError(key_of(index, "beam"), "a beam from " + metres_text(pocket.along.low) + " to " + metres_text(pocket.along.high) +
                                                 " m of the " + wall_name(house, wall) + ", " + metres_text(pocket.height.low) +
                                                 " m above the ground, lies in " +
-                                                indexed_key("house.opening", other.opening, other.lintel ? "lintel" : "") +
+                                                hole_key(other) +
                                                 "; lower that, or move the beams (spacing)");
   }
   wall.holes.push_back(pocket);

@@ -59,12 +59,12 @@ void drop_doubled(Polygon& section) {
   while (section.size() > 1 && same(section.front(), section.back())) section.pop_back();
 }
 
-/// Gables of a wall in Flemish bond are in English bond.
+/// Gables of a wall in Flemish bond are in English bond, those of rubble of bricks in running bond.
 std::vector<Wythe> layers_of(const HousePlan& plan, const WallPlan& wall, int course) {
-  if (plan.bond != Bond::flemish) return wythes(plan, wall, course);
-  HousePlan english = plan;
-  english.bond = Bond::english;
-  return wythes(english, wall, course);
+  if (plan.bond != Bond::flemish && plan.bond != Bond::rubble) return wythes(plan, wall, course);
+  HousePlan other = plan;
+  other.bond = plan.bond == Bond::rubble ? Bond::running : Bond::english;
+  return wythes(other, wall, course);
 }
 
 /// The gable of one wall, in the plane (y, z). Works in metres: what the vault cuts lies on no grid.

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
+#include "cases/house/house_arches.h"
 #include "cases/house/house_courses.h"
 #include "cases/house/house_floors.h"
+#include "cases/house/house_ground.h"
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
 
@@ -51,7 +54,7 @@ void refuse_crossing(const House& house, const Hole& hole, const char* field, do
     if (!here || other.storey != wall.storey || other.along_x == wall.along_x) continue;
     const Interval crossing{other.at, other.at + other.thickness};
     if (!hole.along.overlaps(crossing)) continue;
-    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " + (hole.lintel ? "lintel" : "opening") + " (" +
+    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " + (hole.lintel ? "lintel" : hole.arch ? "arch" : "opening") + " (" +
                                                       from_to(hole.along) + ") where the " + wall_name(house, other) + " meets the " +
                                                       wall_name(house, wall) + ", " + from_to(crossing));
   }
@@ -128,11 +131,27 @@ Hole lintel_hole(const House& house, const Hole& under, const HousePlan& plan, c
   return {along, {under.height.high, under.height.high + height}, index, true, {0, wall.thickness}};
 }
 
+/// The frame of an arch, between the corners of its wall and clear of other walls.
+Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
+  const Hole hole = arch_hole(house, under, plan, wall);
+  const Interval room = between_corners(wall);
+  const double springer = house.openings[under.opening].arch->springer;
+  if (hole.along.low < room.low || hole.along.high > room.high) {
+    const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
+    throw InputError(key_of(under.opening, "arch.springer"),
+                     text(springer) + " m makes the arch reach " + from_to(hole.along) + ", into a corner of the " + wall_name(house, wall) +
+                         " (inner corners at " + metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
+                         metres_text(spare) + " m here");
+  }
+  refuse_crossing(house, hole, "arch.springer", springer, wall, plan);
+  return hole;
+}
+
 void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
   for (const Hole& other : wall.holes) {
     if (!hole.along.overlaps(other.along) || !hole.height.overlaps(other.height)) continue;
-    throw InputError(key_of(hole.opening, hole.lintel ? "lintel" : ""),
-                     "overlaps " + key_of(other.opening, other.lintel ? "lintel" : "") + " in the " + wall_name(house, wall) + ": " +
+    throw InputError(hole_key(hole),
+                     "overlaps " + hole_key(other) + " in the " + wall_name(house, wall) + ": " +
                          from_to(hole.along) + " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
                          from_to(other.height) + ")");
   }
@@ -140,11 +159,13 @@ void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
 }
 
 void add_holes(const House& house, HousePlan& plan) {
+  add_ground_holes(house, plan);
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
     WallPlan& wall = wall_of(house, i, plan);
     const Hole hole = opening_hole(house, i, plan, wall);
     add_hole(house, hole, wall);
     if (house.openings[i].lintel) add_hole(house, lintel_hole(house, hole, plan, wall), wall);
+    if (house.openings[i].arch) add_hole(house, frame_of_arch(house, hole, plan, wall), wall);
   }
   for (WallPlan& wall : plan.walls) {
     std::sort(wall.holes.begin(), wall.holes.end(), [](const Hole& a, const Hole& b) { return a.along.low < b.along.low; });
@@ -164,7 +185,8 @@ const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
   for (const Hole& hole : wall.holes) {
     const bool beside = hole.along.high == piece.low || hole.along.low == piece.high;
     if (!beside || !hole.height.overlaps(height)) continue;
-    if (found == nullptr || hole.floor > found->floor || (hole.floor == found->floor && hole.opening > found->opening)) found = &hole;
+    const auto rank = [](const Hole& h) { return std::tuple(h.floor, h.ground < 0, h.opening); };
+    if (found == nullptr || rank(hole) > rank(*found)) found = &hole;
   }
   return found;
 }
@@ -216,6 +238,7 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   const std::string problem = " leaves a piece of the " + wall_name(house, *found->wall) + " " + metres_text(gap) + " m long (" +
                               from_to(found->piece) + "); a piece is at least " + metres_text(plan.shortest_piece()) + " m, half a brick";
   if (found->hole == nullptr) throw InputError("house.inner_size", "this size" + problem);
+  if (found->hole->ground >= 0) throw InputError(hole_key(*found->hole), "ends where it" + problem + "; move its end");
   if (found->hole->floor >= 0) {
     const auto floor = static_cast<std::size_t>(found->hole->floor);
     throw InputError(indexed_key("house.floor", floor, "spacing"),
@@ -228,6 +251,10 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
     const auto length = [index](House& h) -> double& { return h.openings[index].lintel->length; };
     throw InputError(key_of(index, "lintel.length"),  // both ends move: twice the change
                      text(opening.lintel->length) + " m" + problem + advice(house, plan, length, {2 * gap, -2 * lack}));
+  }
+  if (found->hole->arch) {
+    const auto springer = [index](House& h) -> double& { return h.openings[index].arch->springer; };
+    throw InputError(key_of(index, "arch.springer"), text(opening.arch->springer) + " m" + problem + advice(house, plan, springer, {gap, -lack}));
   }
   const bool piece_before = found->hole->along.low == found->piece.high;
   const auto from = [index](House& h) -> double& { return h.openings[index].from; };

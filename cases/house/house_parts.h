@@ -18,6 +18,7 @@ struct HouseParts {
   std::int32_t masonry = 0, timber = 0, roof = 0;  // materials; roof: of beams or voussoirs, with their surcharge
   std::int32_t through = 0;                        // material of stones through both leaves of a wall
   std::vector<std::int32_t> floors;                // materials of their beams
+  std::vector<std::int32_t> arches;                // materials of their voussoirs, by House::openings
   std::int32_t members = 0;                        // timber members so far
 };
 

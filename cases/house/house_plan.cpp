@@ -29,6 +29,14 @@ constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill th
                                       ", or bond = \"running\"");
 }
 
+void check_rubble(const House& house) {
+  if (house.halves) throw InputError("house.halves", "true does not go with bond = \"rubble\"; allowed: false");
+  if (!house.rubble) return;
+  for (const auto& [key, share] : {std::pair{"irregularity", house.rubble->irregularity}, std::pair{"through", house.rubble->through}}) {
+    if (!(share >= 0.0 && share <= 1.0)) throw InputError(std::string("house.rubble.") + key, text(share) + "; allowed: 0 to 1");
+  }
+}
+
 void plan_bricks(const House& house, HousePlan& plan) {
   plan.bond = house.bond;
   const Tick mortar = house.mortar == 0.0 ? 0 : positive_length(house.mortar, "house.mortar");
@@ -38,7 +46,8 @@ void plan_bricks(const House& house, HousePlan& plan) {
   if (mortar >= plan.brick_height - mortar) {
     throw InputError("house.mortar", text(house.mortar) + " m is not less than the height of a brick (" + text(house.brick[2]) + " m)");
   }
-  if (house.bond != Bond::running && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
+  if (house.bond == Bond::rubble) check_rubble(house);
+  if (house.bond != Bond::running && house.bond != Bond::rubble && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
   if (plan.brick_length < plan.brick_width) {
     throw InputError("house.brick",
                      "a brick must not be wider (" + text(house.brick[1]) + " m) than long (" + text(house.brick[0]) + " m)");

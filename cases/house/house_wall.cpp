@@ -3,10 +3,14 @@
 #include "cases/house/house_wall.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
+#include "cases/house/house_arches.h"
 #include "cases/house/house_parts.h"
+#include "cases/house/house_prism.h"
+#include "cases/house/house_rubble.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -148,11 +152,28 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
   return box_block(in_house(plan, wall, laid.along, laid.depth, laid.height), prototype);
 }
 
-void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, HouseParts& parts) {
+void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall, const std::vector<RubbleStone>& stones, HouseParts& parts) {
+  Block prototype;
+  prototype.kind = PartKind::brick;
+  prototype.tag = wall_tag(house, wall);
+  prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
+  for (const RubbleStone& stone : stones) {
+    prototype.material = stone.through ? parts.through : parts.masonry;
+    prototype.leaf = leaf_of(plan, wall, stone.depth);
+    prototype.shape = wall_prism(plan, wall, stone.outline, stone.depth);
+    parts.blocks.push_back(prototype);
+  }
+}
+
+/// \param rubble  null: bricks
+void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, const RubbleWalls* rubble, HouseParts& parts) {
   const Interval height = plan.courses[static_cast<std::size_t>(course)];
+  if (rubble != nullptr) add_stones(house, plan, wall, rubble->stones(wall, course), parts);
   std::vector<Laid> laid;
-  for (const LaidBrick& brick : lay_course(house, plan, wall, course))
-    laid.push_back({brick.along, brick.depth, height, brick.whole, -1, 0, brick.through});
+  if (rubble == nullptr) {
+    for (const LaidBrick& brick : lay_course(house, plan, wall, course))
+      laid.push_back({brick.along, brick.depth, height, brick.whole, -1, 0, brick.through});
+  }
   for (const Hole& hole : wall.holes) {
     if (hole.lintel && hole.height.low == height.low) add_lintel(house, plan, wall, hole, parts, laid);
   }
@@ -161,6 +182,9 @@ void build_course(const House& house, const HousePlan& plan, const WallPlan& wal
   // Going round the house, so that neighbours in number are neighbours in space.
   if (wall.outer() && (wall.side == Side::rear || wall.side == Side::left)) std::reverse(laid.begin(), laid.end());
   for (const Laid& l : laid) parts.blocks.push_back(block_of(house, plan, wall, l, parts));
+  for (const Hole& hole : wall.holes) {
+    if (hole.arch && hole.height.low == height.low) add_arch(house, plan, wall, hole, parts);
+  }
 }
 
 }  // namespace
@@ -175,7 +199,9 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
     result.push_back({{at, at + depth}, unit, offset});
     at += depth;
   };
-  if (plan.bond == Bond::running || thickness == width) {
+  if (plan.bond == Bond::rubble) {
+    add(thickness, length, 0);
+  } else if (plan.bond == Bond::running || thickness == width) {
     while (at < thickness) {
       add(width, length, even ? 0 : length / 2);
       result.back().half_at_edge = true;
@@ -287,8 +313,9 @@ void plan_leaves(const House& house, HousePlan& plan) {
 }
 
 void build_walls(const House& house, const HousePlan& plan, HouseParts& parts) {
+  const std::optional<RubbleWalls> rubble = plan.bond == Bond::rubble ? std::make_optional<RubbleWalls>(house, plan) : std::nullopt;
   for (int course = 0; course < plan.course_count(); ++course) {
-    for (const WallPlan& wall : plan.walls) build_course(house, plan, wall, course, parts);
+    for (const WallPlan& wall : plan.walls) build_course(house, plan, wall, course, rubble ? &*rubble : nullptr, parts);
   }
 }
 

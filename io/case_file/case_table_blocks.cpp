@@ -21,9 +21,11 @@ Table<Rotation> rotation_table() {
           }};
 }
 
+}  // namespace
+
 Table<SupportMotion> support_motion_table() {
   using S = SupportMotion;
-  return {"motion of a fixed block: velocity or file",
+  return {"motion of a fixed block, or of a part of the base: velocity or file",
           {value<S>("velocity", &S::velocity, "m/s", any(), "constant velocity"),
            value<S>("file", &S::file, "", filled(),
                     "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
@@ -32,6 +34,8 @@ Table<SupportMotion> support_motion_table() {
             if (!s.velocity && !s.file) check.fault("", "says nothing; give velocity (m/s) or file");
           }};
 }
+
+namespace {
 
 void check_shape(const BlockSpec& s, const RuleCheck& check) {
   std::vector<std::string> shapes;

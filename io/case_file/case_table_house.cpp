@@ -88,6 +88,32 @@ Table<Lintel> lintel_table() {
           nullptr};
 }
 
+Table<Arch> arch_table() {
+  using S = Arch;
+  return {
+      "an arch of voussoirs over an opening, upon its lintel if it has one; its wedges reach up to the course above, and a springer of one "
+      "piece stands at either end",
+      {value<S>("rise", &S::rise, "m", at_least(0.0),
+                "of its soffit above the top of the opening or of the lintel, at most half the width; 0: a flat arch"),
+       required(value<S>("thickness", &S::thickness, "m", above(0.0), "at the crown, half a course or more; the top ends a course")),
+       value<S>("springer", &S::springer, "m", above(0.0), "that it reaches beyond the opening at either side, half a brick or more"),
+       value<S>("voussoirs", &S::voussoirs, "", within(3.0, 101.0), "number; none: odd, each about a brick's width at the soffit"),
+       value<S>("material", &S::material, "", filled(), "none: that of the bricks")},
+      nullptr};
+}
+
+Table<Rubble> rubble_table() {
+  using S = Rubble;
+  return {
+      "convex stones about the size of a brick for bond = \"rubble\", in courses of random height, their joints askew; level beds and upright "
+      "ends at corners, openings, floors and ends of storeys",
+      {value<S>("seed", &S::seed, "", any(), "another seed, other stones"),
+       value<S>("irregularity", &S::irregularity, "", within(0.0, 1.0), "0: rectangular stones of one size; 1: the most"),
+       value<S>("through", &S::through, "", within(0.0, 1.0),
+                "share of the stones that go through the wall; walls of two leaves have those of house.leaves.through alone")},
+      nullptr};
+}
+
 Table<Opening> opening_table() {
   using S = Opening;
   return {"a door or a window",
@@ -96,7 +122,7 @@ Table<Opening> opening_table() {
            required(value<S>("from", &S::from, "m", at_least(0.0), "start along the wall, x or y from the outer corner of the house")),
            required(value<S>("width", &S::width, "m", above(0.0), "clear width")),
            value<S>("sill", &S::sill, "m", at_least(0.0), "height of its lower edge above the foot of its storey"),
-           required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table())},
+           required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table()), table<S>("arch", &S::arch, arch_table())},
           nullptr};
 }
 
@@ -162,9 +188,11 @@ Table<House> house_table() {
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
            "bond", &S::bond, "",
-           {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}, {"flemish", Bond::flemish}},
+           {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}, {"flemish", Bond::flemish}, {"rubble", Bond::rubble}},
            "bond of the bricks; header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks "
-           "are long have headers and stretchers in turn; others, and gables, as in English bond"),
+           "are long have headers and stretchers in turn; others, and gables, as in English bond; rubble: convex stones (gables: bricks in "
+           "running bond)"),
+       table<S>("rubble", &S::rubble, rubble_table()),
        table<S>("leaves", &S::leaves, leaves_table()),
        value<S>("material", &S::material, "", filled(), "of the bricks"),
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
@@ -187,7 +215,10 @@ Table<House> house_table() {
        table<S>("reinforcement", &S::reinforcement, reinforcement_table()),
        table<S>("tie", &S::ties, house_tie_table()),
        table<S>("mesh", &S::meshes, house_mesh_table())},
-      nullptr};
+      [](const S& s, const RuleCheck& check) {
+        if (s.rubble && s.bond != Bond::rubble) check.fault("rubble", "needs bond = \"rubble\"");
+        if (s.halves && s.bond == Bond::rubble) check.fault("halves", "does not go with bond = \"rubble\"");
+      }};
 }
 
 }  // namespace voussoir::io

@@ -262,11 +262,38 @@ Table<Case> segments_table() {
           nullptr};
 }
 
+Table<BasePart> base_part_table() {
+  using S = BasePart;
+  return {
+      "a part of the ground above the base, as a slope has in steps, or one that moves: a rectangle in plan, or what lies under a wall of "
+      "the house; walls begin upon it",
+      {value<S>("x", &S::x, "m", any(), "its two ends along x, with y; axes of the case"),
+       value<S>("y", &S::y, "m", any(), "its two ends along y"),
+       value<S>("wall", &S::wall, "", filled(),
+                "in place of x and y: all that is under this wall: front, rear, left, right, or the name of an inner wall"),
+       value<S>("from", &S::from, "m", at_least(0.0), "with wall: start along it, from the outer corner of the house; none: its start"),
+       value<S>("to", &S::to, "m", above(0.0), "with wall: its end; none: the wall's"),
+       required(value<S>("level", &S::level, "m", above(0.0), "height of its top above base.z; at most so much can it sink")),
+       table<S>("motion", &S::motion, support_motion_table())},
+      [](const S& s, const RuleCheck& check) {
+        const bool rectangle = s.x || s.y;
+        if (!rectangle && s.wall.empty()) return check.fault("", "has no place; give x and y, or wall");
+        if (rectangle && !s.wall.empty()) return check.fault("wall", "does not go with x and y; give one of them");
+        if (s.x.has_value() != s.y.has_value()) check.fault(s.x ? "x" : "y", "is not enough; a rectangle needs x and y");
+        if (rectangle && (s.from || s.to)) check.fault(s.from ? "from" : "to", "needs wall; x and y say where a rectangle ends");
+        for (const auto& [key, side] : {std::pair{"x", s.x}, std::pair{"y", s.y}}) {
+          if (side && (*side)[0] >= (*side)[1]) check.fault(key, "must be [from, to] with from below to");
+        }
+        if (s.from && s.to && *s.from >= *s.to) check.fault("to", "must be above base.part.from");
+      }};
+}
+
 Table<Base> base_table() {
   using S = Base;
   return {"fixed half-space under everything",
-          {value<S>("z", &S::z, "m", any(), "height of its top"),
-           value<S>("tilt", &S::tilt, "degrees", inside(-90.0, 90.0), "about x and y; turns gravity")},
+          {value<S>("z", &S::z, "m", any(), "height of its top, the lowest ground"),
+           value<S>("tilt", &S::tilt, "degrees", inside(-90.0, 90.0), "about x and y; turns gravity"),
+           table<S>("part", &S::parts, base_part_table())},
           nullptr};
 }
 

@@ -13,6 +13,7 @@ Table<cases::House> house_table();
 Table<cases::Motion> motion_table();
 Table<cases::Output> output_table();
 Table<cases::BlockSpec> block_table();
+Table<cases::SupportMotion> support_motion_table();
 Table<cases::StonesSpec> stones_table();
 Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();

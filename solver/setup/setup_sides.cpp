@@ -85,12 +85,20 @@ std::vector<NewSide> sides_of(const World& w) {
   return sides;
 }
 
-/// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base the
-/// element's own ℓ counts, and the joint's own stiffness.
+/// The base, or a part of it.
+bool is_ground(const World& w, std::int32_t element) {
+  return element == w.elements.base || w.model.blocks[static_cast<std::size_t>(element)].ground >= 0;
+}
+
+/// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base and its
+/// parts the element's own ℓ counts, and the joint's own stiffness.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
-  const kernels::Face &a = w.faces[static_cast<std::size_t>(s.master_face)], &b = w.faces[static_cast<std::size_t>(s.slave_face)];
-  double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
-  const bool on_base = s.slave == w.elements.base;
+  const bool behind = is_ground(w, s.master);  // the pair seen from the ground
+  const std::int32_t first = behind ? s.slave : s.master, second = behind ? s.master : s.slave;
+  const bool on_base = is_ground(w, second);
+  const kernels::Face& a = w.faces[static_cast<std::size_t>(behind ? s.slave_face : s.master_face)];
+  const kernels::Face& b = w.faces[static_cast<std::size_t>(behind ? s.master_face : s.slave_face)];
+  double cn = a.compliance_n + (on_base ? 0.0 : b.compliance_n), cs = a.compliance_s + (on_base ? 0.0 : b.compliance_s);
   if (law.thickness > 0.0 && !on_base) {
     const double half = 0.5 * law.thickness;
     const double left = 1.0 - half / a.distance, right = 1.0 - half / b.distance;
@@ -106,8 +114,8 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   if (law.normal_stiffness) cn += 1.0 / *law.normal_stiffness, cs += 1.0 / *law.shear_stiffness;
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
   const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
-  const double beta = w.elements.body[static_cast<std::size_t>(s.master)].beta +
-                      w.elements.body[static_cast<std::size_t>(on_base ? s.master : s.slave)].beta;
+  const double beta =
+      w.elements.body[static_cast<std::size_t>(first)].beta + w.elements.body[static_cast<std::size_t>(on_base ? first : second)].beta;
   const double step = w.step_of(w.multirate.joint_level_in_cycles(s.master, s.slave));
   const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);

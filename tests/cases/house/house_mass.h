@@ -18,6 +18,22 @@ using namespace voussoir::cases;
 
 inline double half_polygon(int n, double r) { return 0.5 * n * std::sin(std::numbers::pi / n) * r * r; }
 
+/// Area of the frame of an arch less that under its soffit, a polygon of n sides on a circle.
+inline double arch_area(const Opening& o, double brick_width) {
+  const Arch& a = *o.arch;
+  double under = 0.0, length = o.width;
+  const double half = 0.5 * o.width, angle = a.rise > 0.0 ? 2.0 * std::atan2(a.rise, half) : 0.0;
+  if (a.rise > 0.0) length = 2.0 * angle * half / std::sin(angle);
+  const int n = a.voussoirs.value_or(std::clamp(2 * static_cast<int>(length / brick_width / 2.0) + 1, 3, 101));
+  if (a.rise > 0.0) {
+    const double radius = half / std::sin(angle);
+    under = 0.5 * radius * radius * (n * std::sin(2.0 * angle / n) - std::sin(2.0 * angle));
+  }
+  return (o.width + 2 * a.springer) * (a.rise + a.thickness) - under;
+}
+/// Of its frame, whatever fills it.
+inline double frame_area(const Opening& o) { return (o.width + 2 * o.arch->springer) * (o.arch->rise + o.arch->thickness); }
+
 /// Volumes of a house, m3, and the mass of what lies on it, kg.
 struct Volumes {
   double masonry = 0.0, timber = 0.0, load = 0.0;
@@ -63,6 +79,7 @@ inline Volumes walls_of(const House& h) {
     for (const InnerWall& wall : h.inner_walls) thickness = wall.name == o.wall ? wall.thickness : thickness;
     const double lintel = o.lintel ? o.lintel->length * o.lintel->height * thickness : 0.0;
     v.masonry -= o.width * o.height * thickness + lintel;
+    if (o.arch) v.masonry -= (frame_area(o) - arch_area(o, h.brick[1] + h.mortar)) * thickness;
     v.timber += lintel;
   }
   const double height = h.height + (h.storeys.empty() ? 0.0 : h.storeys[0].height);

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/house/house_plan.h"
+#include "geometry/polygon.h"
+#include "geometry/polyhedron.h"
+
+/// Pieces of walls that are no boxes. Internal to cases/.
+namespace voussoir::cases {
+
+/// The prism through a wall, axes of the house. \param section  along the wall and height [m], counter-clockwise; \param depth  of the wall
+geometry::Polyhedron wall_prism(const HousePlan& plan, const WallPlan& wall, const geometry::Polygon& section, Interval depth);
+
+}  // namespace voussoir::cases
