@@ -60,8 +60,8 @@ Each kind of wall is computed once.
 """
 
 VERDICTS = """\
-- **Failure** of a dry wall by the letters of its tests, flexure as rocking: "no" where the run lacks
-  what most of the tests have, "partly" where it has what none has. Of a brick wall the mode in
+- **Failure** of a dry wall by the letters of its tests, flexure as rocking: "no" where the run has
+  not what most of the tests have, "partly" where it has what none has. Of a brick wall the mode in
   the table, and that of most of the area broken by then, at the peak and at the end.
 - **Loss of force**: as in the tables of the walls, up to 2 % of H0; a run may have one where a test
   has. Brick walls are pushed to 0.5 % and have none to be looked for.
