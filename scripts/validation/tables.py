@@ -7,6 +7,7 @@ The first line says which program made the table, when and by what; the rest is 
 import datetime
 import pathlib
 import subprocess
+import textwrap
 
 import run_walls
 
@@ -51,5 +52,5 @@ def quoted(text, folder=None):
         if not path.exists():
             raise FileNotFoundError(f"{path}: no such table; the script that makes it has not been run")
         made, *rows = path.read_text(encoding="utf-8").splitlines()
-        out += rows + ["", f"({made})"]
+        out += rows + ["", *textwrap.wrap(f"({made})", 100, break_long_words=False, break_on_hyphens=False)]
     return "\n".join(out)

@@ -16,19 +16,31 @@ def modes_of_slip(slip):
     return {"SL"} if slip > SLIDES else {"R"} if slip < ROCKS else {"R", "SL"}
 
 
+def modes_of(failure):
+    """Letters of one test; flexure of a dry wall is rocking."""
+    return {"R" if letter.strip() == "F" else letter.strip() for letter in failure.split(",")}
+
+
 def measured_modes(failures):
-    """Letters that any of the tests has; flexure of a dry wall is rocking."""
-    letters = {letter.strip() for failure in failures for letter in failure.split(",")}
-    return {"R" if letter == "F" else letter for letter in letters}
+    """Of the tests: how many have each letter."""
+    counts = {}
+    for failure in failures:
+        for letter in modes_of(failure):
+            counts[letter] = counts.get(letter, 0) + 1
+    return counts
 
 
 def in_words(letters):
     return " and ".join(WORDS[letter] for letter in ("R", "SL", "TC") if letter in letters)
 
 
-def compare_modes(measured, computed):
-    """Of dry walls: what is missing, and what the run has beside."""
-    missing, beside = measured - computed, computed - measured
+def counts_in_words(counts, tests):
+    return ", ".join(WORDS[k] + ("" if counts[k] == tests else f" ({counts[k]} of {tests})") for k in ("R", "SL", "TC") if k in counts)
+
+
+def compare_modes(counts, tests, computed):
+    """Of dry walls: what most of the tests have and the run has not, and what the run has and no test."""
+    missing, beside = {k for k, n in counts.items() if 2 * n > tests} - computed, computed - set(counts)
     parts = ([f"no {in_words(missing)}"] if missing else []) + ([f"{in_words(beside)} as well"] if beside else [])
     return "yes" if not parts else ("**no**: " if missing else "partly: ") + ", ".join(parts)
 
@@ -40,8 +52,9 @@ def inner_mode(share):
 def mode(c):
     """Measured, computed, and whether they agree."""
     if not c.wall.bond:
-        measured, computed = measured_modes([row["failure"] for row in c.rows]), modes_of_slip(c.slip)
-        return in_words(measured), in_words(computed), compare_modes(measured, computed)
+        failures = list({row["test"].split(" ")[0]: row["failure"] for row in c.rows}.values())
+        counts, tests, computed = measured_modes(failures), len(failures), modes_of_slip(c.slip)
+        return counts_in_words(counts, tests), in_words(computed), compare_modes(counts, tests, computed)
     measured = c.rows[0]["failure"]
     to_peak, to_end = c.run.inner_share(c.run.time_of_peak()), c.run.inner_share()
     at_peak, at_end = (inner_mode(to_end if math.isnan(share) else share) for share in (to_peak, to_end))

@@ -60,9 +60,9 @@ Each kind of wall is computed once.
 """
 
 VERDICTS = """\
-- **Failure** of a dry wall: the letters of all its tests, flexure as rocking; of a brick wall the
-  mode of the table and that of most of the area broken by then, at the peak and at the end. "Partly":
-  the run has what the tests have, and more.
+- **Failure** of a dry wall by the letters of its tests, flexure as rocking: "no" where the run has
+  not what most of the tests have, "partly" where it has what none has. Of a brick wall the mode in
+  the table, and that of most of the area broken by then, at the peak and at the end.
 - **Loss of force**: as in the tables of the walls, up to 2 % of H0; a run may have one where a test
   has. Brick walls are pushed to 0.5 % and have none to be looked for.
 - **Self-centring**: the displacement at which the force is zero after unloading, over the largest,

@@ -120,12 +120,13 @@ class Curves(unittest.TestCase):
 
 class Verdicts(unittest.TestCase):
     def test_modes(self):
-        self.assertEqual(verdicts.measured_modes(["F, R", "R, SL"]), {"R", "SL"})
+        self.assertEqual(verdicts.measured_modes(["F, R", "R, SL"]), {"R": 2, "SL": 1})
+        self.assertEqual(verdicts.counts_in_words({"R": 2, "SL": 1}, 2), "rocking, sliding (1 of 2)")
         self.assertEqual(verdicts.modes_of_slip(0.5), {"R", "SL"})
         self.assertEqual(verdicts.modes_of_slip(0.9), {"SL"})
-        self.assertEqual(verdicts.compare_modes({"R", "SL"}, {"R", "SL"}), "yes")
-        self.assertEqual(verdicts.compare_modes({"R"}, {"R", "SL"}), "partly: sliding as well")
-        self.assertEqual(verdicts.compare_modes({"R", "TC"}, {"R"}), "**no**: no toe crushing")
+        self.assertEqual(verdicts.compare_modes({"R": 2, "SL": 2}, 2, {"R", "SL"}), "yes")
+        self.assertEqual(verdicts.compare_modes({"R": 4, "TC": 1}, 4, {"R", "SL"}), "partly: sliding as well")
+        self.assertEqual(verdicts.compare_modes({"R": 2, "TC": 2}, 2, {"R"}), "**no**: no toe crushing")
 
     def test_loss_and_loops(self):
         u = np.linspace(0.0, 0.03, 301)

@@ -6,8 +6,9 @@
 namespace voussoir::testing {
 namespace {
 
-constexpr double kWidth = 0.1, kDepth = 0.2, kDensity = 2000.0, kGravity = 9.81;                  // m, m, kg/m3, m/s2
-constexpr double kWeight = kDensity * 0.6 * kWidth * 0.1 * kGravity, kMoment = kWeight * 0.2;     // N, N m, of the bracket about the bed's middle
+constexpr double kWidth = 0.1, kDepth = 0.2, kDensity = 2000.0, kGravity = 9.81;  // m, m, kg/m3, m/s2
+constexpr double kWeight = kDensity * 0.6 * kWidth * 0.1 * kGravity,
+                 kMoment = kWeight * 0.2;  // N, N m, of the bracket about the bed's middle
 constexpr double kModulus = kWidth * kDepth * kDepth / 6.0, kPressure = kWeight / (kWidth * kDepth);  // m3, Pa
 
 /// A bracket of 0.6 m lies with its last 0.2 m on a fixed brick, and its weight bends the bed. Whether the bed cracks.
@@ -46,8 +47,8 @@ double strength_at_failure(double expected, geometry::SegmentRule rule) {
 TEST_CASE("V5: bond wrench") {
   const double bending = kMoment / kModulus;
   const double rim = bending - kPressure;
-  expect_near("V5 bond wrench, points to the rim: tensile strength at failure [Pa]", strength_at_failure(rim, geometry::SegmentRule::rim), rim,
-              1e-2);
+  expect_near("V5 bond wrench, points to the rim: tensile strength at failure [Pa]", strength_at_failure(rim, geometry::SegmentRule::rim),
+              rim, 1e-2);
   // n = 4 points at the centres across the bed: M/W/(1 + 1/n), THEORY (2).
   const double centres = bending / 1.25 - kPressure;
   expect_near("V5 bond wrench, points at the centres, n = 4: tensile strength at failure [Pa]",

@@ -102,6 +102,7 @@ namespace {
 cases::Case facade() {
   cases::Case c = load("tilt").value;
   c.blocks.clear();
+  c.base->tilt = {0.0, 0.0};
   c.segment_size = 0.1;
   const auto add = [&](double x0, double x1, double z0, double z1) {
     cases::BlockSpec b;
