@@ -116,7 +116,7 @@ void each_push(const Contacts& c, int due, std::size_t element, Use use) {
     if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
     for (; flags != 0; flags &= flags - 1) {
       const auto place = static_cast<std::size_t>(g + std::countr_zero(flags) / 8);
-      const std::int64_t code = c.gather[place];
+      const std::int32_t code = c.gather[place];
       use(place, static_cast<std::size_t>(code / 2), code % 2 != 0);
     }
   }

@@ -80,12 +80,11 @@ void find_levels(World& w) {
   c.gatherers.sort(lowest, levels);
 }
 
-/// The next entry of an element.
-void append(Contacts& c, std::size_t e, std::int64_t code) {
-  const auto place = static_cast<std::size_t>(c.last_gather[e]++);
-  c.gather[place] = code;
+/// \pre the flag of the place is 0
+void put(Contacts& c, std::size_t place, std::int64_t code) {
+  c.gather[place] = static_cast<std::int32_t>(code);
   c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
-  c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
+  if (c.on[static_cast<std::size_t>(code / 2)] != 0) c.gather_on[place] = 1;  // few push
 }
 
 }  // namespace
@@ -123,11 +122,9 @@ void build_gather(World& w) {
 #pragma omp for schedule(static)
     for (std::size_t e = 0; e < n; ++e) c.last_gather[e] = c.first_gather[e] + total[e];
     each_code(w, patches, [&](std::size_t e, std::int64_t code) {
-      const auto place = static_cast<std::size_t>(c.first_gather[e] + mine[e]++);
-      c.gather[place] = code;
-      c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
-      c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
-      if (code % 2 == 0 && c.element[static_cast<std::size_t>(code / 2)] == w.elements.base) c.place[static_cast<std::size_t>(code + 1)] = -1;
+      put(c, static_cast<std::size_t>(c.first_gather[e] + mine[e]++), code);
+      if (code % 2 == 0 && c.element[static_cast<std::size_t>(code / 2)] == w.elements.base)
+        c.place[static_cast<std::size_t>(code + 1)] = -1;
     });
   }
   find_levels(w);
@@ -151,7 +148,7 @@ void add_to_gather(World& w) {
   c.place.resize(c.place.size() + 2, -1);
   for (const std::int32_t e : {master, slave}) {
     if (e == w.elements.base) continue;
-    append(c, static_cast<std::size_t>(e), 2 * slot + (e == master ? 0 : 1));
+    put(c, static_cast<std::size_t>(c.last_gather[static_cast<std::size_t>(e)]++), 2 * slot + (e == master ? 0 : 1));
     w.travel.activate(w.elements, e);
   }
 }

@@ -154,8 +154,7 @@ void search_patches_around(const SearchPass& t, const Here& here, std::span<cons
     const PatchesOfElements& patches = t.room().patches;
     for (auto p = patches.begin_of(other.element); p != patches.end_of(other.element); ++p) {
       if (t.is_re_searched_patch(*p)) continue;
-      const std::optional<double> apart =
-          gap_within(t, placed(w.patches.patch[static_cast<std::size_t>(*p)], other.body), here, gap);
+      const std::optional<double> apart = gap_within(t, placed(w.patches.patch[static_cast<std::size_t>(*p)], other.body), here, gap);
       if (apart) found.add(*p, 0, candidate_at(w, *p, here.element, *apart));
     }
   }

@@ -54,14 +54,14 @@ struct FoundRun {
 
 /// What searches share: room that they would allocate anew each time, and what changes little from one to the next (all of it derived).
 struct SearchRoom {
-  bool stale = true;                      // the grid is to be filled with all elements
-  std::vector<geometry::Box3> box;        // by element, round it as it stands
-  std::vector<std::uint8_t> looked_at;    // by element: it is searched again, or some of its patches are
-  std::vector<std::int32_t> elements;     // these, ascending
-  std::vector<FoundRun> found;            // by entry of `elements`
+  bool stale = true;                    // the grid is to be filled with all elements
+  std::vector<geometry::Box3> box;      // by element, round it as it stands
+  std::vector<std::uint8_t> looked_at;  // by element: it is searched again, or some of its patches are
+  std::vector<std::int32_t> elements;   // these, ascending
+  std::vector<FoundRun> found;          // by entry of `elements`
   std::vector<SearchOfThread> by_thread;
   ReSearch re_search;
-  PatchesOfElements patches;               // up to date for so many patches as it lists, until they are sorted anew
+  PatchesOfElements patches;             // up to date for so many patches as it lists, until they are sorted anew
   std::vector<std::uint8_t> changed;     // by patch: its candidates are others than before
   std::vector<std::int32_t> candidates;  // by patch, how many it will have
   std::vector<std::int64_t> first_of;    // by patch, its first slot; one more entry

@@ -174,7 +174,7 @@ struct Contacts {
   std::vector<std::uint8_t> on;
   std::vector<std::int64_t> first_gather;  // by element, count + 1 entries: its room in `gather`
   std::vector<std::int64_t> last_gather;   // by element: where its entries end; the rest of its room is for slots that come later
-  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
+  std::vector<std::int32_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
   std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
   // Of multi-rate stepping; else empty. A patch has the lowest level of its pairs.

@@ -70,7 +70,7 @@ TEST_SUITE("grid") {
     };
     for (int round = 0; round < 40; ++round) {
       for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = moved(boxes[i], i % 2 == 0 ? 0.01 : 0.3);
-      boxes[7] = moved(boxes[7], 500.0);                       // thrown
+      boxes[7] = moved(boxes[7], 500.0);                        // thrown
       for (Vec3* v : {&boxes[8].low, &boxes[8].high}) *v = {};  // all to one place, where there is no room for them
       boxes[static_cast<std::size_t>(10 + round)] = boxes[9];
       if (round % 4 == 1) boxes[11] = {{-50, -50, -1}, {50, 50, 0}};  // a slab, in no cell

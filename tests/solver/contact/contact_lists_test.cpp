@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "solver/contact/contact_lists.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/run.h"
 #include "tests/solver/small_wall.h"
@@ -18,7 +19,7 @@ namespace {
 /// Who gathers what, whatever room lies between.
 struct Gathered {
   std::vector<std::vector<std::int64_t>> codes;      // by element
-  std::vector<std::vector<int>> on, slow;            // of these
+  std::vector<std::vector<int>> on;                  // of these
   std::vector<std::int32_t> master;                  // by active patch
   std::vector<std::pair<std::int32_t, bool>> place;  // by code: −1, or how far from where its element begins; whether it is found there
   bool operator==(const Gathered&) const = default;
@@ -29,10 +30,9 @@ Gathered gathered(const solver::World& w) {
   Gathered r;
   std::vector<std::int32_t> from(c.gather.size(), -1);
   for (std::size_t e = 0; e + 1 < c.first_gather.size(); ++e) {
-    r.codes.emplace_back(), r.on.emplace_back(), r.slow.emplace_back();
+    r.codes.emplace_back(), r.on.emplace_back();
     for (auto k = static_cast<std::size_t>(c.first_gather[e]); k < static_cast<std::size_t>(c.last_gather[e]); ++k) {
       r.codes[e].push_back(c.gather[k]), r.on[e].push_back(c.gather_on[k]);
-      if (!c.gather_slow.empty()) r.slow[e].push_back(c.gather_slow[k]);
       from[k] = static_cast<std::int32_t>(c.first_gather[e]);
     }
   }
@@ -52,32 +52,29 @@ Gathered gathered(const solver::World& w) {
 }  // namespace
 
 TEST_CASE("gather lists to which slots were added are those that are made anew, with any number of threads") {
-  for (const int cycle : {1, 2}) {
-    cases::Case c = mixed_wall(4, 8);
-    c.multirate = cycle;
-    const cases::Model m = cases::build_model(c);
-    const cases::GroundMotion g = strong_shaking();
-    solver::Options o;
-    o.threads = 3;
-    solver::Simulation sim(c, m, g, o);
-    solver::World& w = sim.world();
-    int added = 0;
-    for (int i = 0; i < 4000; ++i) {
-      const std::size_t before = w.contacts.active.size();
-      sim.step({});
-      sim.cracks().clear();
-      if (w.contacts.stale_level < solver::Contacts::kUpToDate || w.contacts.active.size() == before) continue;
-      const Gathered now = gathered(w);
-      solver::build_gather(w);
-      const Gathered anew = gathered(w);
-      REQUIRE(now == anew);
-      for (const auto& [at, found] : anew.place) REQUIRE(found);
-      for (const auto& codes : anew.codes) REQUIRE(std::ranges::is_sorted(codes));
-      ++added;
-    }
-    CHECK(added > 20);
-    MESSAGE(added << " times slots were added");
+  cases::Case c = mixed_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options o;
+  o.threads = 3;
+  solver::Simulation sim(c, m, g, o);
+  solver::World& w = sim.world();
+  int added = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const std::size_t before = w.contacts.active.size();
+    sim.step({});
+    sim.cracks().clear();
+    if (w.contacts.stale_level < solver::Contacts::kUpToDate || w.contacts.active.size() == before) continue;
+    const Gathered now = gathered(w);
+    solver::build_gather(w);
+    const Gathered anew = gathered(w);
+    REQUIRE(now == anew);
+    for (const auto& [at, found] : anew.place) REQUIRE(found);
+    for (const auto& codes : anew.codes) REQUIRE(std::ranges::is_sorted(codes));
+    ++added;
   }
+  CHECK(added > 5);
+  MESSAGE(added << " times slots were added");
 }
 
 TEST_CASE("bodies that overlap by more than is allowed are listed, and none of them is thought to be safe") {
@@ -101,7 +98,10 @@ TEST_CASE("bodies that overlap by more than is allowed are listed, and none of t
       const bool has = at != pairs.end() && at->a == a && at->b == b;
       INFO("step " << i << ", " << a << " and " << b << ", to spare " << spare << " m");
       if (!has) REQUIRE(spare > 0.0);
-      if (has && w.travel.bound(a) + w.travel.bound(b) < at->safe) REQUIRE(spare >= 0.0), ++proven;
+      if (has && w.travel.bound(a) + w.travel.bound(b) < at->safe) {
+        REQUIRE(spare >= 0.0);
+        ++proven;
+      }
       if (has) ++listed;
       if (spare < 1e-3) ++close;
     };
