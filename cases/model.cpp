@@ -263,6 +263,8 @@ const char* name(PartKind kind) noexcept {
       return "floor beam";
     case PartKind::walling:
       return "walling";
+    case PartKind::arch_stone:
+      return "arch stone";
     case PartKind::block:
       break;
   }

@@ -150,7 +150,7 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
 
 void add_arch(const House& house, const HousePlan& plan, const WallPlan& wall, const Hole& hole, HouseParts& parts) {
   Block prototype;
-  prototype.kind = PartKind::voussoir;
+  prototype.kind = PartKind::arch_stone;
   prototype.material = parts.arches[hole.opening];
   prototype.tag = wall_tag(house, wall);
   prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);

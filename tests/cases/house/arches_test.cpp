@@ -35,7 +35,7 @@ Case with_arch(const std::string& wall, double width, const Arch& arch, bool lin
 std::vector<std::size_t> voussoirs_of(const Model& m) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < m.blocks.size(); ++i)
-    if (m.blocks[i].kind == PartKind::voussoir) all.push_back(i);
+    if (m.blocks[i].kind == PartKind::arch_stone) all.push_back(i);
   return all;
 }
 
