@@ -24,7 +24,7 @@ constexpr double kSheet = 760.0;                                                
 constexpr double kLargestScale = 140.0;                                           // units per metre
 constexpr double kBehind = 0.55;                 // m; a wall deeper than this behind the nearest face is drawn darker
 constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
-constexpr double kBeside = 0.15;                 // m of ground that is drawn beside the house
+constexpr double kBeside = 10.0;                 // units of ground that are drawn beside the house
 constexpr const char* kNamed = "#1f5fa8";        // red is for cracks alone, as in all pictures
 constexpr const char* kTie = "#1b7f5c";
 
@@ -191,8 +191,9 @@ class Drawing {
   [[nodiscard]] geometry::Polyhedron ground_near_walls(const cases::Block& block) const {
     const geometry::Box3 whole = geometry::bounds(block.shape);
     Vec3 low = whole.low, high = whole.high;
-    low.x = std::clamp(low.x, box_.low.x - kBeside, box_.high.x), high.x = std::clamp(high.x, box_.low.x, box_.high.x + kBeside);
-    low.y = std::clamp(low.y, box_.low.y - kBeside, box_.high.y), high.y = std::clamp(high.y, box_.low.y, box_.high.y + kBeside);
+    const double beside = kBeside / scale_;
+    low.x = std::clamp(low.x, box_.low.x - beside, box_.high.x), high.x = std::clamp(high.x, box_.low.x, box_.high.x + beside);
+    low.y = std::clamp(low.y, box_.low.y - beside, box_.high.y), high.y = std::clamp(high.y, box_.low.y, box_.high.y + beside);
     return low.x < high.x && low.y < high.y ? geometry::make_box(low, high) : geometry::Polyhedron{};
   }
 

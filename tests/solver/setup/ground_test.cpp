@@ -33,10 +33,9 @@ cases::Case cubes(double z) {
 
 cases::Case on_part(Vec3 velocity) {
   cases::Case c = cubes(kLevel);
-  cases::BasePart part;
+  cases::BasePart& part = c.base->parts.emplace_back();
   part.x = {-0.5, 0.7}, part.y = {-0.3, 0.9}, part.level = kLevel;
   if (norm(velocity) > 0.0) part.motion.emplace().velocity = velocity;
-  c.base->parts = {part};
   return c;
 }
 
