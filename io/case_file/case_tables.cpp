@@ -269,7 +269,7 @@ Table<BasePart> base_part_table() {
       "the house; walls begin upon it",
       {value<S>("x", &S::x, "m", any(), "its two ends along x, with y; axes of the case"),
        value<S>("y", &S::y, "m", any(), "its two ends along y"),
-       value<S>("wall", &S::wall, "", filled(),
+       value<S>("wall", &S::wall, "", any(),
                 "in place of x and y: all that is under this wall: front, rear, left, right, or the name of an inner wall"),
        value<S>("from", &S::from, "m", at_least(0.0), "with wall: start along it, from the outer corner of the house; none: its start"),
        value<S>("to", &S::to, "m", above(0.0), "with wall: its end; none: the wall's"),
