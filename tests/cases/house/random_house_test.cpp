@@ -57,9 +57,9 @@ void add_openings(Dice& dice, House& h) {
     const double width = dice.pick(0.2, 0.8, step), from = dice.place(corner, room - width, step);
     Opening o = opening(walls[wall], from, width, dice.pick(0.0, 0.3, level), dice.pick(0.1, 0.4, level));
     if (dice.one_in(2)) o.lintel = Lintel{o.width + dice.pick(0.1, 0.4, step), dice.pick(0.08, 0.12, 0.02), dice.pick(0.1, 0.3, 0.05)};
-    if (dice.one_in(2)) {
+    if (dice.one_in(3)) {
       const double rise = dice.one_in(2) ? 0.0 : dice.one_in(3) ? 0.5 * o.width : std::min(0.1, 0.4 * o.width);
-      o.arch = Arch{rise, dice.pick(0.1, 0.2, dice.one_in(3) ? 0.02 : 0.1), dice.pick(0.1, 0.2, 0.05), {}, {}};
+      o.arch = Arch{rise, dice.one_in(6) ? 0.16 : 0.1, dice.one_in(4) ? 0.15 : h.brick[1] + h.mortar, {}, {}};
       if (dice.one_in(3)) o.arch->voussoirs = dice.whole(3, 9);
     }
     h.openings.push_back(o);
@@ -213,7 +213,7 @@ Case random_case(Dice& dice) {
   if (dice.one_in(3)) add_reinforcement(dice, h);
   const bool four_walls = h.reinforcement || !h.floors.empty() || !h.piers.empty();
   if (dice.one_in(6) && (!four_walls || dice.one_in(4))) h.walls = {"front", "rear", "left"};
-  if (dice.one_in(4)) add_base_part(dice, c);
+  if (dice.one_in(6)) add_base_part(dice, c);
   if (dice.one_in(4) && c.base->parts.empty()) h.copies = {2, 1};
   h.turn = 90.0 * dice.whole(0, 3);
   h.origin = {dice.pick(-3.0, 3.0, 0.1), dice.pick(-3.0, 3.0, 0.01)};
