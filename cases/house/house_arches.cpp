@@ -99,8 +99,10 @@ std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const 
   for (std::size_t i = 0; i + 1 < below.size(); ++i) {
     Polygon piece{below[i], below[i + 1], above[i + 1]};
     for (const double side : {box.high, box.low}) {  // a corner of the frame between the two joints
-      const bool turns_high = side == box.high && above[i].t == box.top && above[i].s < side && above[i + 1].s == side && above[i + 1].t < box.top;
-      const bool turns_low = side == box.low && above[i + 1].t == box.top && above[i + 1].s > side && above[i].s == side && above[i].t < box.top;
+      const bool turns_high =
+          side == box.high && above[i].t == box.top && above[i].s < side && above[i + 1].s == side && above[i + 1].t < box.top;
+      const bool turns_low =
+          side == box.low && above[i + 1].t == box.top && above[i + 1].s > side && above[i].s == side && above[i].t < box.top;
       if (turns_high || turns_low) piece.push_back({side, box.top});
     }
     piece.push_back(above[i]);
@@ -126,7 +128,8 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
   const Arch& arch = *house.openings[index].arch;
   const double half = 0.5 * metres(under.along.length());
   if (!(arch.rise >= 0.0 && arch.rise <= half + 1e-9))
-    throw InputError(key_of(index, "rise"), text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
+    throw InputError(key_of(index, "rise"),
+                     text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
   const Tick thickness = positive_length(arch.thickness, key_of(index, "thickness"));
   if (thickness < plan.lowest_course())
     throw InputError(key_of(index, "thickness"),

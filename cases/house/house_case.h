@@ -204,7 +204,7 @@ struct House {
   std::vector<Floor> floors;           // key: floor
   std::vector<Opening> openings;       // key: opening
   std::optional<Reinforcement> reinforcement;
-  std::vector<HouseTie> ties;     // key: tie
+  std::vector<HouseTie> ties;      // key: tie
   std::vector<HouseMesh> meshes;   // key: mesh
   std::vector<GroundStep> ground;  // by Base::parts
 };

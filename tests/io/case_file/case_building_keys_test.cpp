@@ -156,7 +156,8 @@ TEST_CASE("faults: parts of the base, arches and rubble say which keys go togeth
     CHECK(has(got, key));
     CHECK(has(got, says));
   };
-  const std::string part = "[[base.part]]\nlevel = 0.5\n", square = part + "x = [0.0, 1.0]\ny = [1.0, 2.0]\n", front = part + "wall = \"front\"\n";
+  const std::string part = "[[base.part]]\nlevel = 0.5\n", square = part + "x = [0.0, 1.0]\ny = [1.0, 2.0]\n",
+                    front = part + "wall = \"front\"\n";
   faulty("[[base.part]]\nwall = \"front\"\n", "base.part[0].level", "is missing");
   faulty(part, "base.part[0]", "has no place; give x and y, or wall");
   faulty(part + "x = [0.0, 1.0]\n", "base.part[0].x", "is not enough; a rectangle needs x and y");
