@@ -7,7 +7,7 @@
 
 #include "cases/blocks.h"
 #include "cases/contact_rules.h"
-#include "cases/ground.h"
+#include "cases/solids/ground.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/loose_model.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <tuple>
 
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 #include "cases/house/house_courses.h"
 #include "cases/house/house_floors.h"
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <tuple>
 
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 #include "cases/house/house_parts.h"
-#include "cases/house/house_prism.h"
-#include "cases/house/house_rubble.h"
+#include "cases/house/walls/prism.h"
+#include "cases/house/walls/rubble.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

@@ -12,7 +12,7 @@
 
 using namespace voussoir;
 
-// Parts of the base (cases/ground.h) are the base at another height, and may move.
+// Parts of the base (cases/solids/ground.h) are the base at another height, and may move.
 namespace {
 
 constexpr double kLevel = 0.6;  // m

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_rubble.h"
+#include "cases/house/walls/rubble.h"
 
 #include <algorithm>
 #include <array>

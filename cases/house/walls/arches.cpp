@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "cases/house/house_prism.h"
 #include "cases/house/house_wall.h"
+#include "cases/house/walls/prism.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
