@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/ground.h"
+#include "cases/solids/ground.h"
 #include "cases/house/house.h"
 #include "cases/names.h"
 

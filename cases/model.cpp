@@ -7,7 +7,7 @@
 
 #include "cases/blocks.h"
 #include "cases/contact_rules.h"
-#include "cases/ground.h"
+#include "cases/solids/ground.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
 #include "cases/loose_model.h"
@@ -263,6 +263,8 @@ const char* name(PartKind kind) noexcept {
       return "floor beam";
     case PartKind::walling:
       return "walling";
+    case PartKind::arch_stone:
+      return "arch stone";
     case PartKind::block:
       break;
   }

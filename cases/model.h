@@ -13,7 +13,7 @@
 namespace voussoir::cases {
 
 /// What a block is in a house; decides which law its joints get.
-enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling };
+enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling, arch_stone };
 /// What people call it: "brick", "ring beam".
 const char* name(PartKind kind) noexcept;
 

@@ -73,7 +73,7 @@ struct Part {
   const Polyhedron* shape = nullptr;
   double segment_size = 0.0;  // m, > 0
   bool anchored = false;      // fixed, or allowed to float: holds itself
-  bool ground = false;        // a part of the base: has no points of its own, and no joints with the base or other ground; after all that is none
+  bool ground = false;  // a part of the base: has no points of its own, and no joints with the base or other ground; after all that is none
 };
 
 /// Validates every shape, finds overlaps, touching faces and what they share.

@@ -144,7 +144,8 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
     const std::optional<Arch>& arch = house.openings[i].arch;
     const bool own = arch && arch->material;
-    parts.arches.push_back(own ? find_material(materials, *arch->material, indexed_key("house.opening", i, "arch.material")) : parts.masonry);
+    parts.arches.push_back(own ? find_material(materials, *arch->material, indexed_key("house.opening", i, "arch.material"))
+                               : parts.masonry);
   }
   if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
   parts.roof = roof_material(house, materials, parts);

@@ -155,7 +155,7 @@ struct Reinforcement {
 /// header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks are long have a header beside
 /// each stretcher. Others as in English bond. rubble: convex stones about the size of a brick (Rubble).
 enum class Bond { english, running, header, flemish, rubble };
-/// Stones of random size, in courses of random height, their joints askew (house_rubble.cpp).
+/// Stones of random size, in courses of random height, their joints askew (walls/rubble.cpp).
 struct Rubble {
   int seed = 1;
   double irregularity = 0.5;  // 0: rectangular stones of one size; 1: the most
@@ -174,7 +174,7 @@ struct Leaves {
   std::optional<std::string> joint;  // law of the collar joint; none: that of the bricks
   std::optional<ThroughStones> through;
 };
-/// Ground higher than the foot of the house: a rectangle in its axes. Not a key: made of Case::base (cases/ground.h).
+/// Ground higher than the foot of the house: a rectangle in its axes. Not a key: made of Case::base (cases/solids/ground.h).
 struct GroundStep {
   std::array<double, 2> x, y;  // m
   double level = 0.0;          // m
@@ -204,7 +204,7 @@ struct House {
   std::vector<Floor> floors;           // key: floor
   std::vector<Opening> openings;       // key: opening
   std::optional<Reinforcement> reinforcement;
-  std::vector<HouseTie> ties;     // key: tie
+  std::vector<HouseTie> ties;      // key: tie
   std::vector<HouseMesh> meshes;   // key: mesh
   std::vector<GroundStep> ground;  // by Base::parts
 };

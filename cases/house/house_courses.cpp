@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "cases/house/house_arches.h"
-#include "cases/house/house_rubble.h"
+#include "cases/house/walls/arches.h"
+#include "cases/house/walls/rubble.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

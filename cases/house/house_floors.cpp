@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 
@@ -90,8 +90,7 @@ void add_pocket(const House& house, const Hole& pocket, WallPlan& wall, const Ho
     const auto index = static_cast<std::size_t>(pocket.floor);
     throw InputError(key_of(index, "beam"), "a beam from " + metres_text(pocket.along.low) + " to " + metres_text(pocket.along.high) +
                                                 " m of the " + wall_name(house, wall) + ", " + metres_text(pocket.height.low) +
-                                                " m above the ground, lies in " +
-                                                hole_key(other) +
+                                                " m above the ground, lies in " + hole_key(other) +
                                                 "; lower that, or move the beams (spacing)");
   }
   wall.holes.push_back(pocket);

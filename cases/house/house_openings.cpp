@@ -7,10 +7,10 @@
 #include <functional>
 #include <tuple>
 
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 #include "cases/house/house_courses.h"
 #include "cases/house/house_floors.h"
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
 
@@ -54,9 +54,12 @@ void refuse_crossing(const House& house, const Hole& hole, const char* field, do
     if (!here || other.storey != wall.storey || other.along_x == wall.along_x) continue;
     const Interval crossing{other.at, other.at + other.thickness};
     if (!hole.along.overlaps(crossing)) continue;
-    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " + (hole.lintel ? "lintel" : hole.arch ? "arch" : "opening") + " (" +
-                                                      from_to(hole.along) + ") where the " + wall_name(house, other) + " meets the " +
-                                                      wall_name(house, wall) + ", " + from_to(crossing));
+    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " +
+                                                      (hole.lintel ? "lintel"
+                                                       : hole.arch ? "arch"
+                                                                   : "opening") +
+                                                      " (" + from_to(hole.along) + ") where the " + wall_name(house, other) +
+                                                      " meets the " + wall_name(house, wall) + ", " + from_to(crossing));
   }
 }
 
@@ -138,10 +141,10 @@ Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan,
   const double springer = house.openings[under.opening].arch->springer;
   if (hole.along.low < room.low || hole.along.high > room.high) {
     const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
-    throw InputError(key_of(under.opening, "arch.springer"),
-                     text(springer) + " m makes the arch reach " + from_to(hole.along) + ", into a corner of the " + wall_name(house, wall) +
-                         " (inner corners at " + metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
-                         metres_text(spare) + " m here");
+    throw InputError(key_of(under.opening, "arch.springer"), text(springer) + " m makes the arch reach " + from_to(hole.along) +
+                                                                 ", into a corner of the " + wall_name(house, wall) +
+                                                                 " (inner corners at " + metres_text(room.low) + " and " +
+                                                                 metres_text(room.high) + " m); at most " + metres_text(spare) + " m here");
   }
   refuse_crossing(house, hole, "arch.springer", springer, wall, plan);
   return hole;
@@ -150,10 +153,9 @@ Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan,
 void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
   for (const Hole& other : wall.holes) {
     if (!hole.along.overlaps(other.along) || !hole.height.overlaps(other.height)) continue;
-    throw InputError(hole_key(hole),
-                     "overlaps " + hole_key(other) + " in the " + wall_name(house, wall) + ": " +
-                         from_to(hole.along) + " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
-                         from_to(other.height) + ")");
+    throw InputError(hole_key(hole), "overlaps " + hole_key(other) + " in the " + wall_name(house, wall) + ": " + from_to(hole.along) +
+                                         " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
+                                         from_to(other.height) + ")");
   }
   wall.holes.push_back(hole);
 }
@@ -254,7 +256,8 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   }
   if (found->hole->arch) {
     const auto springer = [index](House& h) -> double& { return h.openings[index].arch->springer; };
-    throw InputError(key_of(index, "arch.springer"), text(opening.arch->springer) + " m" + problem + advice(house, plan, springer, {gap, -lack}));
+    throw InputError(key_of(index, "arch.springer"),
+                     text(opening.arch->springer) + " m" + problem + advice(house, plan, springer, {gap, -lack}));
   }
   const bool piece_before = found->hole->along.low == found->piece.high;
   const auto from = [index](House& h) -> double& { return h.openings[index].from; };

@@ -31,12 +31,13 @@ struct Interval {
 enum class Side : std::uint8_t { front, right, rear, left };
 const char* name(Side side) noexcept;
 
-/// A place in a wall without bricks: an opening, the seat of its lintel, the pocket of a beam, an arch, or ground. `opening` indexes House::openings.
+/// A place in a wall without bricks: an opening, the seat of its lintel, the pocket of a beam, an arch, or ground. `opening` indexes
+/// House::openings.
 struct Hole {
   Interval along, height;
   std::size_t opening = 0;
   bool lintel = false;
-  Interval depth{};         // through the wall
+  Interval depth{};          // through the wall
   std::int32_t floor = -1;   // into House::floors: a pocket
   std::int32_t ground = -1;  // into House::ground: in place of the wall's foot
   bool arch = false;         // the frame that an arch fills, but for the room under its soffit

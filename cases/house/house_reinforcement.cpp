@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 
@@ -93,8 +93,8 @@ void check_place(const WallPlan& wall, double given, Tick axis, Tick section, In
   }
   for (const Hole& hole : wall.holes) {
     if (hole.lintel || !hole.along.overlaps(along) || !hole.height.overlaps(height)) continue;
-    throw InputError(key, at + "in front of " + hole_key(hole) + " (" + from_to(hole.along) + ") in the " +
-                              name(wall.side) + " wall" + advice(wall, axis, section, height, room));
+    throw InputError(key, at + "in front of " + hole_key(hole) + " (" + from_to(hole.along) + ") in the " + name(wall.side) + " wall" +
+                              advice(wall, axis, section, height, room));
   }
 }
 

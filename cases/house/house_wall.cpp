@@ -7,10 +7,10 @@
 #include <string>
 #include <tuple>
 
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 #include "cases/house/house_parts.h"
-#include "cases/house/house_prism.h"
-#include "cases/house/house_rubble.h"
+#include "cases/house/walls/prism.h"
+#include "cases/house/walls/rubble.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -152,7 +152,8 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
   return box_block(in_house(plan, wall, laid.along, laid.depth, laid.height), prototype);
 }
 
-void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall, const std::vector<RubbleStone>& stones, HouseParts& parts) {
+void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall, const std::vector<RubbleStone>& stones,
+                HouseParts& parts) {
   Block prototype;
   prototype.kind = PartKind::brick;
   prototype.tag = wall_tag(house, wall);
@@ -166,7 +167,8 @@ void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall,
 }
 
 /// \param rubble  null: bricks
-void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, const RubbleWalls* rubble, HouseParts& parts) {
+void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, const RubbleWalls* rubble,
+                  HouseParts& parts) {
   const Interval height = plan.courses[static_cast<std::size_t>(course)];
   if (rubble != nullptr) add_stones(house, plan, wall, rubble->stones(wall, course), parts);
   std::vector<Laid> laid;

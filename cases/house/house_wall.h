@@ -32,7 +32,7 @@ struct Wythe {
 /// English bond, n = thickness / brick width. Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
 /// stretcher at the inner face, all a quarter brick off the even grid. With n odd the even course ends in a stretcher at the inner face and
 /// the odd course has none there. Running bond, and any wall one brick width thick: n stretchers, every second course half a brick off.
-/// Rubble has one layer here; its stones through the wall are house_rubble.h's.
+/// Rubble has one layer here; its stones through the wall are walls/rubble.h's.
 /// Flemish bond, n even: n layers of a brick's width, headers and stretchers in turn in the faces, the odd course's headers over the middle
 /// of the even course's stretchers, headers between the faces; lay_course() makes headers of the layers' pieces.
 std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);

@@ -105,7 +105,8 @@ Table<Arch> arch_table() {
 Table<Rubble> rubble_table() {
   using S = Rubble;
   return {
-      "convex stones about the size of a brick for bond = \"rubble\", in courses of random height, their joints askew; level beds and upright "
+      "convex stones about the size of a brick for bond = \"rubble\", in courses of random height, their joints askew; level beds and "
+      "upright "
       "ends at corners, openings, floors and ends of storeys",
       {value<S>("seed", &S::seed, "", any(), "another seed, other stones"),
        value<S>("irregularity", &S::irregularity, "", within(0.0, 1.0), "0: rectangular stones of one size; 1: the most"),
@@ -122,7 +123,8 @@ Table<Opening> opening_table() {
            required(value<S>("from", &S::from, "m", at_least(0.0), "start along the wall, x or y from the outer corner of the house")),
            required(value<S>("width", &S::width, "m", above(0.0), "clear width")),
            value<S>("sill", &S::sill, "m", at_least(0.0), "height of its lower edge above the foot of its storey"),
-           required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table()), table<S>("arch", &S::arch, arch_table())},
+           required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table()),
+           table<S>("arch", &S::arch, arch_table())},
           nullptr};
 }
 
@@ -188,7 +190,11 @@ Table<House> house_table() {
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
            "bond", &S::bond, "",
-           {{"english", Bond::english}, {"running", Bond::running}, {"header", Bond::header}, {"flemish", Bond::flemish}, {"rubble", Bond::rubble}},
+           {{"english", Bond::english},
+            {"running", Bond::running},
+            {"header", Bond::header},
+            {"flemish", Bond::flemish},
+            {"rubble", Bond::rubble}},
            "bond of the bricks; header: walls as thick as a brick is long are all headers; flemish: walls as thick as one or more bricks "
            "are long have headers and stretchers in turn; others, and gables, as in English bond; rubble: convex stones (gables: bricks in "
            "running bond)"),

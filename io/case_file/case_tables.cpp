@@ -41,7 +41,8 @@ Table<Time> time_table() {
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
            value<S>("multirate", &S::multirate, "", within(1.0, 8.0),
-                    "steps from one evaluation of slow pairs of elements, which allow so long a step, to the next; 1: all in every step, as in the paper; "
+                    "steps from one evaluation of slow pairs of elements, which allow so long a step, to the next; 1: all in every step, "
+                    "as in the paper; "
                     "of time histories alone")},
           nullptr};
 }
@@ -123,45 +124,46 @@ void check_closure(const JointLaw& s, const RuleCheck& check) {
 
 Table<JointLaw> joint_law_table() {
   using S = JointLaw;
-  return {"strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
-          {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
-           required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
-           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
-                             "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
-           required(value<S>("compression", &S::compression, "Pa", above(0.0),
-                             "compressive strength f_m of the bond; of contacts: contact.compression")),
-           value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
-           value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
-           value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
-           value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
-           value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0),
-                    "mode I, elastic part included: more than f_t^2 / (2 k_n); 0: brittle in tension"),
-           value<S>("fracture_energy_shear", &S::fracture_energy_shear, "J/m2", at_least(0.0),
-                    "mode II, of the cohesion alone, elastic part included: more than c^2 / (2 k_s); 0: by failure.post_shear"),
-           choice<S, SofteningCurve S::*, SofteningCurve>(
-               "softening", &S::softening, "", {{"exponential", SofteningCurve::exponential}, {"linear", SofteningCurve::linear}},
-               "how f_t and c fall over what opens or slides"),
-           value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0),
-                    "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
-           value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
-                    "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
-                    "fracture_energy_shear"),
-           value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
-                    "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
-           value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
-           value<S>(
-               "maximum_closure", &S::maximum_closure, "m", above(0.0),
-               "largest closure of a dry joint (Bandis' hyperbola): its stiffness grows from normal_stiffness, without pressure; friction is "
-               "residual_friction or that of [contact]; none: one stiffness")},
-          [](const S& s, const RuleCheck& check) {
-            check_softening(s, check);
-            check_stiffness(s, check);
-            check_closure(s, check);
-            if (s.thickness <= 0.0) return;
-            if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
-            if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
-            if (check.given("young") && s.young <= 0.0) check.fault("young", "must be > 0 for mortar with a thickness");
-          }};
+  return {
+      "strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
+      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
+       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
+       required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
+                         "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
+       required(value<S>("compression", &S::compression, "Pa", above(0.0),
+                         "compressive strength f_m of the bond; of contacts: contact.compression")),
+       value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
+       value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
+       value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
+       value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
+       value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0),
+                "mode I, elastic part included: more than f_t^2 / (2 k_n); 0: brittle in tension"),
+       value<S>("fracture_energy_shear", &S::fracture_energy_shear, "J/m2", at_least(0.0),
+                "mode II, of the cohesion alone, elastic part included: more than c^2 / (2 k_s); 0: by failure.post_shear"),
+       choice<S, SofteningCurve S::*, SofteningCurve>("softening", &S::softening, "",
+                                                      {{"exponential", SofteningCurve::exponential}, {"linear", SofteningCurve::linear}},
+                                                      "how f_t and c fall over what opens or slides"),
+       value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0),
+                "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
+       value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
+                "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
+                "fracture_energy_shear"),
+       value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
+                "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
+       value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
+       value<S>(
+           "maximum_closure", &S::maximum_closure, "m", above(0.0),
+           "largest closure of a dry joint (Bandis' hyperbola): its stiffness grows from normal_stiffness, without pressure; friction is "
+           "residual_friction or that of [contact]; none: one stiffness")},
+      [](const S& s, const RuleCheck& check) {
+        check_softening(s, check);
+        check_stiffness(s, check);
+        check_closure(s, check);
+        if (s.thickness <= 0.0) return;
+        if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
+        if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
+        if (check.given("young") && s.young <= 0.0) check.fault("young", "must be > 0 for mortar with a thickness");
+      }};
 }
 
 Table<Scatter> scatter_table() {
@@ -269,7 +271,7 @@ Table<BasePart> base_part_table() {
       "the house; walls begin upon it",
       {value<S>("x", &S::x, "m", any(), "its two ends along x, with y; axes of the case"),
        value<S>("y", &S::y, "m", any(), "its two ends along y"),
-       value<S>("wall", &S::wall, "", filled(),
+       value<S>("wall", &S::wall, "", any(),
                 "in place of x and y: all that is under this wall: front, rear, left, right, or the name of an inner wall"),
        value<S>("from", &S::from, "m", at_least(0.0), "with wall: start along it, from the outer corner of the house; none: its start"),
        value<S>("to", &S::to, "m", above(0.0), "with wall: its end; none: the wall's"),

@@ -24,6 +24,7 @@ constexpr double kSheet = 760.0;                                                
 constexpr double kLargestScale = 140.0;                                           // units per metre
 constexpr double kBehind = 0.55;                 // m; a wall deeper than this behind the nearest face is drawn darker
 constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
+constexpr double kBeside = 10.0;                 // units of ground that are drawn beside the house
 constexpr const char* kNamed = "#1f5fa8";        // red is for cracks alone, as in all pictures
 constexpr const char* kTie = "#1b7f5c";
 
@@ -55,12 +56,14 @@ struct Style {
 };
 
 Style style_of(const cases::Block& block) {
+  if (block.ground >= 0) return {"ground", {150, 142, 128}};
   const auto colour = [&]() -> Colour {
     switch (block.kind) {
       case PartKind::brick:
       case PartKind::walling:
         return block.whole ? Colour{222, 188, 150} : Colour{201, 152, 106};
       case PartKind::voussoir:
+      case PartKind::arch_stone:
         return {214, 170, 138};
       case PartKind::lintel:
         return {126, 90, 54};
@@ -113,6 +116,7 @@ class Drawing {
   Drawing(const cases::Case& c, const cases::Model& model) : case_(c), model_(model) {
     box_ = geometry::bounds(model.blocks.front().shape);
     for (const cases::Block& b : model.blocks) {
+      if (b.ground >= 0) continue;  // it may reach far beyond the walls on it
       const geometry::Box3 box = geometry::bounds(b.shape);
       box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y), std::min(box_.low.z, box.low.z)};
       box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y), std::max(box_.high.z, box.high.z)};
@@ -167,8 +171,30 @@ class Drawing {
         face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
       faces.push_back(std::move(face));
     }
+    for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
+      if (model_.blocks[e].ground < 0) continue;
+      const geometry::Polyhedron shape = ground_near_walls(model_.blocks[e]);
+      for (int f = 0; f < static_cast<int>(shape.faces.size()); ++f) {
+        const geometry::FacePlane plane = geometry::face_plane(shape, f);
+        if (dot(plane.normal, frame.view().into) > -0.5) continue;
+        VisibleFace face{frame.depth(plane.centroid), {}, e, false};
+        for (const std::int32_t v : shape.faces[static_cast<std::size_t>(f)])
+          face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
+        faces.push_back(std::move(face));
+      }
+    }
     std::stable_sort(faces.begin(), faces.end(), [](const VisibleFace& a, const VisibleFace& b) { return a.depth > b.depth; });
     return faces;
+  }
+
+  /// A part of the base, as far as it is near the house.
+  [[nodiscard]] geometry::Polyhedron ground_near_walls(const cases::Block& block) const {
+    const geometry::Box3 whole = geometry::bounds(block.shape);
+    Vec3 low = whole.low, high = whole.high;
+    const double beside = kBeside / scale_;
+    low.x = std::clamp(low.x, box_.low.x - beside, box_.high.x), high.x = std::clamp(high.x, box_.low.x, box_.high.x + beside);
+    low.y = std::clamp(low.y, box_.low.y - beside, box_.high.y), high.y = std::clamp(high.y, box_.low.y, box_.high.y + beside);
+    return low.x < high.x && low.y < high.y ? geometry::make_box(low, high) : geometry::Polyhedron{};
   }
 
   [[nodiscard]] std::string fill(std::size_t element, double light) const {
@@ -179,6 +205,7 @@ class Drawing {
   [[nodiscard]] double nearest_wall(const std::vector<VisibleFace>& faces) const {
     for (std::size_t i = faces.size(); i-- > 0;) {
       const cases::Block& block = model_.blocks[faces[i].element];
+      if (block.ground >= 0) continue;
       if (block.house < 0 || block.tag.find(" pier ") == std::string::npos) return faces[i].depth;
     }
     return faces.empty() ? 0.0 : faces.back().depth;
@@ -208,7 +235,8 @@ class Drawing {
   void draw_plan(Svg& svg, double z, Point2 corner, double height) const {
     const Frame frame = frame_of(kPlan, corner, height);
     for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
-      const Polygon section = section_at(model_.blocks[e].shape, z, frame);
+      const bool ground = model_.blocks[e].ground >= 0;
+      const Polygon section = section_at(ground ? ground_near_walls(model_.blocks[e]) : model_.blocks[e].shape, z, frame);
       if (section.size() > 2) svg.polygon(section, fill(e, 1.0));
     }
     for (const cases::TieBar& t : model_.ties) {

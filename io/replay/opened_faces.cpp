@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
@@ -37,6 +39,16 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
   return side;
 }
 
+/// Elements that are parts of the base: a broken joint is a small part of their faces.
+std::vector<bool> parts_of_base(const Hdf5File& run) {
+  if (!run.exists("/model/element/tag")) return std::vector<bool>(run.read<std::int32_t>("/model/element/first_face").size(), false);
+  const auto fixed = run.read<std::uint8_t>("/model/element/fixed");
+  const std::vector<std::string> tags = run.read_strings("/model/element/tag");
+  std::vector<bool> all(fixed.size(), false);
+  for (std::size_t e = 0; e < fixed.size() && e < tags.size(); ++e) all[e] = fixed[e] != 0 && tags[e].starts_with("ground ");
+  return all;
+}
+
 }  // namespace
 
 OpenedFaces opened_faces(const Hdf5File& run, const std::vector<double>& since) {
@@ -54,8 +66,9 @@ OpenedFaces opened_faces(const Hdf5File& run, const std::vector<double>& since) 
     }
   }
   OpenedFaces out;
+  const std::vector<bool> ground = parts_of_base(run);
   for (std::size_t f = 0; f < opened.size(); ++f) {
-    if (opened[f] == kNever) continue;
+    if (opened[f] == kNever || ground[static_cast<std::size_t>(element[f])]) continue;
     out.element.push_back(element[f]);
     out.normal.insert(out.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f),
                       normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));

@@ -60,7 +60,7 @@ using Datasets = std::vector<StaticDataset>;
 std::string numbered_kinds() {
   using enum cases::PartKind;
   std::string text;
-  for (const cases::PartKind kind : {block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling})
+  for (const cases::PartKind kind : {block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling, arch_stone})
     text += (text.empty() ? "" : ", ") + std::to_string(static_cast<int>(kind)) + " " + cases::name(kind);
   return text;
 }

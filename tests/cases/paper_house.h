@@ -39,7 +39,7 @@ inline cases::Case paper_materials() {
 }
 
 inline cases::Opening opening(std::string wall, double from, double width, double sill, double height, double lintel = 0.0) {
-  cases::Opening o{std::move(wall), from, width, sill, height, {}};
+  cases::Opening o{std::move(wall), from, width, sill, height, {}, {}};
   if (lintel > 0.0) o.lintel = cases::Lintel{lintel, 0.1, 0.2};
   return o;
 }

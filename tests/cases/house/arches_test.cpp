@@ -35,7 +35,7 @@ Case with_arch(const std::string& wall, double width, const Arch& arch, bool lin
 std::vector<std::size_t> voussoirs_of(const Model& m) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < m.blocks.size(); ++i)
-    if (m.blocks[i].kind == PartKind::voussoir) all.push_back(i);
+    if (m.blocks[i].kind == PartKind::arch_stone) all.push_back(i);
   return all;
 }
 
@@ -47,7 +47,8 @@ TEST_CASE("an arch fills its frame but for the room under the soffit") {
   struct Shape {
     double width, rise, thickness, springer;
   };
-  const std::vector<Shape> shapes{{0.8, 0.0, 0.2, 0.1}, {0.8, 0.1, 0.2, 0.2}, {0.8, 0.4, 0.2, 0.2}, {0.61, 0.23, 0.17, 0.15}, {1.0, 0.5, 0.1, 0.1}, {1.2, 0.05, 0.3, 0.3}};
+  const std::vector<Shape> shapes{{0.8, 0.0, 0.2, 0.1},     {0.8, 0.1, 0.2, 0.2}, {0.8, 0.4, 0.2, 0.2},
+                                  {0.61, 0.23, 0.17, 0.15}, {1.0, 0.5, 0.1, 0.1}, {1.2, 0.05, 0.3, 0.3}};
   for (const char* wall : {"front", "rear", "left", "right"}) {
     for (const Shape& s : shapes) {
       CAPTURE(wall);
@@ -82,7 +83,9 @@ TEST_CASE("each voussoir meets the next over its whole joint, and the soffit lie
     const bool b = j.element_b >= 0 && std::ranges::count(all, static_cast<std::size_t>(j.element_b)) > 0;
     if (!a || !b) continue;
     ++joints;
-    const auto area = [&](std::int32_t e, std::int32_t f) { return m.assembly.faces[static_cast<std::size_t>(m.assembly.elements[static_cast<std::size_t>(e)].first_face + f)].area; };
+    const auto area = [&](std::int32_t e, std::int32_t f) {
+      return m.assembly.faces[static_cast<std::size_t>(m.assembly.elements[static_cast<std::size_t>(e)].first_face + f)].area;
+    };
     CHECK(std::abs(j.area / area(j.element_a, j.face_a) - 1.0) < 1e-9);
     CHECK(std::abs(j.area / area(j.element_b, j.face_b) - 1.0) < 1e-9);
   }
@@ -98,7 +101,8 @@ TEST_CASE("each voussoir meets the next over its whole joint, and the soffit lie
 TEST_CASE("arches that cannot be built are refused by name") {
   const Case c = with_arch("front", 0.8, arch_of(0.1, 0.2, 0.2));
   const auto refused = [&](const std::function<void(Arch&)>& change, const std::string& key, const std::string& says) {
-    testing::check_refused(c, [&](House& h) { change(*h.openings[0].arch); }, "house.opening[0].arch." + key, says);
+    testing::check_refused(
+        c, [&](House& h) { change(*h.openings[0].arch); }, "house.opening[0].arch." + key, says);
   };
   refused([](Arch& a) { a.rise = 0.41; }, "rise", "0.41 m; allowed: 0 (a flat arch) to 0.4 m, half the width");
   refused([](Arch& a) { a.rise = -0.1; }, "rise", "-0.1 m; allowed: 0");
@@ -111,5 +115,6 @@ TEST_CASE("arches that cannot be built are refused by name") {
   refused([](Arch& a) { a.voussoirs = 17; }, "voussoirs", "each at least half a course wide");
   refused([](Arch& a) { a.material = "marble"; }, "material", "unknown material \"marble\"");
   testing::check_refused(
-      c, [](House& h) { h.openings.push_back(testing::opening("front", 1.9, 0.5, 1.3, 0.5)); }, "house.opening[1]", "overlaps house.opening[0].arch");
+      c, [](House& h) { h.openings.push_back(testing::opening("front", 1.9, 0.5, 1.3, 0.5)); }, "house.opening[1]",
+      "overlaps house.opening[0].arch");
 }

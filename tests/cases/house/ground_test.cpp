@@ -53,7 +53,8 @@ double mass_without_ground(const Model& m) {
 void change(Case& c, const std::function<void(BasePart&)>& what) { what(c.base->parts[0]); }
 
 void refused(const std::function<void(BasePart&)>& what, const std::string& key, const std::string& says) {
-  testing::check_refused(on_two_levels(), [&](Case& c) { change(c, what); }, key, says);
+  testing::check_refused(
+      on_two_levels(), [&](Case& c) { change(c, what); }, key, says);
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ TEST_CASE("walls begin upon the part of the base that they stand on") {
     const double whole = mass_without_ground(build_model(flat));
     // The same part of the house, wherever it stands.
     c.house->turn = turn, c.house->origin = {1.25, -0.5};
-    const std::array<std::array<double, 4>, 4> places{{{2.8, 6.0, -1.0, 5.0}, {-5.0, 1.0, 2.8, 6.0}, {-6.0, -2.8, -5.0, 1.0}, {-1.0, 5.0, -6.0, -2.8}}};
+    const std::array<std::array<double, 4>, 4> places{
+        {{2.8, 6.0, -1.0, 5.0}, {-5.0, 1.0, 2.8, 6.0}, {-6.0, -2.8, -5.0, 1.0}, {-1.0, 5.0, -6.0, -2.8}}};
     const auto& p = places[static_cast<std::size_t>(turn / 90.0)];
     c.base->parts[0].x = {p[0] + 1.25, p[1] + 1.25}, c.base->parts[0].y = {p[2] - 0.5, p[3] - 0.5};
     c.base->z = 0.3;
@@ -138,10 +140,17 @@ TEST_CASE("parts of the base that make no sense are refused by name") {
   refused([](BasePart& p) { p.wall = "front"; }, "base.part[0]", "lies in a rectangle and under a wall");
   refused([](BasePart& p) { p.x.reset(), p.y.reset(); }, "base.part[0]", "has no place; give x and y, or wall");
   refused([](BasePart& p) { p.from = 1.0; }, "base.part[0].from", "goes with wall");
-  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "north"; }, "base.part[0].wall", "\"north\" is no wall of the house; allowed: front, rear");
-  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "front", p.to = 5.5; }, "base.part[0].to", "5.5 m is beyond the end of the front wall; at most 5.4 m");
-  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "front", p.from = 3.0, p.to = 2.0; }, "base.part[0].from", "3 m; allowed: 0 to below 2 m");
-  refused([](BasePart& p) { p.x = {5.3, 6.0}; }, "base.part[0]", "ends within the thickness of the right wall, which stands from 5.2 to 5.4 m along x");
+  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "north"; }, "base.part[0].wall",
+          "\"north\" is no wall of the house; allowed: front, rear");
+  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "front", p.to = 5.5; }, "base.part[0].to",
+          "5.5 m is beyond the end of the front wall; at most 5.4 m");
+  refused([](BasePart& p) { p.x.reset(), p.y.reset(), p.wall = "front", p.from = 3.0, p.to = 2.0; }, "base.part[0].from",
+          "3 m; allowed: 0 to below 2 m");
+  refused(
+      [](BasePart& p) {
+        p.x = {5.3, 6.0};
+      },
+      "base.part[0]", "ends within the thickness of the right wall, which stands from 5.2 to 5.4 m along x");
   refused([](BasePart& p) { p.y = {-1.0, 0.1}; }, "base.part[0]", "ends within the thickness of the front wall");
   refused([](BasePart& p) { p.x = {0.25, 6.0}; }, "base.part[0]", "leaves a piece of the front wall");
   refused([](BasePart& p) { p.y = {1.0, 2.0}, p.x = {1.0, 2.0}; }, "base.part[0]", "no wall stands on it");
@@ -149,11 +158,21 @@ TEST_CASE("parts of the base that make no sense are refused by name") {
   testing::check_refused(
       on_two_levels(), [](Case& c) { c.base->parts.push_back(c.base->parts[0]); }, "base.part[1]", "overlaps base.part[0], x [2.8, 6] m");
   testing::check_refused(
-      on_two_levels(), [](House& h) { h.copies = {2, 1}; }, "house.copies", "does not go with base.part");
+      on_two_levels(),
+      [](House& h) {
+        h.copies = {2, 1};
+      },
+      "house.copies", "does not go with base.part");
   testing::check_refused(
-      on_two_levels(), [](House& h) { h.openings = {testing::opening("front", 3.4, 1.0, 0.5, 1.0)}; }, "house.opening[0]", "overlaps base.part[0]");
+      on_two_levels(), [](House& h) { h.openings = {testing::opening("front", 3.4, 1.0, 0.5, 1.0)}; }, "house.opening[0]",
+      "overlaps base.part[0]");
   testing::check_refused(
-      on_two_levels(), [](Case& c) { c.house.reset(), c.base->parts[0].x.reset(), c.base->parts[0].y.reset(), c.base->parts[0].wall = "front";
-        BlockSpec stone; stone.name = "stone", stone.material = "adobe", stone.box = {{{0, 0, 0}, {1, 1, 1}}}; c.blocks = {stone}; },
+      on_two_levels(),
+      [](Case& c) {
+        c.house.reset(), c.base->parts[0].x.reset(), c.base->parts[0].y.reset(), c.base->parts[0].wall = "front";
+        BlockSpec stone;
+        stone.name = "stone", stone.material = "adobe", stone.box = {{{0, 0, 0}, {1, 1, 1}}};
+        c.blocks = {stone};
+      },
       "base.part[0].wall", "the case has no [house]");
 }

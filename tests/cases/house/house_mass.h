@@ -58,6 +58,17 @@ inline bool is_in(const InnerWall& wall, int storey) {
   return wall.storeys.empty() || std::ranges::find(wall.storeys, storey) != wall.storeys.end();
 }
 
+/// What parts of the base under outer walls take of them: m3.
+inline double under_parts(const House& h, const Base& base) {
+  double volume = 0.0;
+  for (const BasePart& part : base.parts) {
+    const bool along_x = part.wall == "front" || part.wall == "rear";
+    const double length = h.inner_size[along_x ? 0 : 1] + 2 * (along_x ? h.nonbearing_wall : h.bearing_wall);
+    volume += part.level * (along_x ? h.bearing_wall : h.nonbearing_wall) * (part.to.value_or(length) - part.from.value_or(0.0));
+  }
+  return volume;
+}
+
 inline Volumes walls_of(const House& h) {
   Volumes v;
   int number = 0;
@@ -162,6 +173,7 @@ inline double expected_mass(const House& h, const Case& c) {
   std::vector<Volumes> parts{walls_of(h), roof_of(h)};
   for (const Floor& f : h.floors) parts.push_back(floor_of(h, f));
   for (const Volumes& v : parts) sum.masonry += v.masonry, sum.timber += v.timber, sum.load += v.load;
+  if (c.base) sum.masonry -= under_parts(h, *c.base);
   return h.copies[0] * h.copies[1] *
          (c.materials.at("adobe").density * sum.masonry + c.materials.at("wood").density * sum.timber + sum.load);
 }

@@ -88,7 +88,8 @@ TEST_CASE("rubble goes with all that walls have") {
   h.bearing_wall = 0.4;
   h.height = 1.6;
   h.storeys = {Storey{1.2, 0.3, {}}};
-  h.openings = {testing::opening("front", 1.0, 0.8, 0.0, 1.0), testing::opening("left", 1.2, 0.6, 0.4, 0.5), testing::opening("middle", 1.5, 0.8, 0.0, 1.2)};
+  h.openings = {testing::opening("front", 1.0, 0.8, 0.0, 1.0), testing::opening("left", 1.2, 0.6, 0.4, 0.5),
+                testing::opening("middle", 1.5, 0.8, 0.0, 1.2)};
   h.openings[0].arch = Arch{0.2, 0.2, 0.2, {}, {}};
   h.openings[2].storey = 1;
   h.inner_walls = {InnerWall{"middle", PlanAxis::y, 2.6, 0.2, {}}};
@@ -108,7 +109,8 @@ TEST_CASE("rubble goes with all that walls have") {
     const Model m = build_model(c);
     check_whole(c, m);
     int collar = 0, through = 0;
-    for (std::size_t k = 0; k < m.assembly.joints.size(); ++k) collar += m.laws[static_cast<std::size_t>(m.joint_law[k])].name == "weak" ? 1 : 0;
+    for (std::size_t k = 0; k < m.assembly.joints.size(); ++k)
+      collar += m.laws[static_cast<std::size_t>(m.joint_law[k])].name == "weak" ? 1 : 0;
     for (const Block& b : m.blocks) {
       const geometry::Box3 box = geometry::bounds(b.shape);
       through += is_stone(b) && b.tag == "rear wall, storey 1" && box.high.y - box.low.y > 0.399 ? 1 : 0;
@@ -135,7 +137,10 @@ TEST_CASE("upright joints of rubble do not run through two courses") {
 
 TEST_CASE("keys of rubble that make no sense are refused by name") {
   const Case c = of_rubble(1);
-  testing::check_refused(c, [](House& h) { h.rubble->irregularity = 1.5; }, "house.rubble.irregularity", "1.5; allowed: 0 to 1");
-  testing::check_refused(c, [](House& h) { h.rubble->through = -0.1; }, "house.rubble.through", "-0.1; allowed: 0 to 1");
-  testing::check_refused(c, [](House& h) { h.halves = true; }, "house.halves", "true does not go with bond = \"rubble\"");
+  testing::check_refused(
+      c, [](House& h) { h.rubble->irregularity = 1.5; }, "house.rubble.irregularity", "1.5; allowed: 0 to 1");
+  testing::check_refused(
+      c, [](House& h) { h.rubble->through = -0.1; }, "house.rubble.through", "-0.1; allowed: 0 to 1");
+  testing::check_refused(
+      c, [](House& h) { h.halves = true; }, "house.halves", "true does not go with bond = \"rubble\"");
 }

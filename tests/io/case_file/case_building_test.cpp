@@ -26,6 +26,9 @@ std::string refusal(const std::string& text) {
 }
 
 const std::string kBuilding = R"(
+[house]
+bond = "rubble"
+rubble = { seed = 5, irregularity = 0.25, through = 0.4 }
 [house.leaves]
 walls = ["front", "rear"]
 outer = 0.15
@@ -65,12 +68,23 @@ storey = 2
 from = 1.0
 width = 0.9
 height = 2.0
+arch = { rise = 0.1, thickness = 0.25, springer = 0.15, voussoirs = 5, material = "tuff" }
 [house.roof]
 kind = "pitched"
 pitch = 35.0
 spacing = 0.9
 tie = { area = 3e-4, compression = true }
 deck = { shear_stiffness = 3e5, stiffness = 4e6 }
+[[base.part]]
+x = [1.0, 2.0]
+y = [3.0, 5.0]
+level = 0.4
+motion = { velocity = [0, 0, -1e-3] }
+[[base.part]]
+wall = "rear"
+from = 0.5
+to = 2.5
+level = 0.2
 [[block]]
 name = "stone"
 material = "adobe"
@@ -119,6 +133,26 @@ TEST_CASE("case file: every key of a building is read") {
   CHECK(h.piers[0].depth == 0.6);
   CHECK(h.piers[0].height == 1.8);
   CHECK(h.openings.at(0).storey == 2);
+  CHECK(h.bond == cases::Bond::rubble);
+  REQUIRE(h.rubble);
+  CHECK(h.rubble->seed == 5);
+  CHECK(h.rubble->irregularity == 0.25);
+  CHECK(h.rubble->through == 0.4);
+  REQUIRE(h.openings[0].arch);
+  CHECK(h.openings[0].arch->rise == 0.1);
+  CHECK(h.openings[0].arch->thickness == 0.25);
+  CHECK(h.openings[0].arch->springer == 0.15);
+  CHECK(h.openings[0].arch->voussoirs == 5);
+  CHECK(h.openings[0].arch->material == "tuff");
+  REQUIRE(c.base);
+  REQUIRE(c.base->parts.size() == 2);
+  CHECK(*c.base->parts[0].x == std::array{1.0, 2.0});
+  CHECK(*c.base->parts[0].y == std::array{3.0, 5.0});
+  CHECK(c.base->parts[0].level == 0.4);
+  CHECK(c.base->parts[0].motion->velocity->z == -1e-3);
+  CHECK(c.base->parts[1].wall == "rear");
+  CHECK(c.base->parts[1].from == 0.5);
+  CHECK(c.base->parts[1].to == 2.5);
   CHECK(h.roof.kind == cases::RoofKind::pitched);
   CHECK(h.roof.pitch == 35.0);
   CHECK(h.roof.spacing == 0.9);

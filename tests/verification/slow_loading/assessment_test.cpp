@@ -86,6 +86,11 @@ TEST_CASE("V15: a parapet, and at half the rate" * doctest::skip()) {
   for (const AnalysisKind kind : {AnalysisKind::tilt, AnalysisKind::pushover}) compare("a parapet, n = 4", parapet(kind), kParapet);
 }
 
+TEST_CASE("V15: a dry wall over an opening with an arch and no lintel tilts in its plane") {
+  const cases::Case c = short_of(analysed(load("arched_wall").value, AnalysisKind::tilt, 1.0, 0.0));
+  compare_once("a wall over an arch", c, collapse_factors(c, c.contact.friction, {1.0, 0.0, 0.0}).coulomb);
+}
+
 TEST_CASE("V15: an arch" * doctest::skip()) {
   const Arch arch{.thickness = 0.15 / (1.0 - 1.0 / 4.0) * 1.5};
   cases::Case c = load("arch_stands").value;

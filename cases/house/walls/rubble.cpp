@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_rubble.h"
+#include "cases/house/walls/rubble.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,12 @@ using Bed = std::map<Tick, Vertex>;
 class WallMason {
  public:
   WallMason(const House& house, const HousePlan& plan, const WallPlan& wall, std::vector<Tick> below)
-      : house_(house), plan_(plan), wall_(wall), rubble_(rubble_of(house)), irregularity_(ticks(rubble_.irregularity) / 1000000), below_(std::move(below)) {
+      : house_(house),
+        plan_(plan),
+        wall_(wall),
+        rubble_(rubble_of(house)),
+        irregularity_(ticks(rubble_.irregularity) / 1000000),
+        below_(std::move(below)) {
     while (first_ < plan.course_count() && course(first_).low < wall.height.low) ++first_;
     end_ = first_;
     while (end_ < plan.course_count() && course(end_).high <= wall.height.high) ++end_;
@@ -153,7 +158,9 @@ class WallMason {
   [[nodiscard]] bool is_level(int k, Tick along) const {
     if (k == first_ || k == end_) return true;
     const Interval near{course(k - 1).low, course(k).high};
-    const auto in = [&](const auto& x) { return x.height.low <= near.high && x.height.high >= near.low && x.along.low <= along && along <= x.along.high; };
+    const auto in = [&](const auto& x) {
+      return x.height.low <= near.high && x.height.high >= near.low && x.along.low <= along && along <= x.along.high;
+    };
     const Tick z = course(k).low;
     const auto at_bed = [&](const Hole& h) { return in(h) && h.height.low <= z && h.height.high >= z; };
     const auto beside = [&](const Hole& h) { return in(h) && (h.height.overlaps(course(k - 1)) || h.height.overlaps(course(k))); };
@@ -263,7 +270,8 @@ std::vector<Interval> rubble_courses(const House& house, const HousePlan& plan, 
   const Rubble rubble = rubble_of(house);
   const auto count = static_cast<Tick>(cut_member(between, plan.brick_height).size());
   const Tick least = count * plan.lowest_course();
-  const Tick spread = std::min(ticks(rubble.irregularity) / 1000000 * kHeights, (between.length() - least) * kMean / (between.length() + least));
+  const Tick spread =
+      std::min(ticks(rubble.irregularity) / 1000000 * kHeights, (between.length() - least) * kMean / (between.length() + least));
   Dice dice(rubble.seed, {-1, number});
   std::vector<Tick> tops;
   for (Tick i = 0; i < count; ++i) tops.push_back((tops.empty() ? 0 : tops.back()) + kMean + dice.within(spread));

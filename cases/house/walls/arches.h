@@ -10,12 +10,13 @@
 /// Arches over openings. Internal to cases/.
 ///
 /// An arch fills a rectangle of the wall, its frame, from the springing to the course above it, so that joints with the wall are plane. Its
-/// soffit is a polygon on a circle, or level; its joints run from the corners of the soffit straight away from the centre to the edge of the
-/// frame. What is left at either end is a springer with the skewback.
+/// soffit is a polygon on a circle, or level; its joints run from the corners of the soffit straight away from the centre to the edge of
+/// the frame. What is left at either end is a springer with the skewback.
 namespace voussoir::cases {
 
 /// The frame over an opening, upon its lintel if it has one. \param under  what it stands over; along: the opening
-/// \throw InputError with the key at fault: sizes that make no arch, a frame higher than the wall. Where it lies is for the caller to check.
+/// \throw InputError with the key at fault: sizes that make no arch, a frame higher than the wall. Where it lies is for the caller to
+/// check.
 Hole arch_hole(const House& house, const Hole& opening, const HousePlan& plan, const WallPlan& wall);
 
 /// Level of its springing above the foot of the house, and of the frame's top.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_ground.h"
+#include "cases/house/walls/ground.h"
 
 #include <algorithm>
 

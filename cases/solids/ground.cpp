@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/ground.h"
+#include "cases/solids/ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kStiffer = 1e3;   // than the stiffest material: what falls on ground meets something rigid
-constexpr double kFarthest = 1e6;  // m, of any coordinate
+constexpr double kStiffer = 1e3;    // than the stiffest material: what falls on ground meets something rigid
+constexpr double kFarthest = 1e6;   // m, of any coordinate
 constexpr double kRoundOff = 1e-9;  // m
 
 std::string key_of(std::size_t part, const char* field = "") { return indexed_key("base.part", part, field); }
@@ -77,7 +77,8 @@ Rectangle under_wall(const House& house, std::size_t index, const BasePart& part
 void check_rectangle(std::size_t index, const Rectangle& r) {
   for (const auto& [name, side] : {std::pair{"x", r.x}, std::pair{"y", r.y}}) {
     if (!(std::abs(side[0]) <= kFarthest && std::abs(side[1]) <= kFarthest && side[0] < side[1]))
-      throw InputError(key_of(index, name), from_to(side) + " is no length; the first below the second, both within " + text(kFarthest) + " m");
+      throw InputError(key_of(index, name),
+                       from_to(side) + " is no length; the first below the second, both within " + text(kFarthest) + " m");
   }
 }
 
@@ -87,7 +88,8 @@ Rectangle place_of(const Case& c, std::size_t index) {
   const std::string key = key_of(index);
   const bool rectangle = part.x || part.y;
   if (rectangle == !part.wall.empty()) {
-    throw InputError(key, rectangle ? "lies in a rectangle and under a wall; give x and y, or wall" : "has no place; give x and y, or wall");
+    throw InputError(key,
+                     rectangle ? "lies in a rectangle and under a wall; give x and y, or wall" : "has no place; give x and y, or wall");
   }
   if (rectangle) {
     if (!part.x || !part.y) throw InputError(key_of(index, part.x ? "y" : "x"), "is missing; a rectangle needs both");
@@ -117,7 +119,8 @@ std::vector<Rectangle> places_of(const Case& c) {
   for (std::size_t i = 0; i < c.base->parts.size(); ++i) {
     const BasePart& part = c.base->parts[i];
     if (!(part.level > 0.0 && part.level <= 1e4))
-      throw InputError(key_of(i, "level"), text(part.level) + " m is out of range; allowed: above 0, at most 10000 m; base.z is the lowest ground");
+      throw InputError(key_of(i, "level"),
+                       text(part.level) + " m is out of range; allowed: above 0, at most 10000 m; base.z is the lowest ground");
     if (part.motion && part.motion->velocity.has_value() == part.motion->file.has_value())
       throw InputError(key_of(i, "motion"), "give exactly one of: velocity, file");
     all.push_back(place_of(c, i));

@@ -13,10 +13,10 @@
 /// Walls of random convex stones that fill them without gaps. Internal to cases/.
 ///
 /// A wall is laid in courses, as one of bricks is. In each, upright joints stand at random places clear of those below, and lean. The beds
-/// between two courses are not level: they rise to where a joint of the upper course ends and fall to where one of the lower course does, so
-/// that stones are hexagons and other polygons, convex because all joints that end on one stone from one side do so at one height. Beds are
-/// level where walls meet, at openings, beams and the ends of storeys. Through the wall a stone is one of two or more side by side, or goes
-/// through. All corners are whole nanometres: neighbours share edges exactly, and a seed gives the same wall everywhere.
+/// between two courses are not level: they rise to where a joint of the upper course ends and fall to where one of the lower course does,
+/// so that stones are hexagons and other polygons, convex because all joints that end on one stone from one side do so at one height. Beds
+/// are level where walls meet, at openings, beams and the ends of storeys. Through the wall a stone is one of two or more side by side, or
+/// goes through. All corners are whole nanometres: neighbours share edges exactly, and a seed gives the same wall everywhere.
 namespace voussoir::cases {
 
 /// A stone: its outline along the wall and upwards [m], counter-clockwise, and where it lies through the wall.

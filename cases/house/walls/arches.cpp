@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_arches.h"
+#include "cases/house/walls/arches.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "cases/house/house_prism.h"
 #include "cases/house/house_wall.h"
+#include "cases/house/walls/prism.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -99,8 +99,10 @@ std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const 
   for (std::size_t i = 0; i + 1 < below.size(); ++i) {
     Polygon piece{below[i], below[i + 1], above[i + 1]};
     for (const double side : {box.high, box.low}) {  // a corner of the frame between the two joints
-      const bool turns_high = side == box.high && above[i].t == box.top && above[i].s < side && above[i + 1].s == side && above[i + 1].t < box.top;
-      const bool turns_low = side == box.low && above[i + 1].t == box.top && above[i + 1].s > side && above[i].s == side && above[i].t < box.top;
+      const bool turns_high =
+          side == box.high && above[i].t == box.top && above[i].s < side && above[i + 1].s == side && above[i + 1].t < box.top;
+      const bool turns_low =
+          side == box.low && above[i + 1].t == box.top && above[i + 1].s > side && above[i].s == side && above[i].t < box.top;
       if (turns_high || turns_low) piece.push_back({side, box.top});
     }
     piece.push_back(above[i]);
@@ -126,7 +128,8 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
   const Arch& arch = *house.openings[index].arch;
   const double half = 0.5 * metres(under.along.length());
   if (!(arch.rise >= 0.0 && arch.rise <= half + 1e-9))
-    throw InputError(key_of(index, "rise"), text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
+    throw InputError(key_of(index, "rise"),
+                     text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
   const Tick thickness = positive_length(arch.thickness, key_of(index, "thickness"));
   if (thickness < plan.lowest_course())
     throw InputError(key_of(index, "thickness"),
@@ -150,7 +153,7 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
 
 void add_arch(const House& house, const HousePlan& plan, const WallPlan& wall, const Hole& hole, HouseParts& parts) {
   Block prototype;
-  prototype.kind = PartKind::voussoir;
+  prototype.kind = PartKind::arch_stone;
   prototype.material = parts.arches[hole.opening];
   prototype.tag = wall_tag(house, wall);
   prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/house/house_prism.h"
+#include "cases/house/walls/prism.h"
 
 #include <algorithm>
 #include <array>
