@@ -140,7 +140,8 @@ void add_to_gather(World& w) {
     return e == w.elements.base || c.last_gather[static_cast<std::size_t>(e)] < c.first_gather[static_cast<std::size_t>(e) + 1];
   };
   const int level = w.multirate.contact_level(master, slave);
-  if (w.multirate.on() || c.stale_level < Contacts::kUpToDate || c.first_gather.empty() || c.master.size() != a || !has_room(master) || !has_room(slave)) {
+  if (w.multirate.on() || c.stale_level < Contacts::kUpToDate || c.first_gather.empty() || c.master.size() != a || !has_room(master) ||
+      !has_room(slave)) {
     c.stale_level = std::min(c.stale_level, level);
     return;
   }

@@ -78,13 +78,15 @@ void renew_moves(World& w) {
 
 void add_impulses(World& w, std::int64_t step) {
   Multirate& m = w.multirate;
-  for (int level = 1; level < m.due(step); ++level) {
-    Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
-    const double impulse = m.impulse_steps(level, step);
+  const int due = m.due(step);
+  if (due == 1) return;
 #pragma omp parallel for schedule(static) num_threads(w.threads)
-    for (std::int64_t i = 0; i < w.elements.rows; ++i) {
+  for (std::int64_t i = 0; i < w.elements.rows; ++i) {
+    const double at_once = m.steps_of(w.batch_level(static_cast<std::size_t>(i / kernels::kBatch)));
+    for (int level = 1; level < due; ++level) {
+      Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
+      const double steps = m.impulse_steps(level, step) / at_once;
       double* wrench = of_level.wrench.data() + i * kernels::kWrenchStride;
-      const double steps = impulse / m.steps_of(w.batch_level(static_cast<std::size_t>(i / kernels::kBatch)));
       if (wrench[kernels::kDashedColumn] != 0.0) {
         move_row(w.elements.dashpot.data() + i * kernels::kDashpotStride, of_level.dashpot.data() + i * kernels::kDashpotStride, steps);
       }

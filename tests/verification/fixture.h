@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/census.h"
 #include "cases/model.h"
 #include "io/case_file/case_file.h"
 #include "io/motion/motion_files.h"
@@ -19,6 +20,7 @@
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/run/simulation.h"
+#include "solver/setup/setup.h"
 #include "tests/verification/manual.h"
 
 /// What the verification tests share: a case of cases/verification, stepped in-process, and the constants of the closed forms.
@@ -69,6 +71,18 @@ inline bool reference_kernels() {
   return set != nullptr && std::string_view(set) == "reference";
 }
 
+/// With VOUSSOIR_MULTIRATE=k: the case with time.multirate = k, in k-th parts of its step, so that its pairs take that step as before; a
+/// pair that allows less is evaluated more often. Else the case as it is, and so if it loads slowly.
+inline cases::Case with_rates(cases::Case c) {
+  const char* wanted = std::getenv("VOUSSOIR_MULTIRATE");
+  if (wanted == nullptr || cases::is_assessment(c.analysis)) return c;
+  const cases::Model m = cases::build_model(c);
+  const double step = solver::choose_step(c, {}, cases::census(m).step_bound);
+  c.time.multirate = std::atoi(wanted);
+  c.time.step = step / c.time.multirate;
+  return c;
+}
+
 inline io::LoadedCase load(const std::string& name, const std::vector<std::string>& overrides = {}) {
   note_case(name);
   return io::load_case(std::string(VOUSSOIR_SOURCE_DIR) + "/cases/verification/" + name + ".toml", overrides);
@@ -78,7 +92,7 @@ inline io::LoadedCase load(const std::string& name, const std::vector<std::strin
 class Run {
  public:
   explicit Run(const std::string& name, const std::vector<std::string>& overrides = {}) : Run(load(name, overrides).value) {}
-  explicit Run(cases::Case c) : case_(std::move(c)), model_(cases::build_model(case_)) {
+  explicit Run(cases::Case c) : case_(with_rates(std::move(c))), model_(cases::build_model(case_)) {
     if (case_.motion) motion_ = io::load_motion(*case_.motion, case_.folder);
     solver::Options options;
     options.threads = 1;
@@ -95,12 +109,14 @@ class Run {
     return rest;
   }
 
-  /// Steps until `end` [s]; `each` sees the state at time() before every step. With `due` the results of the last step are behind it.
+  /// Steps until `end` [s]; `each` sees the state at time() before every step, or every cycle of multi-rate stepping. With `due` the results
+  /// of the last step are behind it.
   template <class Each>
   void until(double end, solver::Due due, const Each& each) {
     while (sim_->time() < end - 0.5 * sim_->dt()) {
       each();
       sim_->step(due);
+      for (std::int64_t k = 1; k < sim_->cycle(); ++k) sim_->step({});
     }
   }
   void until(double end) {
