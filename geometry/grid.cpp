@@ -17,6 +17,9 @@ constexpr double kMostCells = 512.0;
 /// long.
 constexpr double kCellFactor = 1.25;
 
+/// So many boxes more a bucket has room for once boxes move from cell to cell.
+constexpr std::int32_t kRoom = 4;
+
 bool intersect(const Box3& a, const Box3& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
          b.low.z <= a.high.z;
@@ -75,46 +78,95 @@ std::uint32_t UniformGrid::bucket_of(Cell cell) const noexcept {
   return static_cast<std::uint32_t>(h >> 32) & mask_;  // the high half has mixed best
 }
 
+UniformGrid::Place UniformGrid::place_of(const Box3& box, const CellRange& cells) const noexcept {
+  if (!is_ordered(box)) return Place::nowhere;
+  return cell_count(cells) > kMostCells ? Place::large : Place::cells;
+}
+
 void UniformGrid::build(std::span<const Box3> boxes) {
   boxes_.assign(boxes.begin(), boxes.end());
-  large_.clear();
   per_cell_ = 1.0 / (kCellFactor * median_extent());
   const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(16, 2 * boxes_.size()));
   mask_ = static_cast<std::uint32_t>(buckets - 1);
+  room_ = 0;
+  cells_.resize(boxes_.size());
+  place_.resize(boxes_.size());
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    cells_[i] = is_ordered(boxes_[i]) ? cells_of(boxes_[i]) : CellRange{};
+    place_[i] = place_of(boxes_[i], cells_[i]);
+  }
+  fill();
+}
 
-  // Counting sort. start_ is shifted by two while counting and by one while filling, so that it ends in place.
-  start_.assign(buckets + 2, 0);
+/// Counting sort. A box counts in a bucket once for each of its cells there, and stands there once: what is left is room for others.
+void UniformGrid::fill() {
+  large_.clear();
+  const std::size_t buckets = std::size_t{mask_} + 1;
+  start_.assign(buckets + 1, 0);
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (!is_ordered(boxes_[i])) continue;
-    const CellRange cells = cells_of(boxes_[i]);
-    if (cell_count(cells) > kMostCells) {
-      large_.push_back(static_cast<std::int32_t>(i));
-    } else {
-      for_each_cell(cells, [&](Cell c) { ++start_[bucket_of(c) + 2]; });
-    }
+    if (place_[i] == Place::large) large_.push_back(static_cast<std::int32_t>(i));
+    if (place_[i] == Place::cells) for_each_cell(cells_[i], [&](Cell c) { ++start_[bucket_of(c) + 1]; });
   }
-  for (std::size_t k = 2; k < start_.size(); ++k) start_[k] += start_[k - 1];
+  for (std::size_t b = 0; b < buckets; ++b) start_[b + 1] += start_[b] + room_;
   items_.resize(static_cast<std::size_t>(start_.back()));
+  end_.assign(start_.begin(), start_.end() - 1);
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (!is_ordered(boxes_[i])) continue;
-    const CellRange cells = cells_of(boxes_[i]);
-    if (cell_count(cells) > kMostCells) continue;
-    for_each_cell(cells, [&](Cell c) { items_[static_cast<std::size_t>(start_[bucket_of(c) + 1]++)] = static_cast<std::int32_t>(i); });
+    if (place_[i] == Place::cells) static_cast<void>(add(static_cast<std::int32_t>(i)));
   }
+}
+
+/// To the buckets of its cells. \return false if one of them has no room
+bool UniformGrid::add(std::int32_t index) {
+  bool room = true;
+  for_each_cell(cells_[static_cast<std::size_t>(index)], [&](Cell c) {
+    const std::uint32_t b = bucket_of(c);
+    const auto first = items_.begin() + start_[b], last = items_.begin() + end_[b];
+    if (std::find(first, last, index) != last) return;  // two cells of one box may share a bucket
+    if (end_[b] == start_[b + 1]) {
+      room = false;
+    } else {
+      items_[static_cast<std::size_t>(end_[b]++)] = index;
+    }
+  });
+  return room;
+}
+
+void UniformGrid::take_out(std::int32_t index) {
+  for_each_cell(cells_[static_cast<std::size_t>(index)], [&](Cell c) {
+    const std::uint32_t b = bucket_of(c);
+    const auto first = items_.begin() + start_[b], last = items_.begin() + end_[b];
+    const auto at = std::find(first, last, index);
+    if (at == last) return;
+    *at = *(last - 1);
+    --end_[b];
+  });
+}
+
+void UniformGrid::move(std::int32_t index, const Box3& box) {
+  const auto i = static_cast<std::size_t>(index);
+  const CellRange cells = is_ordered(box) ? cells_of(box) : CellRange{};
+  const Place place = place_of(box, cells);
+  boxes_[i] = box;
+  if (place == place_[i] && (place != Place::cells || cells == cells_[i])) {
+    cells_[i] = cells;
+    return;
+  }
+  const bool in_cells = place_[i] == Place::cells, among_large = place_[i] == Place::large || place == Place::large;
+  if (in_cells) take_out(index);
+  cells_[i] = cells;
+  place_[i] = place;
+  if (!among_large && (place == Place::nowhere || add(index))) return;
+  if (!among_large) room_ = kRoom;
+  fill();
 }
 
 void UniformGrid::query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const {
   const std::uint32_t bucket = bucket_of(cell);
-  std::int32_t previous = -1;
-  for (std::int32_t k = start_[bucket]; k < start_[bucket + 1]; ++k) {
+  for (std::int32_t k = start_[bucket]; k < end_[bucket]; ++k) {
     const std::int32_t item = items_[static_cast<std::size_t>(k)];
-    // Two cells of one box may share a bucket; then it stands there twice, side by side.
-    if (item == previous) continue;
-    previous = item;
-    const Box3& box = boxes_[static_cast<std::size_t>(item)];
-    if (!intersect(query, box)) continue;
+    if (!intersect(query, boxes_[static_cast<std::size_t>(item)])) continue;
     // Reported only from the first cell that query and box share: no doubles, and no marks that threads would fight over.
-    const Cell low = cell_of(box.low);
+    const Cell low = cells_[static_cast<std::size_t>(item)].low;
     const Cell first{std::max(low.x, query_low.x), std::max(low.y, query_low.y), std::max(low.z, query_low.z)};
     if (first == cell) out.push_back(item);
   }

@@ -19,6 +19,10 @@ class UniformGrid {
   /// Allocates only when there are more boxes, or more cells filled, than ever before.
   void build(std::span<const Box3> boxes);
 
+  /// Moves one box. Cheap where it stays in its cells; where there is no room left in a cell it fills the grid again.
+  /// \pre 0 <= index < number of boxes
+  void move(std::int32_t index, const Box3& box);
+
   /// Appends to `out`, in ascending order and without doubles, all boxes that intersect `query` (closed intersection).
   /// Touches no state: any number of threads may query at once.
   void query(const Box3& query, std::vector<std::int32_t>& out) const;
@@ -30,20 +34,30 @@ class UniformGrid {
   };
   struct CellRange {
     Cell low, high;
+    friend bool operator==(const CellRange&, const CellRange&) = default;
   };
+  enum class Place : std::uint8_t { nowhere, cells, large };
   [[nodiscard]] double median_extent();
+  [[nodiscard]] Place place_of(const Box3& box, const CellRange& cells) const noexcept;
+  void fill();
+  [[nodiscard]] bool add(std::int32_t index);
+  void take_out(std::int32_t index);
   [[nodiscard]] Cell cell_of(Vec3 point) const noexcept;
   [[nodiscard]] CellRange cells_of(const Box3& box) const noexcept;
   [[nodiscard]] std::uint32_t bucket_of(Cell cell) const noexcept;
   void query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const;
 
   std::vector<Box3> boxes_;
+  std::vector<CellRange> cells_;     // by box: those it touches
+  std::vector<Place> place_;         // by box: where it stands
   std::vector<std::int32_t> large_;  // boxes that are in no cell: tried by every query
   double per_cell_ = 1.0;            // 1/m
-  std::vector<std::int32_t> start_;  // by hash bucket, into items_
-  std::vector<std::int32_t> items_;  // box indices, ascending in a bucket
+  std::vector<std::int32_t> start_;  // by hash bucket, into items_: room for its boxes, and for some more
+  std::vector<std::int32_t> end_;    // by hash bucket, where its boxes end
+  std::vector<std::int32_t> items_;  // box indices, each once in a bucket
   std::vector<double> extents_;      // m, scratch of build
   std::uint32_t mask_ = 0;
+  std::int32_t room_ = 0;  // boxes that a bucket has room for beyond those that it began with
 };
 
 }  // namespace voussoir::geometry

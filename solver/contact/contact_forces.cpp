@@ -104,7 +104,7 @@ void advance_one(World& w, std::size_t a, const PatchStep& step, const kernels::
 template <class Use>
 void each_push(const Contacts& c, Pace pace, std::size_t element, Use use) {
   constexpr std::int64_t kFlags = sizeof(std::uint64_t);
-  const std::int64_t last = c.first_gather[element + 1];
+  const std::int64_t last = c.last_gather[element];
   for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
     std::uint64_t flags;
     std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
@@ -115,7 +115,7 @@ void each_push(const Contacts& c, Pace pace, std::size_t element, Use use) {
     }
     if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
     for (; flags != 0; flags &= flags - 1) {
-      const std::int64_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
+      const std::int32_t code = c.gather[static_cast<std::size_t>(g + std::countr_zero(flags) / 8)];
       use(static_cast<std::size_t>(code / 2), code % 2 != 0);
     }
   }

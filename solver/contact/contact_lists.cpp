@@ -3,63 +3,83 @@
 #include "solver/contact/contact_lists.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 namespace voussoir::solver {
 
 namespace {
 
-struct Pair {
-  std::int32_t patch = 0;
-  kernels::Candidate candidate;
-};
-
-/// With the travel of both bodies before they can touch.
-kernels::Candidate candidate_found(const World& w, const Found& f, std::size_t i) {
-  kernels::Candidate k = candidate_of(w, f.element[i]);
-  const std::int32_t master = w.patches.patch[static_cast<std::size_t>(f.patch[i])].element;
-  k.safe = w.travel.bound(master) + w.travel.bound(f.element[i]) + f.gap[i] - kernels::kRoundOff;
-  return k;
-}
-
-/// Pairs that stay. Marks patches that lose some.
-std::vector<Pair> kept_pairs(const Contacts& c, const ReSearch& re_search, std::vector<std::uint8_t>& changed) {
-  std::vector<Pair> pairs;
-  pairs.reserve(c.candidate.size());
+/// How many candidates every patch keeps, beside those that a search has found for patches that are searched again. Marks patches whose
+/// candidates change. To be called by every thread of a team.
+void count_kept(const Contacts& c, SearchRoom& room) {
+#pragma omp for schedule(static)
+  for (std::size_t p = 0; p < room.changed.size(); ++p) room.changed[p] = room.re_search.patch[p];
+#pragma omp for schedule(static)
   for (std::size_t a = 0; a < c.active.size(); ++a) {
     const auto p = static_cast<std::size_t>(c.active[a]);
-    if (re_search.patch[p] != 0) continue;
-    for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
-      const kernels::Candidate& k = c.candidate[slot];
-      if (re_search.element[static_cast<std::size_t>(k.element)] != 0) {
-        changed[p] = 1;
-      } else {
-        pairs.push_back({c.active[a], k});
+    if (room.re_search.patch[p] != 0) continue;
+    const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
+    const auto kept = std::count_if(first, last, [&](std::int32_t e) { return room.re_search.element[static_cast<std::size_t>(e)] == 0; });
+    room.candidates[p] = static_cast<std::int32_t>(kept);
+    if (kept != last - first) room.changed[p] = 1;
+  }
+}
+
+/// Gives pairs of patches that are not searched again their places, in the order of the elements that were.
+void rank_found(SearchRoom& room) {
+  for (const FoundRun& run : room.found) {
+    FoundPairs& found = room.by_thread[static_cast<std::size_t>(run.thread)].around;
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      const auto p = static_cast<std::size_t>(found.patch[i]);
+      found.rank[i] = room.candidates[p]++;
+      room.changed[p] = 1;
+    }
+  }
+}
+
+/// Gives every patch that has candidates its slots. Leaves the lists of before in the room.
+void lay_out(Contacts& c, SearchRoom& room) {
+  std::swap(c.active, room.active), std::swap(c.first_slot, room.first_slot), std::swap(c.candidate, room.candidate);
+  c.active.clear(), c.first_slot.clear();
+  room.first_of.resize(room.candidates.size() + 1);
+  std::int64_t at = 0;
+  for (std::size_t p = 0; p < room.candidates.size(); ++p) {
+    room.first_of[p] = at;
+    if (room.candidates[p] != 0) c.active.push_back(static_cast<std::int32_t>(p)), c.first_slot.push_back(at);
+    at += room.candidates[p];
+  }
+  room.first_of.back() = at;
+  c.first_slot.push_back(at);
+  const auto slots = static_cast<std::size_t>(at);
+  c.candidate.resize(slots), c.element.resize(slots), c.wrench.resize(slots), c.on.assign(slots, 0);
+}
+
+void put(Contacts& c, std::int64_t slot, const kernels::Candidate& k) {
+  c.candidate[static_cast<std::size_t>(slot)] = k;
+  c.element[static_cast<std::size_t>(slot)] = k.element;
+}
+
+/// Candidates that stay, in their order, and behind them those found. To be called by every thread of a team.
+void fill_slots(Contacts& c, const SearchRoom& room) {
+#pragma omp for schedule(static) nowait
+  for (std::size_t a = 0; a < room.active.size(); ++a) {
+    const auto p = static_cast<std::size_t>(room.active[a]);
+    if (room.re_search.patch[p] != 0) continue;
+    std::int64_t to = room.first_of[p];
+    for (std::int64_t slot = room.first_slot[a]; slot < room.first_slot[a + 1]; ++slot) {
+      const kernels::Candidate& k = room.candidate[static_cast<std::size_t>(slot)];
+      if (room.re_search.element[static_cast<std::size_t>(k.element)] == 0) put(c, to++, k);
+    }
+  }
+  for (const SearchOfThread& t : room.by_thread) {
+    for (const FoundPairs* found : {&t.own, &t.around}) {
+#pragma omp for schedule(static) nowait
+      for (std::size_t i = 0; i < found->size(); ++i) {
+        put(c, room.first_of[static_cast<std::size_t>(found->patch[i])] + found->rank[i], found->candidate[i]);
       }
     }
   }
-  return pairs;
-}
-
-/// Fills the lists with pairs, patch by patch, those of a patch in the order in which they come.
-void fill_slots(Contacts& c, std::size_t patches, const std::vector<Pair>& pairs) {
-  std::vector<std::int64_t> at(patches + 1, 0);
-  for (const Pair& pair : pairs) ++at[static_cast<std::size_t>(pair.patch) + 1];
-  c.active.clear();
-  c.first_slot.clear();
-  for (std::size_t p = 0; p < patches; ++p) {
-    if (at[p + 1] != 0) c.active.push_back(static_cast<std::int32_t>(p)), c.first_slot.push_back(at[p]);
-    at[p + 1] += at[p];
-  }
-  c.first_slot.push_back(static_cast<std::int64_t>(pairs.size()));
-  c.candidate.resize(pairs.size());
-  c.element.resize(pairs.size());
-  for (const Pair& pair : pairs) {
-    const auto slot = static_cast<std::size_t>(at[static_cast<std::size_t>(pair.patch)]++);
-    c.candidate[slot] = pair.candidate;
-    c.element[slot] = pair.candidate.element;
-  }
-  c.wrench.resize(pairs.size());
-  c.on.assign(pairs.size(), 0);
 }
 
 /// Lets go of partners that are no candidates any more: they are farther away than the skin.
@@ -83,39 +103,21 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
   patch.stored = 0.0;
 }
 
-/// The patches whose candidates are others than before: who touches whom is to be listed again, where anything touches.
-void settle_partners(World& w, const std::vector<std::uint8_t>& changed) {
+/// The patches whose candidates are others than before: who touches whom is to be listed again, where anything touches. To be called by
+/// every thread of a team.
+void settle_partners(World& w) {
   Contacts& c = w.contacts;
-  std::size_t a = 0;
-  for (std::size_t p = 0; p < changed.size(); ++p) {
-    const bool active = a < c.active.size() && static_cast<std::size_t>(c.active[a]) == p;
-    const auto first = static_cast<std::size_t>(active ? c.first_slot[a] : 0),
-               last = static_cast<std::size_t>(active ? c.first_slot[++a] : 0);
-    if (changed[p] == 0) continue;
+  const SearchRoom& room = c.room;
+#pragma omp for schedule(dynamic, 256)
+  for (std::size_t p = 0; p < room.changed.size(); ++p) {
+    if (room.changed[p] == 0) continue;
+    const auto first = static_cast<std::size_t>(room.first_of[p]), last = static_cast<std::size_t>(room.first_of[p + 1]);
     const std::int32_t touching = w.patches.patch[p].touching;
     release_lost(w, p, {c.element.data() + first, last - first});
     const bool released = w.patches.patch[p].touching < touching;
     for (std::size_t slot = first; slot < last; ++slot) {
       c.candidate[slot].face = touching == 0 ? kernels::kNoFace : kernels::kUnknownFace;
       if (released) c.candidate[slot].safe = kernels::kLookNow;  // a point that is free now is a new one for all
-    }
-  }
-}
-
-/// Of multi-rate stepping: which patches are slow.
-void find_slow_patches(World& w) {
-  Contacts& c = w.contacts;
-  c.slow.clear(), c.gather_slow.clear();
-  if (!w.multirate.on()) return;
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    const auto is_slow = [&](std::int32_t slave) { return w.multirate.pace_now(c.master[a], slave) == Pace::every_cycle; };
-    const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
-    c.slow.push_back(std::all_of(first, last, is_slow) ? 1 : 0);
-  }
-  c.gather_slow.assign(c.gather_on.size(), 0);
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    for (auto code = static_cast<std::size_t>(2 * c.first_slot[a]); code < static_cast<std::size_t>(2 * c.first_slot[a + 1]); ++code) {
-      if (c.place[code] >= 0) c.gather_slow[static_cast<std::size_t>(c.place[code])] = c.slow[a];
     }
   }
 }
@@ -138,52 +140,20 @@ void list_candidates(World& w) {
   c.gather_stale = true;  // it knows who pushed
 }
 
-void build_gather(World& w) {
+void replace_candidates(World& w) {
   Contacts& c = w.contacts;
-  const auto n = static_cast<std::size_t>(w.elements.count);
-  const auto each = [&](auto&& use) {
-    for (std::size_t a = 0; a < c.active.size(); ++a) {
-      for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-        use(static_cast<std::size_t>(c.master[a]), 2 * slot);
-        const std::int32_t slave = c.element[static_cast<std::size_t>(slot)];
-        if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
-      }
-    }
-  };
-  c.master.resize(c.active.size());
-  for (std::size_t a = 0; a < c.active.size(); ++a) c.master[a] = w.patches.patch[static_cast<std::size_t>(c.active[a])].element;
-  c.first_gather.assign(n + 1, 0);
-  each([&](std::size_t e, std::int64_t) {
-    ++c.first_gather[e + 1];
-    w.travel.activate(w.elements, static_cast<std::int32_t>(e));
-  });
-  for (std::size_t e = 0; e < n; ++e) c.first_gather[e + 1] += c.first_gather[e];
-  c.gather.resize(static_cast<std::size_t>(c.first_gather[n]));
-  std::vector<std::int64_t> at = c.first_gather;
-  c.place.assign(2 * c.element.size(), -1);
-  c.gather_on.assign(c.gather.size() + sizeof(std::uint64_t), 0);
-  each([&](std::size_t e, std::int64_t code) {
-    const auto place = static_cast<std::size_t>(at[e]++);
-    c.gather[place] = code;
-    c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
-    c.gather_on[place] = c.on[static_cast<std::size_t>(code / 2)];
-  });
-  find_slow_patches(w);
-  c.gather_stale = false;
-}
-
-void replace_candidates(World& w, const ReSearch& re_search, std::span<const Found> found) {
-  Contacts& c = w.contacts;
-  std::vector<std::uint8_t> changed = re_search.patch;
-  std::vector<Pair> pairs = kept_pairs(c, re_search, changed);
-  for (const Found& f : found) {
-    for (std::size_t i = 0; i < f.patch.size(); ++i) {
-      changed[static_cast<std::size_t>(f.patch[i])] = 1;
-      pairs.push_back({f.patch[i], candidate_found(w, f, i)});
-    }
+  SearchRoom& room = c.room;
+  room.changed.resize(room.re_search.patch.size());
+#pragma omp parallel num_threads(w.threads)
+  count_kept(c, room);
+  rank_found(room);
+  lay_out(c, room);
+#pragma omp parallel num_threads(w.threads)
+  {
+    fill_slots(c, room);
+#pragma omp barrier
+    settle_partners(w);
   }
-  fill_slots(c, w.patches.patch.size(), pairs);
-  settle_partners(w, changed);
   c.searched = static_cast<std::int64_t>(c.active.size());
   w.travel.answer_search();
   c.gather_stale = true;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
@@ -76,67 +78,6 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const 
   return farthest;
 }
 
-/// Elements near another one, as they stand.
-struct Neighbours {
-  std::vector<std::int32_t> element;
-  std::vector<Body> body;
-  std::vector<geometry::Box3> box;
-};
-
-/// \param reach  m, from its box to where the grid has another one
-void find_neighbours(const World& w, std::int32_t e, const geometry::Box3& box, double reach, Neighbours& near) {
-  near.element.clear(), near.body.clear(), near.box.clear();
-  const Vec3 wide{reach, reach, reach};
-  w.contacts.grid.query({box.low - wide, box.high + wide}, near.element);
-  const auto is_fixed = [&](std::int32_t k) { return w.elements.fixed[static_cast<std::size_t>(k)] != 0; };
-  std::erase_if(near.element, [&](std::int32_t other) { return other == e || (is_fixed(e) && is_fixed(other)); });
-  for (const std::int32_t other : near.element) {
-    near.body.push_back(body(w, other));
-    near.box.push_back(element_box(w, other, near.body.back()));
-  }
-}
-
-/// Patches of every element.
-struct PatchesOfElements {
-  std::vector<std::int64_t> first;
-  std::vector<std::int32_t> list;
-  [[nodiscard]] std::span<const std::int32_t> of(std::int32_t e) const {
-    const auto i = static_cast<std::size_t>(e);
-    return {list.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
-  }
-};
-
-PatchesOfElements patches_of_elements(const World& w) {
-  PatchesOfElements r;
-  r.first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
-  for (const FreePatch& p : w.patches.patch) ++r.first[static_cast<std::size_t>(p.element) + 1];
-  for (std::size_t e = 1; e < r.first.size(); ++e) r.first[e] += r.first[e - 1];
-  r.list.resize(w.patches.patch.size());
-  std::vector<std::int64_t> at(r.first.begin(), r.first.end() - 1);
-  for (std::size_t p = 0; p < r.list.size(); ++p) {
-    r.list[static_cast<std::size_t>(at[static_cast<std::size_t>(w.patches.patch[p].element)]++)] = static_cast<std::int32_t>(p);
-  }
-  return r;
-}
-
-/// One search: what it looks for, and how far.
-struct SearchPass {
-  const World& w;
-  const ReSearch& re_search;
-  const PatchesOfElements& patches;
-  double skin = 0.0, moved = 0.0;  // m; that elements which are not searched again have moved at most since they were searched
-  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return re_search.element[static_cast<std::size_t>(e)] != 0; }
-};
-
-void consider(const World& w, std::int32_t p, const PlacedPatch& patch, std::int32_t element, const Body& b, double gap_at_most,
-              Found& found) {
-  const double gap = gap_to(w, patch, element, b);
-  if (gap >= gap_at_most) return;
-  found.patch.push_back(p);
-  found.element.push_back(element);
-  found.gap.push_back(gap);
-}
-
 /// An element in its pose.
 struct Here {
   std::int32_t element = 0;
@@ -144,105 +85,220 @@ struct Here {
   geometry::Box3 box;
 };
 
+/// One search: what it looks for, and how far.
+struct SearchPass {
+  const World& w;
+  double skin = 0.0, moved = 0.0;  // m; that elements which are not searched again have moved at most since they were searched
+  [[nodiscard]] const SearchRoom& room() const { return w.contacts.room; }
+  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return room().re_search.element[static_cast<std::size_t>(e)] != 0; }
+  [[nodiscard]] bool is_re_searched_patch(std::int32_t p) const { return room().re_search.patch[static_cast<std::size_t>(p)] != 0; }
+};
+
+/// Elements whose boxes are that near to another's.
+/// \param gap  m, between a patch of one and the other  \param near  room for them
+void find_neighbours(const SearchPass& t, const Here& here, double gap, std::vector<std::int32_t>& near) {
+  const World& w = t.w;
+  near.clear();
+  const double reach = gap + t.moved;  // to where the grid has it
+  const Vec3 wide{reach, reach, reach};
+  w.contacts.grid.query({here.box.low - wide, here.box.high + wide}, near);
+  const auto is_fixed = [&](std::int32_t k) { return w.elements.fixed[static_cast<std::size_t>(k)] != 0; };
+  const double apart = gap + w.patches.beyond + kernels::kRoundOff;
+  std::erase_if(near, [&](std::int32_t other) {
+    return other == here.element || (is_fixed(here.element) && is_fixed(other)) ||
+           !overlap(here.box, t.room().box[static_cast<std::size_t>(other)], apart);
+  });
+}
+
+/// Gap [m] between the patch and the element if it is less than that, else nothing.
+std::optional<double> gap_within(const SearchPass& t, const PlacedPatch& patch, const Here& other, double gap_at_most) {
+  if (other.element != t.w.elements.base && !overlap(patch.box, other.box, gap_at_most)) return std::nullopt;
+  const double gap = gap_to(t.w, patch, other.element, other.body);
+  return gap < gap_at_most ? std::optional(gap) : std::nullopt;
+}
+
+/// As new, with the travel of both bodies before they can touch.
+kernels::Candidate candidate_at(const World& w, std::int32_t patch, std::int32_t element, double gap) {
+  kernels::Candidate k = candidate_of(w, element);
+  const std::int32_t master = w.patches.element[static_cast<std::size_t>(patch)];
+  k.safe = w.travel.bound(master) + w.travel.bound(element) + gap - kernels::kRoundOff;
+  return k;
+}
+
 /// Candidates of the patches of an element that is searched again.
-void search_own_patches(const SearchPass& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+void search_own_patches(const SearchPass& t, const Here& here, std::span<const Here> near, double gap, SearchRoom& room,
+                        FoundPairs& found) {
   const World& w = t.w;
   const Elements& el = w.elements;
   const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(here.element)] &&
                          here.box.low.z - gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
-  for (const std::int32_t p : t.patches.of(here.element)) {
-    if (t.re_search.patch[static_cast<std::size_t>(p)] == 0) continue;
-    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], here.body);
-    for (std::size_t k = 0; k < near.element.size(); ++k) {
-      if (overlap(patch.box, near.box[k], gap)) consider(w, p, patch, near.element[k], near.body[k], gap, found);
-    }
-    if (over_base) consider(w, p, patch, el.base, body(w, el.base), gap, found);
+  for (auto p = room.patches.begin_of(here.element); p != room.patches.end_of(here.element); ++p) {
+    if (!t.is_re_searched_patch(*p)) continue;
+    std::int32_t count = 0;
+    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(*p)], here.body);
+    const auto consider = [&](const Here& other) {
+      const std::optional<double> apart = gap_within(t, patch, other, gap);
+      if (apart) found.add(*p, count++, candidate_at(w, *p, other.element, *apart));
+    };
+    for (const Here& other : near) consider(other);
+    if (over_base) consider({el.base, body(w, el.base), {}});
+    room.candidates[static_cast<std::size_t>(*p)] = count;
   }
 }
 
 /// Patches of its neighbours that are not searched again themselves, against the element.
-void search_patches_around(const SearchPass& t, const Here& here, const Neighbours& near, double gap, Found& found) {
+void search_patches_around(const SearchPass& t, const Here& here, std::span<const Here> near, double gap, FoundPairs& found) {
   const World& w = t.w;
-  for (std::size_t k = 0; k < near.element.size(); ++k) {
-    if (t.is_re_searched(near.element[k])) continue;
-    for (const std::int32_t p : t.patches.of(near.element[k])) {
-      if (t.re_search.patch[static_cast<std::size_t>(p)] != 0) continue;
-      const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(p)], near.body[k]);
-      if (overlap(patch.box, here.box, gap)) consider(w, p, patch, here.element, here.body, gap, found);
+  for (const Here& other : near) {
+    if (t.is_re_searched(other.element)) continue;
+    const PatchesOfElements& patches = t.room().patches;
+    for (auto p = patches.begin_of(other.element); p != patches.end_of(other.element); ++p) {
+      if (t.is_re_searched_patch(*p)) continue;
+      const std::optional<double> apart = gap_within(t, placed(w.patches.patch[static_cast<std::size_t>(*p)], other.body), here, gap);
+      if (apart) found.add(*p, 0, candidate_at(w, *p, here.element, *apart));
     }
   }
 }
 
+Here here(const World& w, std::int32_t e) { return {e, body(w, e), w.contacts.room.box[static_cast<std::size_t>(e)]}; }
+
+/// Room of a thread for the neighbours of one element.
+struct Neighbours {
+  std::vector<std::int32_t> element;
+  std::vector<Here> body;
+};
+
 /// A pair stays listed until one of its two is searched again, when it has moved by half the skin at most from where it was searched last.
 /// One that is searched now goes by half the skin from here; one that was searched before may come back from where it has moved, and go by
 /// half the skin from there.
-void search_element(const SearchPass& t, std::int32_t e, Neighbours& near, Found& found) {
+void search_element(const SearchPass& t, std::int32_t e, SearchRoom& room, Neighbours& near, SearchOfThread& mine) {
   const bool again = t.is_re_searched(e);
-  const Body b = body(t.w, e);
-  const Here here{e, b, element_box(t.w, e, b)};
+  const Here at = here(t.w, e);
   const double gap = t.skin + (again ? 1.0 : 2.0) * t.moved;
-  find_neighbours(t.w, e, here.box, gap + t.moved, near);
-  search_own_patches(t, here, near, gap, found);
-  if (again) search_patches_around(t, here, near, gap, found);
+  find_neighbours(t, at, gap, near.element);
+  near.body.clear();
+  for (const std::int32_t other : near.element) near.body.push_back(here(t.w, other));
+  search_own_patches(t, at, near.body, gap, room, mine.own);
+  if (again) search_patches_around(t, at, near.body, gap, mine.around);
+  if (again) list_overlaps_of(t.w, e, near.element, gap, mine.overlaps);
 }
 
-/// Elements that are searched again, or whose patches are.
-std::vector<std::int32_t> elements_of(const World& w, const ReSearch& re_search) {
-  std::vector<std::uint8_t> wanted = re_search.element;
-  for (std::size_t p = 0; p < re_search.patch.size(); ++p) {
-    if (re_search.patch[p] != 0) wanted[static_cast<std::size_t>(w.patches.patch[p].element)] = 1;
+/// Patches of every element, where there are others than at the last search.
+void list_patches(const World& w, PatchesOfElements& r) {
+  const std::vector<std::int32_t>& element = w.patches.element;
+  if (r.list.size() == element.size() && !r.first.empty()) return;
+  r.first.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  for (const std::int32_t e : element) ++r.first[static_cast<std::size_t>(e) + 1];
+  for (std::size_t e = 1; e < r.first.size(); ++e) r.first[e] += r.first[e - 1];
+  r.list.resize(element.size());
+  std::vector<std::int32_t> at(r.first.begin(), r.first.end() - 1);
+  for (std::size_t p = 0; p < element.size(); ++p) {
+    r.list[static_cast<std::size_t>(at[static_cast<std::size_t>(element[p])]++)] = static_cast<std::int32_t>(p);
   }
-  std::vector<std::int32_t> list;
+}
+
+/// Marks elements that have moved farther than that: they count as searched from here on. To be called by every thread of a team.
+/// \return m, that elements of this thread's share which are not marked have moved at most
+double mark_moved(World& w, double farther_than) {
+  SearchRoom& room = w.contacts.room;
+  double moved = 0.0;
+#pragma omp for schedule(static)
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
-    if (wanted[static_cast<std::size_t>(e)] != 0) list.push_back(e);
+    const auto i = static_cast<std::size_t>(e);
+    const double m = w.travel.displacement(w.elements, e);
+    const bool again = m > farther_than;
+    room.re_search.element[i] = room.looked_at[i] = again ? 1 : 0;
+    room.box[i] = element_box(w, e, body(w, e));
+    if (again) {
+      w.travel.remember(w.elements, e);
+    } else {
+      moved = std::max(moved, m);
+    }
   }
-  return list;
-}
-
-/// Fills the grid with the elements as they stood when they were searched last.
-void place_grid(World& w) {
-  std::vector<geometry::Box3> boxes(static_cast<std::size_t>(w.elements.count));
-  for (std::size_t e = 0; e < boxes.size(); ++e) {
-    const auto id = static_cast<std::int32_t>(e);
-    boxes[e] = element_box(w, id, body_then(w, id));
-  }
-  w.contacts.grid.build(boxes);
-}
-
-/// \param moved  m, that elements which are not searched again have moved at most since they were searched
-void search(World& w, const ReSearch& re_search, double moved) {
-  place_grid(w);
-  const PatchesOfElements patches = patches_of_elements(w);
-  const SearchPass pass{w, re_search, patches, w.travel.skin(), moved};
-  const std::vector<std::int32_t> elements = elements_of(w, re_search);
-  std::vector<Found> found(elements.size());
-#pragma omp parallel num_threads(w.threads)
-  {
-    Neighbours near;
-#pragma omp for schedule(dynamic, 64)
-    for (std::size_t k = 0; k < elements.size(); ++k) search_element(pass, elements[k], near, found[k]);
-  }
-  replace_candidates(w, re_search, found);
-  list_overlap_pairs(w, re_search.element, moved);
-  ++w.contacts.searches;
+  return moved;
 }
 
 /// Patches that came after the last search.
-void mark_new_patches(const Contacts& c, ReSearch& re_search) {
-  for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) re_search.patch[static_cast<std::size_t>(c.active[a])] = 1;
+void mark_new_patches(World& w) {
+  const Contacts& c = w.contacts;
+  SearchRoom& room = w.contacts.room;
+  for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) {
+    const auto p = static_cast<std::size_t>(c.active[a]);
+    room.re_search.patch[p] = 1;
+    room.looked_at[static_cast<std::size_t>(w.patches.element[p])] = 1;
+  }
 }
 
-/// Elements that have moved farther than that, and their patches. Returns how far the others have moved at most [m].
-double mark_moved(World& w, double farther_than, ReSearch& re_search) {
-  double moved = 0.0;
-  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
-    const double m = w.travel.displacement(w.elements, static_cast<std::int32_t>(e));
-    re_search.element[e] = m > farther_than ? 1 : 0;
-    if (re_search.element[e] == 0) moved = std::max(moved, m);
+/// Has the grid hold the elements as they stood when they were searched last, the marked ones as they stand.
+void place_in_grid(World& w) {
+  Contacts& c = w.contacts;
+  SearchRoom& room = c.room;
+  if (!room.stale) {
+    for (std::int32_t e = 0; e < w.elements.count; ++e) {
+      if (room.re_search.element[static_cast<std::size_t>(e)] != 0) c.grid.move(e, room.box[static_cast<std::size_t>(e)]);
+    }
+    return;
   }
-  for (std::size_t p = 0; p < re_search.patch.size(); ++p)
-    re_search.patch[p] |= re_search.element[static_cast<std::size_t>(w.patches.patch[p].element)];
-  return moved;
+  std::vector<geometry::Box3> box = room.box;
+  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (room.re_search.element[i] == 0) box[i] = element_box(w, e, body_then(w, e));
+  }
+  c.grid.build(box);
+  room.stale = false;
+}
+
+void begin_search(World& w) {
+  SearchRoom& room = w.contacts.room;
+  const auto elements = static_cast<std::size_t>(w.elements.base) + 1;
+  room.re_search.element.resize(elements), room.looked_at.resize(elements), room.box.resize(static_cast<std::size_t>(w.elements.count));
+  room.re_search.patch.assign(w.patches.patch.size(), 0);
+  room.candidates.assign(w.patches.patch.size(), 0);
+  room.by_thread.resize(static_cast<std::size_t>(w.threads));
+  for (SearchOfThread& t : room.by_thread) t.own.clear(), t.around.clear(), t.overlaps.clear(), t.moved = 0.0;
+  list_patches(w, room.patches);
+}
+
+/// Elements that are searched again, or whose patches are.
+void list_elements(SearchRoom& room, std::int32_t count) {
+  room.elements.clear();
+  for (std::int32_t e = 0; e < count; ++e) {
+    if (room.looked_at[static_cast<std::size_t>(e)] != 0) room.elements.push_back(e);
+  }
+  room.found.resize(room.elements.size());
+}
+
+/// \param farther_than  m, elements that have moved farther since their last search are searched again
+void search(World& w, double farther_than) {
+  Contacts& c = w.contacts;
+  SearchRoom& room = c.room;
+  begin_search(w);
+#pragma omp parallel num_threads(w.threads)
+  room.by_thread[static_cast<std::size_t>(omp_get_thread_num())].moved = mark_moved(w, farther_than);
+  mark_new_patches(w);
+  place_in_grid(w);
+  list_elements(room, w.elements.count);
+  double moved = 0.0;
+  for (const SearchOfThread& t : room.by_thread) moved = std::max(moved, t.moved);
+  const SearchPass pass{w, w.travel.skin(), moved};
+#pragma omp parallel num_threads(w.threads)
+  {
+    const int thread = omp_get_thread_num();
+    SearchOfThread& mine = room.by_thread[static_cast<std::size_t>(thread)];
+    Neighbours near;
+#pragma omp for schedule(static)
+    for (std::size_t p = 0; p < room.re_search.patch.size(); ++p)
+      room.re_search.patch[p] |= room.re_search.element[static_cast<std::size_t>(w.patches.element[p])];
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < room.elements.size(); ++k) {
+      const std::size_t first = mine.around.size();
+      search_element(pass, room.elements[k], room, near, mine);
+      room.found[k] = {thread, first, mine.around.size()};
+    }
+  }
+  replace_candidates(w);
+  replace_overlap_pairs(w);
+  ++c.searches;
 }
 
 }  // namespace
@@ -250,26 +306,18 @@ double mark_moved(World& w, double farther_than, ReSearch& re_search) {
 void search_all(World& w) {
   Contacts& c = w.contacts;
   c.active.clear(), c.first_slot.clear();  // nothing of them stays, and sorting gives the patches other numbers
+  c.searched = 0;
+  c.room.stale = true;
   if (patches_lie_apart(w)) sort_patches(w);
   w.travel.remember_all(w.elements);
-  ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 1),
-                     std::vector<std::uint8_t>(w.patches.patch.size(), 1)};
-  search(w, re_search, 0.0);
+  search(w, -1.0);
   w.travel.set_searched();
 }
 
 void search_contacts(World& w) {
-  Contacts& c = w.contacts;
   if (!w.travel.is_searched() || patches_lie_apart(w)) return search_all(w);
-  ReSearch re_search{std::vector<std::uint8_t>(static_cast<std::size_t>(w.elements.base) + 1, 0),
-                     std::vector<std::uint8_t>(w.patches.patch.size(), 0)};
-  mark_new_patches(c, re_search);
   // Not only those for which it is time: others would be due a few steps later.
-  const double moved = mark_moved(w, 0.25 * w.travel.skin(), re_search);
-  for (std::int32_t e = 0; e < w.elements.count; ++e) {
-    if (re_search.element[static_cast<std::size_t>(e)] != 0) w.travel.remember(w.elements, e);
-  }
-  search(w, re_search, moved);
+  search(w, 0.25 * w.travel.skin());
 }
 
 }  // namespace voussoir::solver

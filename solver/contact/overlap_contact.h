@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kernels/overlap.h"
@@ -23,11 +24,16 @@ struct OverlapFound {
 /// Of two elements as they stand; b may be the base. \param enough  see kernels::overlap_of
 [[nodiscard]] kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, double enough);
 
-/// Lists the pairs of elements that are marked, as they stand; others keep theirs. Call with every search.
-/// \pre Contacts::grid holds all elements where they were searched last
-/// \param re_search   by element: its pairs are listed again
-/// \param moved  m, that elements which are not marked have moved at most since they were searched
-void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, double moved);
+/// Lists pairs of an element that is searched again, as it stands, with those of its neighbours that are not, or come after it, and the
+/// base.
+/// \pre SearchRoom::box holds all elements as they stand
+/// \param near    elements whose boxes are that near, or nearer
+/// \param travel  m, of both together before one of them is listed again
+void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, double travel,
+                      std::vector<OverlapPair>& pairs);
+
+/// Puts those that a search has listed (SearchRoom) in the place of those of the elements that it searched again. Others keep theirs.
+void replace_overlap_pairs(World& w);
 
 /// Lists all pairs, whenever elements were searched: for a state that was read.
 void list_all_overlap_pairs(World& w);

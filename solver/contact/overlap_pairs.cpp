@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "solver/contact/overlap_contact.h"
@@ -12,100 +15,134 @@ namespace {
 
 Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
+Mat3 orientation(const World& w, std::int32_t e) { return Mat3{} + kernels::load_pose(w.elements.pose.data(), e).d; }
+
 Vec3 centroid(const World& w, std::int32_t e) {
   return w.elements.body[static_cast<std::size_t>(e)].ref + kernels::load_pose(w.elements.pose.data(), e).u;
 }
 
+Vec3 half_extents(const World& w, std::int32_t e) {
+  const auto i = static_cast<std::size_t>(e);
+  return {w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
+}
+
 /// Box round an element as it stands.
 geometry::Box3 box_of(const World& w, std::int32_t e) {
-  const auto i = static_cast<std::size_t>(e);
-  const Mat3 r = Mat3{} + kernels::load_pose(w.elements.pose.data(), e).d;
-  const Vec3 h{w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]}, x = centroid(w, e);
+  const Mat3 r = orientation(w, e);
+  const Vec3 h = half_extents(w, e), x = centroid(w, e);
   const Vec3 half{dot(absolute(r.r0), h), dot(absolute(r.r1), h), dot(absolute(r.r2), h)};
   return {x - half, x + half};
 }
 
-/// One listing: which elements, where the others are, and how far bodies may still go before they are listed again.
-struct Listing {
-  const World& w;
-  const std::vector<std::uint8_t>& re_search;
-  const geometry::UniformGrid& grid;
-  double travel = 0.0;  // m, of both together before one of them is listed again
-  double reach = 0.0;   // m, from where a body stands to where the grid has another one
-  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return re_search[static_cast<std::size_t>(e)] != 0; }
-  [[nodiscard]] bool is_fixed(std::int32_t e) const { return w.elements.fixed[static_cast<std::size_t>(e)] != 0; }
-};
+double largest(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
-double sum_of_travel(const World& w, std::int32_t a, std::int32_t b) { return w.travel.bound(a) + w.travel.bound(b); }
+/// m; the two overlap by no more than this: along the axes of the boxes round them that turn with them. For two bricks it is the least
+/// overlap along the normals of their faces, so only pairs that need crossed edges to be told apart are looked at by more than this.
+double overlap_at_most(const World& w, std::int32_t a, std::int32_t b) {
+  if (b == w.elements.base) return centroid(w, b).z - box_of(w, a).low.z;
+  const Mat3 ra = transposed(orientation(w, a)), rb = transposed(orientation(w, b));  // rows: the axes of the boxes
+  const Vec3 ha = half_extents(w, a), hb = half_extents(w, b), apart = centroid(w, b) - centroid(w, a);
+  const Mat3 cosines{absolute(rb * ra.r0), absolute(rb * ra.r1), absolute(rb * ra.r2)};  // of axes of a, by row, with those of b
+  const Vec3 along_a = absolute(ra * apart), along_b = absolute(rb * apart);
+  const double gap_a = largest(along_a - ha - cosines * hb), gap_b = largest(along_b - hb - transposed(cosines) * ha);
+  return -std::max(gap_a, gap_b);
+}
 
 /// Adds the pair unless its bodies cannot come to overlap by more than is allowed before one of them is listed again.
-void consider(const Listing& l, std::int32_t a, std::int32_t b, std::vector<OverlapPair>& pairs) {
-  const double allowed = allowed_overlap(l.w, a, b), spare = allowed - l.travel;
-  const double depth = overlap_of(l.w, a, b, spare).depth;
-  if (depth <= spare) return;
-  pairs.push_back({a, b, sum_of_travel(l.w, a, b) + (allowed - depth) - kernels::kRoundOff});
+void consider(const World& w, std::int32_t a, std::int32_t b, double travel, std::vector<OverlapPair>& pairs) {
+  const double spare = allowed_overlap(w, a, b) - overlap_at_most(w, a, b);
+  if (spare < travel) pairs.push_back({a, b, w.travel.bound(a) + w.travel.bound(b) + spare - kernels::kRoundOff});
 }
 
-void list_pairs_of(const Listing& l, std::int32_t e, std::vector<std::int32_t>& near, std::vector<OverlapPair>& pairs) {
-  const geometry::Box3 box = box_of(l.w, e);
-  near.clear();
-  const Vec3 wide{l.reach, l.reach, l.reach};
-  l.grid.query({box.low - wide, box.high + wide}, near);
-  for (const std::int32_t other : near) {
-    if (other == e || (l.is_re_searched(other) && other < e) || (l.is_fixed(e) && l.is_fixed(other))) continue;
-    consider(l, std::min(e, other), std::max(e, other), pairs);
-  }
-  if (l.w.has_base && !l.is_fixed(e)) consider(l, e, l.w.elements.base, pairs);
-}
-
-std::vector<OverlapPair> list_pairs(const Listing& l) {
-  std::vector<OverlapPair> pairs;
-#pragma omp parallel num_threads(l.w.threads)
-  {
-    std::vector<OverlapPair> mine;
-    std::vector<std::int32_t> near;
-#pragma omp for schedule(dynamic, 64) nowait
-    for (std::int32_t e = 0; e < l.w.elements.count; ++e) {
-      if (l.is_re_searched(e)) list_pairs_of(l, e, near, mine);
-    }
-#pragma omp critical
-    pairs.insert(pairs.end(), mine.begin(), mine.end());
-  }
-  return pairs;
-}
+bool is_fixed(const World& w, std::int32_t e) { return w.elements.fixed[static_cast<std::size_t>(e)] != 0; }
 
 /// A pair needs the travel bounds and the velocity rows of both elements.
-void take_pairs(World& w, std::vector<OverlapPair> pairs) {
-  std::ranges::sort(pairs, {}, [](const OverlapPair& p) { return std::pair(p.a, p.b); });
+void activate(World& w, std::span<const OverlapPair> pairs) {
   for (const OverlapPair& p : pairs) {
     w.travel.activate(w.elements, p.a);
     if (p.b != w.elements.base) w.travel.activate(w.elements, p.b);
   }
-  w.overlaps.pairs = std::move(pairs);
-  w.overlaps.stale = false;
 }
 
 }  // namespace
 
-void list_overlap_pairs(World& w, const std::vector<std::uint8_t>& re_search, double moved) {
-  const double travel = w.travel.skin() + moved;
-  std::vector<OverlapPair> pairs = list_pairs({w, re_search, w.contacts.grid, travel, travel + moved});
-  for (const OverlapPair& p : w.overlaps.pairs) {
-    if (re_search[static_cast<std::size_t>(p.a)] == 0 && re_search[static_cast<std::size_t>(p.b)] == 0) pairs.push_back(p);
+void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, double travel,
+                      std::vector<OverlapPair>& pairs) {
+  const std::vector<std::uint8_t>& again = w.contacts.room.re_search.element;
+  for (const std::int32_t other : near) {
+    if (again[static_cast<std::size_t>(other)] != 0 && other < element) continue;
+    consider(w, std::min(element, other), std::max(element, other), travel, pairs);
   }
-  take_pairs(w, std::move(pairs));
+  if (w.has_base && !is_fixed(w, element)) consider(w, element, w.elements.base, travel, pairs);
+}
+
+// Found ones by their first elements, by counting, then those that stay between them.
+void replace_overlap_pairs(World& w) {
+  SearchRoom& room = w.contacts.room;
+  std::vector<OverlapPair>&found = room.overlaps_found, &before = room.overlaps_before;
+  room.first_overlap.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  std::size_t count = 0;
+  for (const SearchOfThread& t : room.by_thread) {
+    for (const OverlapPair& p : t.overlaps) ++room.first_overlap[static_cast<std::size_t>(p.a) + 1];
+    count += t.overlaps.size();
+    activate(w, t.overlaps);
+  }
+  std::partial_sum(room.first_overlap.begin(), room.first_overlap.end(), room.first_overlap.begin());
+  found.resize(count);
+  std::vector<std::int32_t> at(room.first_overlap.begin(), room.first_overlap.end() - 1);
+  for (const SearchOfThread& t : room.by_thread) {
+    for (const OverlapPair& p : t.overlaps) found[static_cast<std::size_t>(at[static_cast<std::size_t>(p.a)]++)] = p;
+  }
+  std::swap(w.overlaps.pairs, before);
+  std::vector<OverlapPair>& pairs = w.overlaps.pairs;
+  pairs.clear();
+  const auto is_kept = [&](const OverlapPair& p) {
+    return room.re_search.element[static_cast<std::size_t>(p.a)] == 0 && room.re_search.element[static_cast<std::size_t>(p.b)] == 0;
+  };
+  auto old = before.begin();
+  for (std::int32_t a = 0; a < w.elements.count; ++a) {
+    const auto first = pairs.size();
+    for (; old != before.end() && old->a == a; ++old) {
+      if (is_kept(*old)) pairs.push_back(*old);
+    }
+    const auto i = static_cast<std::size_t>(a);
+    if (room.first_overlap[i] == room.first_overlap[i + 1]) continue;
+    pairs.insert(pairs.end(), found.begin() + room.first_overlap[i], found.begin() + room.first_overlap[i + 1]);
+    std::ranges::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), {}, &OverlapPair::b);
+  }
+  w.overlaps.stale = false;
 }
 
 // From where it stands an element goes by the skin at most until it is searched again: back to where that was last, and on by half the
 // skin.
 void list_all_overlap_pairs(World& w) {
-  const std::vector<std::uint8_t> all(static_cast<std::size_t>(w.elements.base) + 1, 1);
+  const double travel = 2.0 * w.travel.skin();
   std::vector<geometry::Box3> box(static_cast<std::size_t>(w.elements.count));
   for (std::int32_t e = 0; e < w.elements.count; ++e) box[static_cast<std::size_t>(e)] = box_of(w, e);
   geometry::UniformGrid grid;
   grid.build(box);
-  const double travel = 2.0 * w.travel.skin();
-  take_pairs(w, list_pairs({w, all, grid, travel, travel}));
+  std::vector<std::vector<OverlapPair>> by_thread(static_cast<std::size_t>(w.threads));
+#pragma omp parallel num_threads(w.threads)
+  {
+    std::vector<OverlapPair>& mine = by_thread[static_cast<std::size_t>(omp_get_thread_num())];
+    std::vector<std::int32_t> near;
+#pragma omp for schedule(static)
+    for (std::int32_t e = 0; e < w.elements.count; ++e) {
+      const geometry::Box3& here = box[static_cast<std::size_t>(e)];
+      const Vec3 wide{travel, travel, travel};
+      near.clear();
+      grid.query({here.low - wide, here.high + wide}, near);
+      for (const std::int32_t other : near) {
+        if (other > e && !(is_fixed(w, e) && is_fixed(w, other))) consider(w, e, other, travel, mine);
+      }
+      if (w.has_base && !is_fixed(w, e)) consider(w, e, w.elements.base, travel, mine);
+    }
+  }
+  std::vector<OverlapPair>& pairs = w.overlaps.pairs;
+  pairs.clear();
+  for (const std::vector<OverlapPair>& mine : by_thread) pairs.insert(pairs.end(), mine.begin(), mine.end());
+  activate(w, pairs);
+  w.overlaps.stale = false;
 }
 
 }  // namespace voussoir::solver

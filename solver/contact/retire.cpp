@@ -106,7 +106,7 @@ void activate_last_patch(World& w) {
   c.first_slot.push_back(static_cast<std::int64_t>(c.element.size()));
   c.wrench.emplace_back();
   c.on.push_back(0);
-  c.gather_stale = true;
+  add_to_gather(w);
 }
 
 }  // namespace

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::ptrdiff_t kScattered = 128;  // patches out of order that cost more than sorting, which takes some ten steps' time
 
-bool by_element(const kernels::Patch& a, const kernels::Patch& b) { return a.element < b.element; }
-
 template <class Column>
 void reorder(Column& column, const std::vector<std::size_t>& order) {
   Column sorted;
@@ -55,19 +53,21 @@ void sort_patches(World& w) {
   Patches& p = w.patches;
   std::vector<std::size_t> order(p.patch.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return by_element(p.patch[a], p.patch[b]); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p.element[a] < p.element[b]; });
   const std::vector<std::int64_t> ends = ends_of_points(p);
   for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order);
   reorder_points(p.springs, ends, order, kernels::kWidth);
   reorder(p.patch, order);
+  reorder(p.element, order);
   reorder(p.from_side, order);
   reorder(p.mastered, order);
   place_points(p, ends, order);
+  w.contacts.room.patches = {};
 }
 
 bool patches_lie_apart(const World& w) {
-  const Array<FreePatch>& all = w.patches.patch;
-  return all.end() - std::is_sorted_until(all.begin(), all.end(), by_element) >= kScattered;
+  const std::vector<std::int32_t>& all = w.patches.element;
+  return all.end() - std::ranges::is_sorted_until(all) >= kScattered;
 }
 
 }  // namespace voussoir::solver

@@ -15,6 +15,23 @@
 
 namespace voussoir::solver {
 
+namespace {
+
+/// m, by which the rectangle of a patch reaches out of the box round its element, in body axes.
+double reach_beyond_box(const Elements& e, const kernels::Patch& p) {
+  const auto i = static_cast<std::size_t>(p.element);
+  double beyond = 0.0;
+  for (const double s : {p.s_low, p.s_high}) {
+    for (const double t : {p.t_low, p.t_high}) {
+      const Vec3 at = p.centre + s * p.es + t * p.et;
+      beyond = std::max({beyond, std::abs(at.x) - e.half_x[i], std::abs(at.y) - e.half_y[i], std::abs(at.z) - e.half_z[i]});
+    }
+  }
+  return beyond;
+}
+
+}  // namespace
+
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered) {
   Patches& p = w.patches;
   const auto n = static_cast<std::size_t>(w.points.count[static_cast<std::size_t>(set)]);
@@ -22,6 +39,8 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   const auto e = static_cast<std::size_t>(patch.element);
   p.patch.back().face_number = static_cast<std::uint16_t>(patch.face - w.elements.first_face[e]);
   p.patch.back().face_count = static_cast<std::uint16_t>(w.elements.face_count[e]);
+  p.element.push_back(patch.element);
+  p.beyond = std::max(p.beyond, reach_beyond_box(w.elements, patch));
   p.from_side.push_back(from_side);
   p.mastered.push_back(mastered ? 1 : 0);
   const std::size_t end = p.partner.size() + static_cast<std::size_t>(round_up(static_cast<std::int64_t>(n), kernels::kLanes));

@@ -74,6 +74,7 @@ void size_search(World& w, const SavedState& from) {
   const std::size_t slots = integers(from, "slot_element").size();
   c.element.assign(slots, 0);
   c.gather_stale = true;
+  c.room = {};
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
   w.overlaps.pairs.clear();
   w.overlaps.stale = true;

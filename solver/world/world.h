@@ -18,6 +18,7 @@
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 #include "solver/world/multirate.h"
+#include "solver/world/search_room.h"
 #include "solver/world/travel.h"
 
 /// Everything the step works on. State arrays (what a checkpoint must hold) are listed in field_table.h; the rest is built from the model
@@ -136,6 +137,8 @@ static_assert(sizeof(FreePatch) == 192);
 /// Free patches: segments in no joint, or whose joint has come apart. Grows as sides retire.
 struct Patches {
   Array<FreePatch> patch;
+  std::vector<std::int32_t> element;  // by patch: Patch::element, close together (derived)
+  double beyond = 0.0;                // m, by which the rectangle of some patch reaches out of the box round its element (derived)
   // State by patch.
   Array<std::int32_t> from_side;  // the side it comes from, −1: never joined
   Array<std::uint8_t> mastered;   // 1: its element was the master of from_side
@@ -150,7 +153,8 @@ struct Patches {
 /// Possible contacts: for each active patch a few candidates, each with a slot for its wrench; every element gathers
 /// its slots in a fixed order, so no two threads ever add to one row.
 struct Contacts {
-  geometry::UniformGrid grid;
+  geometry::UniformGrid grid;  // of elements where they were searched last
+  SearchRoom room;
   bool gather_stale = false;             // slots were added since the gather lists were made
   std::vector<std::int32_t> active;      // patches with candidates
   std::vector<std::int64_t> first_slot;  // by active patch, count + 1 entries
@@ -159,8 +163,9 @@ struct Contacts {
   Array<kernels::Candidate> candidate;   // by slot: the same, and what is known of the pair (derived)
   Array<kernels::PairWrench> wrench;
   std::vector<std::uint8_t> on;
-  std::vector<std::int64_t> first_gather;  // by element, count + 1 entries
-  std::vector<std::int64_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
+  std::vector<std::int64_t> first_gather;  // by element, count + 1 entries: its room in `gather`
+  std::vector<std::int64_t> last_gather;   // by element: where its entries end; the rest of its room is for slots that come later
+  std::vector<std::int32_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;  // the way back: by slot × 2 + (0, 1), where it stands among these; −1: the base, which gathers none
   std::vector<std::uint8_t> gather_on;  // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
   // Of multi-rate stepping; else empty. A patch is fast if its element or one of its candidates is.
@@ -168,12 +173,6 @@ struct Contacts {
   std::vector<std::uint8_t> gather_slow;  // by entry of `gather`, 0 or 1, and 8 zeros
   std::int64_t searched = 0;              // active patches whose candidates a search found; the others are new (state)
   std::int64_t searches = 0;
-};
-
-/// Two elements that may come to overlap by more than contact points can see.
-struct OverlapPair {
-  std::int32_t a = 0, b = 0;        // a < b; b may be the base
-  double safe = kernels::kLookNow;  // m, sum of both travel bounds up to which they overlap by no more than is allowed
 };
 
 /// The spring between two elements that overlap by more than is allowed (all of it state).

@@ -59,6 +59,31 @@ TEST_SUITE("grid") {
     }
   }
 
+  TEST_CASE("boxes that move are found where they are") {
+    Random random(13);
+    std::vector<Box3> boxes = random_boxes(random, 400, 1.0, 0.2);
+    UniformGrid grid;
+    grid.build(boxes);
+    const auto moved = [&](const Box3& b, double far) {
+      const Vec3 by{random.uniform(-far, far), random.uniform(-far, far), random.uniform(-far, far)};
+      return Box3{b.low + by, b.high + by};
+    };
+    for (int round = 0; round < 40; ++round) {
+      for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = moved(boxes[i], i % 2 == 0 ? 0.01 : 0.3);
+      boxes[7] = moved(boxes[7], 500.0);                        // thrown
+      for (Vec3* v : {&boxes[8].low, &boxes[8].high}) *v = {};  // all to one place, where there is no room for them
+      boxes[static_cast<std::size_t>(10 + round)] = boxes[9];
+      if (round % 4 == 1) boxes[11] = {{-50, -50, -1}, {50, 50, 0}};  // a slab, in no cell
+      if (round % 4 == 2) boxes[11].low.x = NAN;                      // nowhere
+      if (round % 4 == 3) boxes[11] = boxes[12];
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (i % 3 == 0 || i < 60) grid.move(static_cast<std::int32_t>(i), boxes[i]);
+      }
+      for (const Box3& q : random_boxes(random, 100, 1.2, 0.4)) REQUIRE(found(grid, q) == brute_force(boxes, q));
+      for (const Box3& q : boxes) REQUIRE(found(grid, q) == brute_force(boxes, q));
+    }
+  }
+
   TEST_CASE("boxes of very different size") {
     Random random(12);
     std::vector<Box3> boxes = random_boxes(random, 600, 2.0, 0.2);
