@@ -11,7 +11,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kRoom = 8;  // slots of sides that retire before the lists are made again, for each element
+constexpr std::int64_t kRoom = 8;  // slots of sides that retire before the lists are made again, for each element that may have some
 
 /// Active patches of a thread, about as many slots for each: [first, last).
 struct PatchRange {
@@ -44,9 +44,9 @@ void part_room(World& w, const std::vector<std::int64_t>& total) {
   std::int64_t at = 0;
   for (std::size_t e = 0; e < total.size(); ++e) {
     c.first_gather[e] = at;
-    if (total[e] == 0) continue;
-    at += total[e] + kRoom;
-    w.travel.activate(w.elements, static_cast<std::int32_t>(e));
+    at += total[e];
+    if (total[e] != 0 || w.elements.bonds[e] < w.elements.bonds_at_start[e]) at += kRoom;
+    if (total[e] != 0) w.travel.activate(w.elements, static_cast<std::int32_t>(e));
   }
   c.first_gather[total.size()] = at;
   c.gather.resize(static_cast<std::size_t>(at));

@@ -64,10 +64,9 @@ TEST_CASE("gather lists to which slots were added are those that are made anew, 
     solver::World& w = sim.world();
     int added = 0;
     for (int i = 0; i < 4000; ++i) {
-      const std::size_t before = w.contacts.active.size();
       sim.step({});
       sim.cracks().clear();
-      if (w.contacts.gather_stale || w.contacts.active.size() == before) continue;
+      if (w.contacts.gather_stale || static_cast<std::int64_t>(w.contacts.active.size()) == w.contacts.searched) continue;
       const Gathered now = gathered(w);
       solver::build_gather(w);
       const Gathered anew = gathered(w);
