@@ -48,7 +48,7 @@ Difference compare(const cases::Case& first, const cases::Case& second, const Im
         d.scale = std::max(d.scale, norm(a.displacement(i)));
       }
     }
-    b.sim().step({});
+    for (std::int64_t k = 0; k < b.sim().cycle(); ++k) b.sim().step({});
   });
   d.a = a.sim().damage(), d.b = b.sim().damage();
   return d;
