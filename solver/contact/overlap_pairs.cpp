@@ -144,6 +144,7 @@ void list_all_overlap_pairs(World& w) {
   for (const std::vector<OverlapPair>& mine : by_thread) pairs.insert(pairs.end(), mine.begin(), mine.end());
   activate(w, pairs);
   w.overlaps.stale = false;
+  if (w.multirate.on()) list_overlap_levels(w);
 }
 
 }  // namespace voussoir::solver
