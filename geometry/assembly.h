@@ -3,23 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/polyhedron.h"
 #include "geometry/segment_rule.h"
+#include "geometry/segment_store.h"
 
 /// From shapes to faces, segments and joints (paper 2.1, Fig. 1c; choices in the theory manual).
 namespace voussoir::geometry {
 
 /// Element index that stands for the base, the fixed half-space below z = base_z.
 inline constexpr std::int32_t kBase = -1;
-
-/// One segment: its contact point (s, t) [m] in the frame of its patch, and its area [m2].
-struct Segment {
-  double s = 0.0, t = 0.0, area = 0.0;
-};
 
 /// A plane frame in the reference configuration, global axes. `normal` = axis_s × axis_t, the outward normal of the master's face.
 struct Frame {
@@ -35,8 +32,8 @@ struct Joint {
   Frame frame;
   double area = 0.0;            // m2, of the overlap
   bool merged = false;          // the points of both sides coincide: side_a stands for both, side_b is empty
-  std::vector<Segment> side_a;  // segments mastered by face_a
-  std::vector<Segment> side_b;  // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
+  SegmentList side_a;           // segments mastered by face_a
+  SegmentList side_b;           // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
@@ -45,7 +42,7 @@ struct Joint {
 struct FreePatch {
   std::int32_t element = 0, face = 0;
   Frame frame;
-  std::vector<Segment> segments;
+  SegmentList segments;
 };
 
 /// A plane face of an element.
@@ -66,6 +63,7 @@ struct Assembly {
   std::vector<Face> faces;    // by element, in the polyhedron's face order
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
   std::vector<FreePatch> patches;  // sorted by (element, face)
+  std::shared_ptr<const SegmentStore> segments;  // of joints and patches, which are valid as long as it
   SegmentRule rule = SegmentRule::centres;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "geometry/message.h"
 #include "geometry/rim_points.h"
@@ -50,8 +51,9 @@ SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
   return out;
 }
 
-/// Moves the segments, given from the corner of the face, to their area centroid, and onto the raster. Returns the frame there.
-Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<Segment>* others) {
+/// Moves the segments, given from the corner of the face, to their area centroid, and onto the raster; `others` by as much. Returns the
+/// frame there.
+Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<Segment>& others) {
   double area = 0.0, s = 0.0, t = 0.0;
   for (const Segment& x : segments) area += x.area, s += x.area * x.s, t += x.area * x.t;
   s /= area, t /= area;
@@ -59,7 +61,7 @@ Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<S
     for (Segment& x : list) x.s = snapped(x.s - s, kRaster), x.t = snapped(x.t - t, kRaster);
   };
   move(segments);
-  if (others != nullptr) move(*others);
+  move(others);
   return {g.origin + s * g.axis_s + t * g.axis_t, g.axis_s, g.axis_t, g.normal};
 }
 
@@ -72,121 +74,6 @@ void check_sum(const Contact& c, const std::vector<Segment>& side, const char* n
 }
 
 bool is_ground(const Scene& scene, std::int32_t element) { return scene.parts[static_cast<std::size_t>(element)].ground; }
-
-/// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
-class FaceCutter {
- public:
-  FaceCutter(const Scene& scene, std::span<const Contact> contacts, Assembly& out) : scene_(scene), contacts_(contacts), out_(out) {}
-
-  void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
-    if (is_ground(scene_, element)) return;
-    if (out_.rule == SegmentRule::rim) {
-      cut_face_to_rim(element, face, sides);
-      return;
-    }
-    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
-    if (!sides.empty()) taken_.assign(static_cast<std::size_t>(g.cell_count()), {});
-    for (const Side& side : sides) cut_side(g, side);
-    cutter_.cut(g, g.polygon, pieces_);
-    if (!sides.empty()) subtract_taken(g);
-    merge_small(g, pieces_);  // slivers at a slanting edge
-    segments_.clear();
-    for (const Piece& p : pieces_) segments_.push_back({p.centroid.s, p.centroid.t, p.area});
-    add_patch(element, face, g);
-  }
-
- private:
-  [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
-
-  /// SegmentRule::rim: points of each joint that the face is a of, and of convex polygons that make up what no joint takes.
-  void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
-    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
-    free_.assign(1, g.polygon);
-    for (const Side& side : sides) {
-      const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
-      if (!side.is_b) {
-        const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
-        append_rim_points(c.overlap, size, out_.joints[static_cast<std::size_t>(side.contact)].side_a);
-      }
-      const Polygon& overlap = overlap_on(side);
-      cut_.clear();
-      for (const Polygon& p : free_) append_difference(p, overlap, cut_);
-      free_.swap(cut_);
-    }
-    segments_.clear();
-    for (const Polygon& p : free_) {
-      const double area = region(p).area;
-      if (area < kSmallPiece * g.cell_area()) continue;
-      const Polygon inside = moved_in(p, kInset * size_of(element));
-      const std::size_t first = segments_.size();
-      append_rim_points(inside, size_of(element), segments_);
-      for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].area *= area / region(inside).area;
-    }
-    add_patch(element, face, g);
-  }
-
-  /// What the face shares with another, in its own coordinates.
-  const Polygon& overlap_on(const Side& side) {
-    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
-    if (!side.is_b) return c.overlap;
-    mapped_.clear();
-    for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
-    return mapped_;
-  }
-
-  void cut_side(const FaceGrid& g, const Side& side) {
-    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
-    Joint& joint = out_.joints[static_cast<std::size_t>(side.contact)];
-    cutter_.cut(g, overlap_on(side), pieces_);
-    for (const Piece& p : pieces_) {
-      Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
-      taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
-    }
-    merge_small(g, pieces_);
-    auto& segments = side.is_b ? joint.side_b : joint.side_a;
-    segments.reserve(pieces_.size());
-    for (const Piece& p : pieces_) {
-      const Point2 at = side.is_b ? c.map.to_a(p.centroid) : p.centroid;
-      segments.push_back({at.s, at.t, p.area});
-    }
-  }
-
-  /// Leaves in pieces_ (the whole cells of the face) what no joint took. The rest of a convex cell need not be convex, so only its area and
-  /// first moment are kept.
-  void subtract_taken(const FaceGrid& g) {
-    const double least = kSmallPiece * g.cell_area();
-    for (Piece& p : pieces_) {
-      const Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
-      if (taken.area == 0.0) continue;
-      const double rest = p.area - taken.area;
-      if (rest >= least) {
-        p.centroid = {(p.area * p.centroid.s - taken.s) / rest, (p.area * p.centroid.t - taken.t) / rest};
-        p.area = rest;
-      } else {
-        p.area = 0.0;
-      }
-    }
-    std::erase_if(pieces_, [](const Piece& p) { return p.area == 0.0; });
-  }
-
-  /// A patch of segments_, if there are any.
-  void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
-    if (segments_.empty()) return;
-    FreePatch patch{element, face, {}, segments_};
-    patch.frame = centre_on(g, patch.segments, nullptr);
-    out_.patches.push_back(std::move(patch));
-  }
-
-  const Scene& scene_;
-  std::span<const Contact> contacts_;
-  Assembly& out_;
-  Cutter cutter_;
-  std::vector<Piece> pieces_;
-  std::vector<Segment> taken_;     // by cell: area and first moments [m2, m3] that joints took
-  std::vector<Segment> segments_;  // free ones of the face
-  std::vector<Polygon> free_, cut_;
-  Polygon mapped_;
-};
 
 /// Finds out whether the grids of both sides coincide.
 class Matcher {
@@ -219,18 +106,149 @@ class Matcher {
   std::vector<std::int32_t> by_cell_;  // segment of a, or −1
 };
 
-/// \param one_sided  both elements share the points of the one
-void finish_joint(const FaceGrid& g, const Contact& c, bool one_sided, Matcher& matcher, Joint& joint) {
-  check_sum(c, joint.side_a, "a");
-  if (one_sided) {
-    joint.merged = c.element_b != kBase;
-  } else if (c.element_b != kBase) {
-    check_sum(c, joint.side_b, "b");
-    joint.merged = matcher.coincide(g, joint.side_a, joint.side_b);
-    if (joint.merged) std::vector<Segment>().swap(joint.side_b);
+/// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
+class FaceCutter {
+ public:
+  FaceCutter(const Scene& scene, std::span<const Contact> contacts, SegmentStore& store, Assembly& out)
+      : scene_(scene), contacts_(contacts), store_(store), out_(out) {}
+
+  void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    if (is_ground(scene_, element)) return;
+    if (out_.rule == SegmentRule::rim) {
+      cut_face_to_rim(element, face, sides);
+      return;
+    }
+    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    if (!sides.empty()) taken_.assign(static_cast<std::size_t>(g.cell_count()), {});
+    for (const Side& side : sides) cut_side(g, side);
+    cutter_.cut(g, g.polygon, pieces_);
+    if (!sides.empty()) subtract_taken(g);
+    merge_small(g, pieces_);  // slivers at a slanting edge
+    segments_.clear();
+    for (const Piece& p : pieces_) segments_.push_back({p.centroid.s, p.centroid.t, p.area});
+    add_patch(element, face, g);
   }
-  joint.frame = centre_on(g, joint.side_a, &joint.side_b);
-}
+
+ private:
+  [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
+
+  /// SegmentRule::rim: points of each joint that the face is a of, and of convex polygons that make up what no joint takes.
+  void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
+    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    free_.assign(1, g.polygon);
+    for (const Side& side : sides) {
+      const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+      if (!side.is_b) {
+        const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
+        append_rim_points(c.overlap, size, drafts_[side.contact].side_a);
+        finish_joint(side.contact);
+      }
+      const Polygon& overlap = overlap_on(side);
+      cut_.clear();
+      for (const Polygon& p : free_) append_difference(p, overlap, cut_);
+      free_.swap(cut_);
+    }
+    segments_.clear();
+    for (const Polygon& p : free_) {
+      const double area = region(p).area;
+      if (area < kSmallPiece * g.cell_area()) continue;
+      const Polygon inside = moved_in(p, kInset * size_of(element));
+      const std::size_t first = segments_.size();
+      append_rim_points(inside, size_of(element), segments_);
+      for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].area *= area / region(inside).area;
+    }
+    add_patch(element, face, g);
+  }
+
+  /// What the face shares with another, in its own coordinates.
+  const Polygon& overlap_on(const Side& side) {
+    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    if (!side.is_b) return c.overlap;
+    mapped_.clear();
+    for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
+    return mapped_;
+  }
+
+  void cut_side(const FaceGrid& g, const Side& side) {
+    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    Draft& draft = drafts_[side.contact];
+    cutter_.cut(g, overlap_on(side), pieces_);
+    for (const Piece& p : pieces_) {
+      Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
+    }
+    merge_small(g, pieces_);
+    auto& segments = side.is_b ? draft.side_b : draft.side_a;
+    segments.reserve(pieces_.size());
+    for (const Piece& p : pieces_) {
+      const Point2 at = side.is_b ? c.map.to_a(p.centroid) : p.centroid;
+      segments.push_back({at.s, at.t, p.area});
+    }
+    if (side.is_b || c.element_b == kBase || is_ground(scene_, c.element_b)) finish_joint(side.contact);
+  }
+
+  /// All of its sides have been cut.
+  void finish_joint(std::int32_t contact) {
+    const Contact& c = contacts_[static_cast<std::size_t>(contact)];
+    const FaceGrid& g = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
+    Joint& joint = out_.joints[static_cast<std::size_t>(contact)];
+    Draft draft = std::move(drafts_.extract(contact).mapped());
+    check_sum(c, draft.side_a, "a");
+    if (out_.rule == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
+      joint.merged = c.element_b != kBase;  // both elements share the points of the one
+    } else if (c.element_b != kBase) {
+      check_sum(c, draft.side_b, "b");
+      joint.merged = matcher_.coincide(g, draft.side_a, draft.side_b);
+      if (joint.merged) draft.side_b.clear();
+    }
+    joint.frame = centre_on(g, draft.side_a, draft.side_b);
+    joint.side_a = store_.keep(draft.side_a), joint.side_b = store_.keep(draft.side_b);
+  }
+
+  /// Leaves in pieces_ (the whole cells of the face) what no joint took. The rest of a convex cell need not be convex, so only its area and
+  /// first moment are kept.
+  void subtract_taken(const FaceGrid& g) {
+    const double least = kSmallPiece * g.cell_area();
+    for (Piece& p : pieces_) {
+      const Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      if (taken.area == 0.0) continue;
+      const double rest = p.area - taken.area;
+      if (rest >= least) {
+        p.centroid = {(p.area * p.centroid.s - taken.s) / rest, (p.area * p.centroid.t - taken.t) / rest};
+        p.area = rest;
+      } else {
+        p.area = 0.0;
+      }
+    }
+    std::erase_if(pieces_, [](const Piece& p) { return p.area == 0.0; });
+  }
+
+  /// A patch of segments_, if there are any.
+  void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
+    if (segments_.empty()) return;
+    std::vector<Segment> none;
+    const Frame frame = centre_on(g, segments_, none);
+    out_.patches.push_back({element, face, frame, store_.keep(segments_)});
+  }
+
+  /// Segments of a joint from the corner of its face a.
+  struct Draft {
+    std::vector<Segment> side_a, side_b;
+  };
+
+  const Scene& scene_;
+  std::span<const Contact> contacts_;
+  SegmentStore& store_;
+  Assembly& out_;
+  std::unordered_map<std::int32_t, Draft> drafts_;  // by contact: of joints one side of which is to be cut yet
+  Matcher matcher_;
+  Cutter cutter_;
+  std::vector<Piece> pieces_;
+  std::vector<Segment> taken_;     // by cell: area and first moments [m2, m3] that joints took
+  std::vector<Segment> segments_;  // free ones of the face
+  std::vector<Polygon> free_, cut_;
+  Polygon mapped_;
+};
 
 }  // namespace
 
@@ -243,21 +261,16 @@ void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly
     joint.area = c.area;
   }
 
+  const auto store = std::make_shared<SegmentStore>();
+  out.segments = store;
   const SidesByFace by_face = sort_sides(scene, contacts);
-  FaceCutter cutter(scene, contacts, out);
+  FaceCutter cutter(scene, contacts, *store, out);
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
     for (std::int32_t f = 0; f < scene.elements[e].face_count; ++f) {
       const auto face = static_cast<std::size_t>(scene.elements[e].first_face + f);
       const auto first = static_cast<std::size_t>(by_face.start[face]), end = static_cast<std::size_t>(by_face.start[face + 1]);
       cutter.cut_face(static_cast<std::int32_t>(e), f, std::span(by_face.sides).subspan(first, end - first));
     }
-  }
-
-  Matcher matcher;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact& c = contacts[k];
-    const bool one_sided = out.rule == SegmentRule::rim || (c.element_b != kBase && is_ground(scene, c.element_b));
-    finish_joint(scene.grids[face_index(scene, c.element_a, c.face_a)], c, one_sided, matcher, out.joints[k]);
   }
 }
 

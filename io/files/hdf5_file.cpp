@@ -109,10 +109,12 @@ std::size_t size_of(Hdf5Type type) noexcept {
   return type == f64 || type == i64 ? 8 : type == f32 || type == i32 ? 4 : 1;
 }
 
-Hdf5File Hdf5File::create(const std::string& path) {
+Hdf5File Hdf5File::create(const std::string& path, std::uint64_t head) {
   const Doing doing{path, "create the file", ""};
   const Handle access = access_properties(doing);
-  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  const Handle create = doing.own(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  doing.check(H5Pset_userblock(create, head));
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, create, access);
   doing.check(id < 0 ? -1 : 0);
   return {path, id};
 }
@@ -123,17 +125,6 @@ Hdf5File Hdf5File::open(const std::string& path) {
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   doing.check(id < 0 ? -1 : 0);
   return {path, id};
-}
-
-Hdf5File Hdf5File::create_in_memory(const std::string& name) {
-  const Doing doing{name, "make the file in memory", ""};
-  const Handle access = access_properties(doing);
-  doing.check(H5Pset_fapl_core(access, kMemoryStep, false));
-  // In newer versions of the format the first block has a checksum, which H5Fget_file_image spoils (it clears a flag there).
-  doing.check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V110));
-  const hid_t id = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  doing.check(id < 0 ? -1 : 0);
-  return {name, id};
 }
 
 Hdf5File Hdf5File::open_in_memory(const std::string& name, std::span<const std::byte> image) {
@@ -166,16 +157,6 @@ void Hdf5File::close() {
 }
 
 void Hdf5File::flush() { Doing{path_, "write the file", ""}.check(H5Fflush(handle_, H5F_SCOPE_LOCAL)); }
-
-std::vector<std::byte> Hdf5File::image() {
-  const Doing doing{path_, "write the file", ""};
-  flush();
-  const ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
-  doing.check(size < 0 ? -1 : 0);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  doing.check(H5Fget_file_image(handle_, bytes.data(), bytes.size()) < 0 ? -1 : 0);
-  return bytes;
-}
 
 void Hdf5File::make_group(const std::string& name) {
   const Doing doing{path_, "create group", name};

@@ -78,12 +78,11 @@ struct VirtualSource {
 /// Files are opened without HDF5's file locks: a file under its final name is never written to.
 class Hdf5File {
  public:
-  /// Makes a new file, replacing what is there. \throw FileError
-  static Hdf5File create(const std::string& path);
+  /// Makes a new file, replacing what is there. \param head  bytes before it that HDF5 leaves alone: 0, 512, or twice as many, ...
+  /// \throw FileError
+  static Hdf5File create(const std::string& path, std::uint64_t head = 0);
   /// Opens for reading. \throw FileError (also when it is no HDF5 file)
   static Hdf5File open(const std::string& path);
-  /// A new file in memory alone; `name` is for messages. See image().
-  static Hdf5File create_in_memory(const std::string& name);
   /// A file whose bytes are in memory, for reading; `name` is for messages. \throw FileError
   static Hdf5File open_in_memory(const std::string& name, std::span<const std::byte> image);
 
@@ -98,8 +97,6 @@ class Hdf5File {
   void close();
   /// Hands what is buffered to the system. \throw FileError
   void flush();
-  /// The bytes of the file as it is now. \throw FileError
-  [[nodiscard]] std::vector<std::byte> image();
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   void make_group(const std::string& name);

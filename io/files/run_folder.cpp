@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -169,11 +170,11 @@ void replace_file(const std::string& temporary, const std::string& path) {
   sync(folder.empty() ? "." : folder);
 }
 
-void write_whole_file(const std::string& path, std::span<const std::span<const std::byte>> pieces) {
+void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
   const std::string temporary = path + ".tmp";
   try {
     const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    for (const auto& piece : pieces) write_all(file.id(), reinterpret_cast<const char*>(piece.data()), piece.size(), path);
+    write_all(file.id(), reinterpret_cast<const char*>(bytes.data()), bytes.size(), path);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
@@ -181,9 +182,19 @@ void write_whole_file(const std::string& path, std::span<const std::span<const s
   replace_file(temporary, path);
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  const std::span<const std::byte> piece = std::as_bytes(std::span(text));
-  write_whole_file(path, {&piece, 1});
+void write_text_file(const std::string& path, const std::string& text) { write_whole_file(path, std::as_bytes(std::span(text))); }
+
+void claim_room(const std::string& path, std::uint64_t bytes) {
+  const Descriptor file(path, O_WRONLY);
+  if (::fallocate(file.id(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return;
+  if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT)
+    throw FileError(path, "no room for " + std::to_string(bytes) + " bytes: " + system_words(errno));
+}
+
+void give_back_room(const std::string& path) {
+  const Descriptor file(path, O_WRONLY);
+  struct stat is {};
+  if (::fstat(file.id(), &is) == 0 && ::ftruncate(file.id(), is.st_size) != 0) return;  // then it stays until the file goes
 }
 
 RunFolder::RunFolder(std::string path) : path_(std::move(path)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,11 +17,16 @@ inline constexpr std::string_view kResolvedHead = "# All keys of the case with t
 /// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
 /// file or the new one, never a part. \throw FileError; then `temporary` is gone
 void replace_file(const std::string& temporary, const std::string& path);
-/// Writes a file of these pieces, one after the other, under `path` as replace_file does: whatever happens, `path` is the old file or the
-/// whole new one. \throw FileError
-void write_whole_file(const std::string& path, std::span<const std::span<const std::byte>> pieces);
+/// Writes these bytes under `path` as replace_file does: whatever happens, `path` is the old file or the whole new one. \throw FileError
+void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
 /// The same of a text. \throw FileError
 void write_text_file(const std::string& path, const std::string& text);
+
+/// Has the disk set aside so many bytes for a file, whose size does not change; nothing where the file system cannot.
+/// \throw FileError if there are not as many
+void claim_room(const std::string& path, std::uint64_t bytes);
+/// Gives back what lies behind the file's end.
+void give_back_room(const std::string& path);
 
 /// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.
 class RunFolder {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "io/files/errors.h"
+#include "io/files/hdf5_file.h"
 
 /// A file that knows whether it is whole: a header of 512 bytes, and contents. The header is text: what it is, its version, and the number
 /// and a hash (FNV-1a) of the bytes that follow. A file that is cut off or has changed in a single bit is known before anybody tries to
@@ -23,18 +23,33 @@ class DamagedFile : public FileError {
 
 inline constexpr std::size_t kSealBytes = 512;
 
-/// The header for contents. \param what  "voussoir checkpoint"
-std::string seal(const std::string& what, std::int64_t version, std::span<const std::byte> contents);
-
-/// The contents of a sealed file in memory. \param name  for messages
+/// The contents of a sealed file in memory. \param name  for messages \param what  "voussoir checkpoint"
 /// \throw DamagedFile; FileError if it is whole and has another version
 std::span<const std::byte> unsealed(const std::string& name, const std::string& what, std::int64_t version,
                                     std::span<const std::byte> bytes);
 
-/// Writes header and contents under the final name: whole and on disk, or not at all. \throw FileError
-void write_sealed(const std::string& path, const std::string& what, std::int64_t version, std::span<const std::byte> contents);
+/// Whether a file on disk is whole, read piece by piece: as unsealed().
+void check_seal(const std::string& path, const std::string& what, std::int64_t version);
 
-/// All bytes of a regular file. \throw FileError
-std::vector<std::byte> read_bytes(const std::string& path);
+/// A sealed file on its way. HDF5 writes the contents to disk behind the room for the header, under a temporary name, so that they need no
+/// memory; seal() completes the file and gives it its name: whole and on disk, or not at all. Dropped before, it leaves nothing.
+class SealedFile {
+ public:
+  /// \param room  bytes that the contents will take, or more: asked from the disk before anything is written, since HDF5 cannot be trusted
+  /// to survive a full one \throw FileError
+  SealedFile(std::string path, std::uint64_t room);
+  ~SealedFile();
+  SealedFile(const SealedFile&) = delete;
+  SealedFile& operator=(const SealedFile&) = delete;
+
+  [[nodiscard]] Hdf5File& contents() noexcept { return contents_; }
+  /// \throw FileError
+  void seal(const std::string& what, std::int64_t version);
+
+ private:
+  std::string path_, temporary_;
+  Hdf5File contents_;
+  bool sealed_ = false;
+};
 
 }  // namespace voussoir::io

@@ -56,9 +56,7 @@ void take(Browser& browser, const Still& s) {
   const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
   const std::string png =
       browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
-  const std::vector<std::byte> bytes = from_base64(png);
-  const std::span<const std::byte> piece = bytes;
-  write_whole_file(s.file, {&piece, 1});
+  write_whole_file(s.file, from_base64(png));
   std::printf("%s\n", s.file.c_str());
 }
 

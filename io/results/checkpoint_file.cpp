@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -76,20 +77,44 @@ void write_stones(Hdf5File& file, const StoneTables& stones) {
   file.write_strings("/stones/texts", packed.texts, {"1", "names and groups"});
 }
 
+/// Entries [first, first + count) of a field. \pre  first is a multiple of those that lie together
+solver::Field part_of(const solver::Field& f, std::size_t first, std::size_t count) {
+  solver::Field part = f;
+  part.data = static_cast<std::byte*>(f.data) + first / f.together * f.stride;
+  part.count = count;
+  return part;
+}
+
 void write_state(Hdf5File& file, std::span<const solver::Field> state) {
+  constexpr std::size_t kPieces = std::size_t{1} << 16;  // of entries that lie together, that are packed at a time
   for (const solver::Field& f : state) {
+    const std::string name = std::string("/state/") + f.name;
+    const Hdf5Type type = hdf5_type(f.type);
     const Shape shape = f.columns == 1 ? Shape{f.count} : Shape{f.count, f.columns};
-    const std::vector<std::byte> values = f.stride != 0 ? packed(f) : std::vector<std::byte>{};
-    file.write_dataset(std::string("/state/") + f.name, hdf5_type(f.type), shape, f.stride != 0 ? values.data() : f.data, {},
-                       {f.unit, std::string("one entry each: ") + f.shape});
+    file.write_dataset(name, type, shape, f.stride != 0 ? nullptr : f.data, {}, {f.unit, std::string("one entry each: ") + f.shape});
+    if (f.stride == 0) continue;
+    const std::size_t at_a_time = kPieces * f.together;
+    for (std::size_t first = 0; first < f.count; first += at_a_time) {
+      const std::size_t count = std::min(at_a_time, f.count - first);
+      file.write_rows(name, type, first, count, packed(part_of(f, first, count)).data());
+    }
   }
+}
+
+/// Bytes that the file will take, or some more.
+std::uint64_t room_for(const CheckpointFacts& facts, std::span<const solver::Field> state) {
+  constexpr std::uint64_t kStructure = 256 << 10, kOfDataset = 2048;  // HDF5's own
+  std::uint64_t bytes = kStructure + facts.case_toml.size();
+  for (const solver::Field& f : state) bytes += f.bytes() + kOfDataset;
+  for (const cases::Accelerogram& a : facts.motion.axis) bytes += a.acceleration.size() * sizeof(double);
+  return bytes;
 }
 
 /// Reads what the writers above wrote. Room is made only for what the file really holds, however often something claims to be in it.
 class Reader {
  public:
   /// \param bytes  of the file
-  Reader(const Hdf5File& file, std::size_t bytes) : file_(file), left_(bytes) {}
+  Reader(const Hdf5File& file, std::uint64_t bytes) : file_(file), left_(bytes) {}
 
   [[nodiscard]] CheckpointFacts facts() {
     CheckpointFacts f;
@@ -206,17 +231,21 @@ class Reader {
 }  // namespace
 
 void write_checkpoint(const std::string& path, const CheckpointFacts& facts, std::span<const solver::Field> state) {
-  Hdf5File file = Hdf5File::create_in_memory(path);
+  SealedFile sealed(path, room_for(facts, state));
+  Hdf5File& file = sealed.contents();
   write_facts(file, facts);
   write_motion(file, facts.motion);
   write_supports(file, facts.supports);
   if (!facts.stones.empty()) write_stones(file, facts.stones);
   write_state(file, state);
-  write_sealed(path, kWhat, kCheckpointSchema, file.image());
+  sealed.seal(kWhat, kCheckpointSchema);
 }
 
-Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std::byte> hdf5) {
-  const Hdf5File file = Hdf5File::open_in_memory(name, hdf5);
+namespace {
+
+/// \param bytes  of the file
+Checkpoint parse(const Hdf5File& file, std::uint64_t bytes) {
+  const std::string& name = file.path();
   if (!file.has_attribute("/", "format") || file.attribute_text("/", "format") != kWhat)
     throw DamagedFile(name, std::string("is no ") + kWhat);
   const std::int64_t physics = file.attribute_int("/", "physics_version");
@@ -224,15 +253,24 @@ Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std:
     throw FileError(name, "was computed by version " + std::to_string(physics) + " of the physics; this program has version " +
                               std::to_string(solver::kPhysicsVersion) + ": go on with the program that began it, or run the case anew");
   }
-  Reader reader(file, hdf5.size());
+  Reader reader(file, bytes);
   CheckpointFacts facts = reader.facts();
   return {std::move(facts), reader.state()};
+}
+
+}  // namespace
+
+Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std::byte> hdf5) {
+  return parse(Hdf5File::open_in_memory(name, hdf5), hdf5.size());
 }
 
 Checkpoint parse_checkpoint(const std::string& name, std::span<const std::byte> bytes) {
   return parse_sealed_checkpoint(name, unsealed(name, kWhat, kCheckpointSchema, bytes));
 }
 
-Checkpoint read_checkpoint(const std::string& path) { return parse_checkpoint(path, read_bytes(path)); }
+Checkpoint read_checkpoint(const std::string& path) {
+  check_seal(path, kWhat, kCheckpointSchema);
+  return parse(Hdf5File::open(path), std::filesystem::file_size(path));
+}
 
 }  // namespace voussoir::io

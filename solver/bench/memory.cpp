@@ -33,7 +33,7 @@ MemoryUse memory_use(const World& w) {
               bytes(s.side_state, s.retired, s.held, s.friction, s.impact, s.fracture) +
               bytes(w.points.first, w.points.count, w.points.s, w.points.t, w.points.area);
   use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.springs);
-  use.patches = bytes(p.patch, p.element, p.from_side, p.mastered, p.partner, p.face, p.springs) + w.travel.bytes() +
+  use.patches = bytes(p.patch, p.element, p.from_side, p.mastered, p.partner, p.face) + in_use(p.springs) + w.travel.bytes() +
                 bytes(c.active, c.first_slot, c.element, c.candidate) +
                 bytes(c.wrench, c.on, c.first_gather, c.last_gather, c.gather, c.place, c.gather_on) +
                 bytes(w.overlaps.vertices, w.overlaps.edges, w.overlaps.shape, w.overlaps.shape_of, w.overlaps.stiffness_n,

@@ -3,6 +3,7 @@
 #include "solver/setup/patch_order.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 namespace voussoir::solver {
@@ -28,15 +29,31 @@ std::vector<std::int64_t> ends_of_points(const Patches& p) {
   return ends;
 }
 
-/// \param together  points of an entry of the column
 template <class Column>
-void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, int together = 1) {
+void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
   Column sorted;
   sorted.reserve(column.size());
-  for (const std::size_t i : order) {
-    sorted.insert(sorted.end(), column.begin() + ends[i] / together, column.begin() + ends[i + 1] / together);
-  }
+  for (const std::size_t i : order) sorted.insert(sorted.end(), column.begin() + ends[i], column.begin() + ends[i + 1]);
   column = std::move(sorted);
+}
+
+bool is_zero(const kernels::PointSprings& springs) {
+  static constexpr kernels::PointSprings kZero{};
+  return std::memcmp(&springs, &kZero, sizeof kZero) == 0;
+}
+
+/// Writes only what is not zero: see ZeroArray.
+void reorder_springs(ZeroArray<kernels::PointSprings>& springs, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
+  ZeroArray<kernels::PointSprings> sorted;
+  sorted.assign_zeros(springs.size());
+  std::size_t to = 0;
+  for (const std::size_t i : order) {
+    for (auto from = static_cast<std::size_t>(ends[i] / kernels::kWidth); from < static_cast<std::size_t>(ends[i + 1] / kernels::kWidth);
+         ++from, ++to) {
+      if (!is_zero(springs[from])) sorted[to] = springs[from];
+    }
+  }
+  springs = std::move(sorted);
 }
 
 void place_points(Patches& p, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
@@ -51,12 +68,13 @@ void place_points(Patches& p, const std::vector<std::int64_t>& ends, const std::
 
 void sort_patches(World& w) {
   Patches& p = w.patches;
+  if (std::ranges::is_sorted(p.element)) return;
   std::vector<std::size_t> order(p.patch.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p.element[a] < p.element[b]; });
   const std::vector<std::int64_t> ends = ends_of_points(p);
   for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order);
-  reorder_points(p.springs, ends, order, kernels::kWidth);
+  reorder_springs(p.springs, ends, order);
   reorder(p.patch, order);
   reorder(p.element, order);
   reorder(p.from_side, order);

@@ -50,8 +50,23 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   if (w.contact.crushing.on()) p.crushed.resize(end, 0.0);
 }
 
+namespace {
+
+/// Room for the free patches of the intact model: without it the arrays would end with up to twice of what they need.
+void reserve_patches(Patches& p, const std::vector<geometry::FreePatch>& patches) {
+  std::int64_t points = 0;
+  for (const geometry::FreePatch& f : patches) points += round_up(static_cast<std::int64_t>(f.segments.size()), kernels::kLanes);
+  const auto n = static_cast<std::size_t>(points);
+  p.patch.reserve(patches.size());
+  p.element.reserve(patches.size()), p.from_side.reserve(patches.size()), p.mastered.reserve(patches.size());
+  p.partner.reserve(n), p.face.reserve(n);
+}
+
+}  // namespace
+
 void set_up_patches(World& w) {
   const geometry::Assembly& a = w.model.assembly;
+  reserve_patches(w.patches, a.patches);
   PointSetBuilder sets(w.points);
   for (const geometry::FreePatch& p : a.patches) {
     const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];

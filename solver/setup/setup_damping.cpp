@@ -57,7 +57,7 @@ class DampingMatrices {
     }
   }
 
-  void add(std::int32_t element, std::int32_t face, const geometry::Frame& f, const std::vector<geometry::Segment>& segments) {
+  void add(std::int32_t element, std::int32_t face, const geometry::Frame& f, geometry::SegmentList segments) {
     const geometry::Element& g = w_.model.assembly.elements[static_cast<std::size_t>(element)];
     const auto [cn, cs] = dashpot_[static_cast<std::size_t>(g.first_face + face)];
     const Eigen::Vector3d n(f.normal.x, f.normal.y, f.normal.z);

@@ -125,6 +125,7 @@ void set_initial_velocities(World& w) {
 
 void set_up_faces(World& w) {
   const cases::Model& m = w.model;
+  w.faces.reserve(m.assembly.faces.size() + 1);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const geometry::Element& e = m.assembly.elements[i];
     if (e.face_count > kernels::kMostFaces) {

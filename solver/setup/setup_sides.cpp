@@ -21,7 +21,7 @@ struct NewSide {
   std::int32_t joint = 0;
   std::int32_t master = 0, slave = 0, master_face = 0, slave_face = 0;  // slave may be the base row
   geometry::Frame frame;                                                // normal outward of the master
-  std::vector<geometry::Segment> segments;
+  geometry::SegmentList segments;
   double factor = 1.0;
   int faces = 1;  // 2: stands for both
   // Found from the above.
@@ -32,55 +32,42 @@ struct NewSide {
 /// The same plane seen from the other face: tangents swapped, so that es × et is its outward normal.
 geometry::Frame seen_from_behind(const geometry::Frame& f) { return {f.centre, f.axis_t, f.axis_s, -f.normal}; }
 
-std::vector<geometry::Segment> swapped(std::vector<geometry::Segment> segments) {
-  for (geometry::Segment& s : segments) std::swap(s.s, s.t);
-  return segments;
-}
-
 double snapped(double x) { return std::ldexp(std::round(std::ldexp(x, 40)), -40); }  // as the geometry does: equal sets stay equal
 
-/// Moves the frame's centre to the area centroid of the points, where Σ s dA = Σ t dA = 0.
-void centre_on_points(NewSide& side) {
+/// Points and frame of the same side seen from behind, the frame's centre at the area centroid of the points, where
+/// Σ s dA = Σ t dA = 0. \param frame  in: of the other face
+std::vector<geometry::Segment> turned_round(geometry::SegmentList segments, geometry::Frame& frame) {
+  frame = seen_from_behind(frame);
+  std::vector<geometry::Segment> points(segments.begin(), segments.end());
   double area = 0.0, s = 0.0, t = 0.0;
-  for (const geometry::Segment& p : side.segments) area += p.area, s += p.area * p.s, t += p.area * p.t;
+  for (geometry::Segment& p : points) {
+    std::swap(p.s, p.t);
+    area += p.area, s += p.area * p.s, t += p.area * p.t;
+  }
   s /= area, t /= area;
-  side.frame.centre += s * side.frame.axis_s + t * side.frame.axis_t;
-  for (geometry::Segment& p : side.segments) p.s = snapped(p.s - s), p.t = snapped(p.t - t);
+  frame.centre += s * frame.axis_s + t * frame.axis_t;
+  for (geometry::Segment& p : points) p.s = snapped(p.s - s), p.t = snapped(p.t - t);
+  return points;
 }
 
-std::vector<NewSide> sides_of(const World& w) {
+/// \param store  keeps points that the assembly does not have
+std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   const geometry::Assembly& a = w.model.assembly;
   const auto face = [&](std::int32_t e, std::int32_t f) { return a.elements[static_cast<std::size_t>(e)].first_face + f; };
   std::vector<NewSide> sides;
+  sides.reserve(a.joints.size());
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const geometry::Joint& j = a.joints[i];
     const bool on_base = j.element_b == geometry::kBase;
     const bool one = on_base || (j.merged && w.options.merge_sides);
-    NewSide first{static_cast<std::int32_t>(i),
-                  j.element_a,
-                  on_base ? w.elements.base : j.element_b,
-                  face(j.element_a, j.face_a),
-                  on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b),
-                  j.frame,
-                  j.side_a,
-                  one ? 1.0 : 0.5,
-                  one && !on_base ? 2 : 1};
-    if (!one) {
-      NewSide second{first.joint,
-                     first.slave,
-                     first.master,
-                     first.slave_face,
-                     first.master_face,
-                     seen_from_behind(j.frame),
-                     swapped(j.merged ? j.side_a : j.side_b),
-                     0.5,
-                     1};
-      centre_on_points(second);
-      sides.push_back(std::move(first));
-      sides.push_back(std::move(second));
-    } else {
-      sides.push_back(std::move(first));
-    }
+    const NewSide& first = sides.emplace_back(
+        NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
+                on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame,
+                j.side_a, one ? 1.0 : 0.5, one && !on_base ? 2 : 1});
+    if (one) continue;
+    NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, j.frame, {}, 0.5, 1};
+    second.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, second.frame));
+    sides.push_back(second);
   }
   return sides;
 }
@@ -325,7 +312,8 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
 }  // namespace
 
 void set_up_sides(World& w, const cases::Case& c) {
-  std::vector<NewSide> sides = sides_of(w);
+  geometry::SegmentStore turned;
+  std::vector<NewSide> sides = sides_of(w, turned);
   const SideKinds kinds = sort_by_kind(w, c, sides);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
   size_side_arrays(w.sides, numbered.size() / kernels::kLanes);

@@ -109,7 +109,7 @@ void add_patches(Table& t, World& w) {
   FreePatch nobody;
   kernels::PointSprings none;
   FreePatch& first = p.patch.empty() ? nobody : p.patch.front();
-  kernels::PointSprings& springs = p.springs.empty() ? none : p.springs.front();
+  kernels::PointSprings& springs = p.springs.size() == 0 ? none : p.springs[0];
   const auto of_patch = [&](const char* name, const char* unit, auto* at) { return member(name, unit, "patch", p.patch, at); };
   const auto of_points = [&](const char* name, double* at) { return member(name, "m", "point", p.springs, at, kernels::kWidth); };
   t.insert(t.end(),

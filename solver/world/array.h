@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace voussoir::solver {
@@ -46,7 +47,7 @@ template <class T>
 using Array = std::vector<T, CacheAligned<T>>;
 
 /// Numbers that begin as zero and mostly stay it: the system gives memory to a page when something is first written there, so the history
-/// of segments costs nothing where nothing has happened. Sized once.
+/// of segments costs nothing where nothing has happened, and lies near the thread that wrote first.
 template <class T>
 class ZeroArray {
  public:
@@ -54,19 +55,25 @@ class ZeroArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
   ZeroArray() = default;
+  ZeroArray(ZeroArray&& other) noexcept { swap(other); }
+  ZeroArray& operator=(ZeroArray&& other) noexcept {
+    ZeroArray(std::move(other)).swap(*this);
+    return *this;
+  }
   ZeroArray(const ZeroArray&) = delete;
   ZeroArray& operator=(const ZeroArray&) = delete;
-  ~ZeroArray() { release(); }
+  ~ZeroArray() {
+    if (data_ != nullptr) munmap(data_, room_ * sizeof(T));
+  }
 
   void assign_zeros(std::size_t n) {
-    release();
-    if (n == 0) return;
-    void* p = mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (p == MAP_FAILED) throw std::bad_alloc();
-#ifdef MADV_NOHUGEPAGE
-    madvise(p, n * sizeof(T), MADV_NOHUGEPAGE);  // or one crack would claim two megabytes
-#endif
-    data_ = static_cast<T*>(p), size_ = n;
+    *this = {};
+    resize(n);
+  }
+  /// Keeps what there is; zeros follow. \pre  n is not less than size()
+  void resize(std::size_t n) {
+    if (n > room_) make_room(std::max(n, 2 * room_));
+    size_ = n;
   }
 
   [[nodiscard]] T* data() noexcept { return data_; }
@@ -89,12 +96,21 @@ class ZeroArray {
   const T& operator[](std::size_t i) const noexcept { return data_[i]; }
 
  private:
-  void release() noexcept {
-    if (data_ != nullptr) munmap(data_, size_ * sizeof(T));
-    data_ = nullptr, size_ = 0;
+  void swap(ZeroArray& other) noexcept {
+    std::swap(data_, other.data_), std::swap(size_, other.size_), std::swap(room_, other.room_);
   }
+
+  void make_room(std::size_t n) {
+    // Moved, pages stay what they are: those never written to still take nothing.
+    void* p = data_ == nullptr ? mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)
+                               : mremap(data_, room_ * sizeof(T), n * sizeof(T), MREMAP_MAYMOVE);
+    if (p == MAP_FAILED) throw std::bad_alloc();
+    madvise(p, n * sizeof(T), MADV_NOHUGEPAGE);  // or one crack would claim two megabytes
+    data_ = static_cast<T*>(p), room_ = n;
+  }
+
   T* data_ = nullptr;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, room_ = 0;
 };
 
 constexpr std::int64_t round_up(std::int64_t n, std::int64_t multiple) { return (n + multiple - 1) / multiple * multiple; }

@@ -144,8 +144,8 @@ struct Patches {
   Array<std::uint8_t> mastered;   // 1: its element was the master of from_side
   // State by point.
   Array<std::int32_t> partner, face;
-  Array<kernels::PointSprings> springs;  // of kWidth points each
-  Array<double> crushed;                 // m; empty: contacts bear any pressure
+  ZeroArray<kernels::PointSprings> springs;  // of kWidth points each
+  Array<double> crushed;                     // m; empty: contacts bear any pressure
 
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };

@@ -10,6 +10,8 @@
 
 #include "io/files/hdf5_file.h"
 #include "io/results/checkpoint_file.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/io/bytes_of.h"
 
 /// HDF5 files of small checkpoints, each with one fault of structure at most, and where in them the values lie.
 namespace voussoir::fuzz {
@@ -26,7 +28,7 @@ struct Image {
 class Scribe {
  public:
   /// \param spoilt  the number of the object that has the fault
-  Scribe(std::size_t spoilt, Fault fault) : file_(io::Hdf5File::create_in_memory("image")), spoilt_(spoilt), fault_(fault) {}
+  Scribe(std::size_t spoilt, Fault fault) : file_(io::Hdf5File::create(memory_.path())), spoilt_(spoilt), fault_(fault) {}
 
   Image write() {
     root();
@@ -148,12 +150,14 @@ class Scribe {
     for (const std::string& w : words_) wanted.insert(eight_bytes(w.data()));
     for (const char* w : {"01234567", "89abcdef", "fast\0\0\0"}) wanted.insert(eight_bytes(w));
     for (std::uint64_t rows = 1000; rows < 1000 + io::kRowTables; ++rows) wanted.insert(rows);
-    Image image{file_.image(), {}};
+    file_.close();
+    Image image{io::test::bytes_of(memory_.path()), {}};
     for (std::size_t at = 0; at + 8 <= image.bytes.size(); ++at)
       if (wanted.contains(eight_bytes(image.bytes.data() + at))) image.places.push_back(at);
     return image;
   }
 
+  MemoryFile memory_;
   io::Hdf5File file_;
   std::size_t spoilt_, at_ = 0;
   Fault fault_;

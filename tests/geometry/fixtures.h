@@ -53,7 +53,7 @@ inline std::vector<Polyhedron> running_wall(int courses, int bricks) {
   return shapes;
 }
 
-inline double sum_of_areas(const std::vector<Segment>& segments) {
+inline double sum_of_areas(SegmentList segments) {
   double sum = 0.0;
   for (const Segment& s : segments) sum += s.area;
   return sum;
@@ -62,7 +62,7 @@ inline double sum_of_areas(const std::vector<Segment>& segments) {
 struct FirstMoments {
   double s = 0.0, t = 0.0;
 };
-inline FirstMoments first_moments(const std::vector<Segment>& segments) {
+inline FirstMoments first_moments(SegmentList segments) {
   FirstMoments m;
   for (const Segment& x : segments) m.s += x.s * x.area, m.t += x.t * x.area;
   return m;
@@ -77,7 +77,7 @@ inline bool near(double a, double b, double tolerance) { return std::abs(a - b) 
 inline bool near(Vec3 a, Vec3 b, double tolerance) { return norm(a - b) <= tolerance; }
 
 inline bool same(const Segment& a, const Segment& b) { return a.s == b.s && a.t == b.t && a.area == b.area; }
-inline bool same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
+inline bool same(SegmentList a, SegmentList b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!same(a[i], b[i])) return false;

@@ -21,7 +21,7 @@ namespace voussoir::testing {
 
 using namespace voussoir::cases;
 
-inline double area_of(const std::vector<geometry::Segment>& side) {
+inline double area_of(geometry::SegmentList side) {
   return std::accumulate(side.begin(), side.end(), 0.0, [](double sum, const geometry::Segment& s) { return sum + s.area; });
 }
 
@@ -65,7 +65,7 @@ constexpr double kNoArea = 1e-12;  // m2: what round-off leaves of a face that a
 /// The largest segment of each face, in joints and free: a whole cell, unless every cell of the face is cut.
 inline std::map<std::pair<std::int32_t, std::int32_t>, double> largest_segments(const Model& m) {
   std::map<std::pair<std::int32_t, std::int32_t>, double> largest;
-  const auto count = [&](std::int32_t element, std::int32_t face, const std::vector<geometry::Segment>& segments) {
+  const auto count = [&](std::int32_t element, std::int32_t face, geometry::SegmentList segments) {
     double& most = largest[{element, face}];
     for (const geometry::Segment& s : segments) most = std::max(most, s.area);
   };

@@ -11,6 +11,7 @@
 #include "io/commands/compare_command.h"
 #include "io/session/session.h"
 #include "io/results/checkpoints.h"
+#include "tests/io/bytes_of.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
@@ -92,7 +93,7 @@ TEST_CASE("a checkpoint that is cut off or changed in a single bit, anywhere, is
   const TempFolder dir;
   Cracked w;
   write_checkpoint(dir.file("c.h5"), w.facts(), solver::fields(w.sim, w.plan));
-  const std::vector<std::byte> good = read_bytes(dir.file("c.h5"));
+  const std::vector<std::byte> good = bytes_of(dir.file("c.h5"));
   REQUIRE(refusal(good) == "");
   CHECK(refusal({}).find("is empty") != std::string::npos);
   for (const std::size_t size : {std::size_t{1}, std::size_t{30}, kSealBytes - 1, kSealBytes, kSealBytes + 1, good.size() - 1}) {
@@ -124,11 +125,10 @@ TEST_CASE("foreign files and other versions are refused by name") {
   CHECK_THROWS_AS(read_checkpoint(dir.file("none")), FileError);
 
   const auto sealed = [&](std::int64_t version, std::int64_t physics, const char* format) {
-    Hdf5File file = Hdf5File::create_in_memory("x");
-    file.set_attribute("/", "format", std::string(format));
-    file.set_attribute("/", "physics_version", physics);
-    const std::vector<std::byte> body = file.image();
-    write_sealed(dir.file("x.h5"), "voussoir checkpoint", version, body);
+    SealedFile file(dir.file("x.h5"), 0);
+    file.contents().set_attribute("/", "format", std::string(format));
+    file.contents().set_attribute("/", "physics_version", physics);
+    file.seal("voussoir checkpoint", version);
     return dir.file("x.h5");
   };
   const std::int64_t physics = solver::kPhysicsVersion;
@@ -159,7 +159,7 @@ TEST_CASE("what no run can have saved is refused, though the seal holds") {
   SUBCASE("a single sample") { f.supports[0].time = {0.5}, f.supports[0].displacement = {{}}, why = "single sample"; }
   CAPTURE(why);
   write_checkpoint(dir.file("c.h5"), f, solver::fields(w.sim, w.plan));
-  CHECK(refusal(read_bytes(dir.file("c.h5"))).find(why) != std::string::npos);
+  CHECK(refusal(bytes_of(dir.file("c.h5"))).find(why) != std::string::npos);
 }
 
 TEST_CASE("three numbers in place of one do not overflow") {

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace voussoir::geometry {
+
+/// One segment: its contact point (s, t) [m] in the frame of its patch, and its area [m2].
+struct Segment {
+  double s = 0.0, t = 0.0, area = 0.0;
+};
+
+/// Segments of one side of a joint, or of a free patch: a view of a list that a SegmentStore keeps.
+using SegmentList = std::span<const Segment>;
+
+/// Keeps lists of segments, each distinct one once: the thousands of equal bricks of a building share theirs.
+class SegmentStore {
+ public:
+  SegmentStore() = default;
+  SegmentStore(const SegmentStore&) = delete;
+  SegmentStore& operator=(const SegmentStore&) = delete;
+
+  /// The kept list that equals `segments` bit for bit; added if new. Valid as long as the store.
+  SegmentList keep(SegmentList segments);
+
+ private:
+  std::deque<std::vector<Segment>> lists_;        // in which nothing ever moves
+  std::unordered_set<std::string_view> by_bytes_;  // the same lists
+};
+
+}  // namespace voussoir::geometry
