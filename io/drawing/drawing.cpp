@@ -55,7 +55,8 @@ struct Style {
   Colour colour;
 };
 
-Style style_of(const cases::Block& block) {
+/// \param of_rubble  the walls of the house are of stones, not bricks
+Style style_of(const cases::Block& block, bool of_rubble) {
   if (block.ground >= 0) return {"ground", {150, 142, 128}};
   const auto colour = [&]() -> Colour {
     switch (block.kind) {
@@ -80,7 +81,8 @@ Style style_of(const cases::Block& block) {
     return block.fixed ? Colour{150, 150, 150} : Colour{200, 200, 190};
   };
   const std::string prefix = block.fixed ? "fixed " : block.whole ? "" : "cut ";
-  return {prefix + cases::name(block.kind), colour()};
+  const bool stone = block.kind == cases::PartKind::brick && of_rubble;
+  return {prefix + (stone ? "stone of rubble" : cases::name(block.kind)), colour()};
 }
 
 /// The part of the sheet that a view fills.
@@ -198,7 +200,7 @@ class Drawing {
   }
 
   [[nodiscard]] std::string fill(std::size_t element, double light) const {
-    return named_.count(element) != 0 ? kNamed : style_of(model_.blocks[element]).colour.text(light);
+    return named_.count(element) != 0 ? kNamed : style(model_.blocks[element]).colour.text(light);
   }
 
   /// Depth of the nearest face; a pier or buttress stands before its wall and does not darken it.
@@ -286,11 +288,15 @@ class Drawing {
     svg.text({at.s + 7.0, at.t - 6.0}, named_.at(element), 12.0, "start", kNamed);
   }
 
+  [[nodiscard]] Style style(const cases::Block& b) const {
+    return style_of(b, case_.house && case_.house->bond == cases::Bond::rubble);
+  }
+
   void draw_legend(Svg& svg, double top) const {
     std::map<std::string, std::pair<Colour, int>> styles;
     for (const cases::Block& b : model_.blocks) {
-      const Style style = style_of(b);
-      ++styles.try_emplace(style.name, style.colour, 0).first->second.second;
+      const Style of_block = style(b);
+      ++styles.try_emplace(of_block.name, of_block.colour, 0).first->second.second;
     }
     double left = kMargin;
     for (const auto& [name, entry] : styles) {
