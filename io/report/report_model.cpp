@@ -50,9 +50,10 @@ std::vector<std::int32_t> polyhedron_loops(const Hdf5File& run) {
   if (type.size() != of_cell.size() || first.size() != element.size()) throw FileError(run.path(), "/model/face does not fit together");
   std::vector<std::int32_t> polyhedra;
   for (std::size_t c = 0; c < type.size(); ++c) {
-    if (type[c] == kTetrahedron && (polyhedra.empty() || polyhedra.back() != of_cell[c])) polyhedra.push_back(of_cell[c]);
+    const bool another = c > 0 && of_cell[c - 1] == of_cell[c];  // the faces of wedges side by side are triangles, where the prism has one
+    if (type[c] == kTetrahedron || another) polyhedra.push_back(of_cell[c]);
   }
-  std::sort(polyhedra.begin(), polyhedra.end());
+  std::ranges::sort(polyhedra);
   for (std::size_t f = 0; f < element.size(); ++f) {
     if (!std::binary_search(polyhedra.begin(), polyhedra.end(), element[f])) continue;
     const std::size_t from = static_cast<std::size_t>(first[f]),

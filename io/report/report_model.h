@@ -22,7 +22,7 @@ struct ReportModel {
 /// names
 ReportModel report_model(const Hdf5File& run, const std::string& fault, const std::vector<std::int32_t>& faults);
 
-/// Faces of elements that are neither hexahedra nor prisms: element, number of corners, corners (rows of /model/vertex), and so on.
+/// Faces of elements that are more than one cell, or a tetrahedron: element, number of corners, corners (rows of /model/vertex), and so on.
 /// Empty for a run.h5 without /model/face/corners.
 std::vector<std::int32_t> polyhedron_loops(const Hdf5File& run);
 

@@ -14,7 +14,7 @@ const kFaces = {
 /** Outer faces of an element as lists of corners from its centroid. */
 function outline(run, cells, e) {
   const at = (v) => [0, 1, 2].map((k) => run.vertices[3 * v + k] - run.frames.centroids[3 * e + k]);
-  if (run.loops?.has(e)) return run.loops.get(e).map((loop) => loop.map(at)); // neither a hexahedron nor a prism: its faces as they are
+  if (run.loops?.has(e)) return run.loops.get(e).map((loop) => loop.map(at)); // of several cells: its faces as they are
   const faces = new Map(); // a face that two cells share is inside
   for (const c of cells) {
     for (const face of kFaces[run.cellTypes[c]]) {
