@@ -72,4 +72,21 @@ std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best) 
   return rows;
 }
 
+Cells schedule_header() {
+  return {"cores", "ms_by_model", "speedup", "ms_measured", "joints", "contacts", "others", "waiting", "alone", "share_alone"};
+}
+
+Cells schedule_row(const solver::PredictedStep& p, double scale, double on_one, double measured) {
+  Cells cells{std::to_string(p.cores)};
+  put(cells, "%.4f", 1e3 * scale * p.step), put(cells, "%.2f", on_one / (scale * p.step));
+  if (measured > 0.0) {
+    put(cells, "%.4f", 1e3 * measured);
+  } else {
+    cells.emplace_back();
+  }
+  for (const double part : {p.joints, p.contacts, p.others, p.waiting, p.alone}) put(cells, "%.4f", 1e3 * scale * part);
+  put(cells, "%.3f", p.alone / p.step);
+  return cells;
+}
+
 }  // namespace voussoir::io

@@ -8,6 +8,7 @@
 #include "io/bench/bench_stages.h"
 #include "io/bench/bench_table.h"
 #include "io/bench/bench_timing.h"
+#include "solver/bench/schedule.h"
 
 /// The tables of `voussoir bench`.
 namespace voussoir::io {
@@ -24,5 +25,11 @@ struct Limits {
 /// Where it goes, and what that is of the limits: a row for each part, and one for all.
 Cells stage_header();
 std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best);
+
+/// What the model of the schedule (solver/bench/schedule.h) says of more cores.
+Cells schedule_header();
+/// \param scale  of all its times, since looking at clocks took some of what it was made from
+/// \param on_one  s, of a step on one core \param measured  s, on as many as these; 0: not measured
+Cells schedule_row(const solver::PredictedStep& p, double scale, double on_one, double measured);
 
 }  // namespace voussoir::io

@@ -18,6 +18,10 @@ struct Batch {
   std::int64_t steps = 0;
   StepParts parts{};
   solver::StepWork work;  // of its last step
+  solver::StageTimes stages{};
+  solver::ForceTimes forces{};
+  std::vector<double> tasks;
+  std::array<double, 1> alone{};
 };
 
 template <std::size_t n>
@@ -37,6 +41,8 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
   solver::Simulation& sim = run.sim;
   const solver::StageTimes stages = sim.stage_times();
   const solver::ForceTimes forces = sim.part_times();
+  const std::vector<double> before = sim.joint_tasks().task_times();
+  const double alone = sim.alone_time();
   const std::int64_t first = run.plan.steps;
   double scatter = 0.0;
   int scatters = 0;
@@ -46,9 +52,11 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
     }
     return at.step < first + steps;
   });
-  Batch b{.steps = run.plan.steps - first, .parts = {}, .work = solver::step_work(sim.world())};
-  b.parts = parts_of(a_step(stages, sim.stage_times(), b.steps), a_step(forces, sim.part_times(), b.steps),
-                     scatters > 0 ? scatter / scatters : 0.0, whole_share(b.work));
+  Batch b{.steps = run.plan.steps - first, .work = solver::step_work(sim.world()), .tasks = sim.joint_tasks().task_times()};
+  b.stages = a_step(stages, sim.stage_times(), b.steps), b.forces = a_step(forces, sim.part_times(), b.steps);
+  b.parts = parts_of(b.stages, b.forces, scatters > 0 ? scatter / scatters : 0.0, whole_share(b.work));
+  b.alone = a_step({alone}, std::array{sim.alone_time()}, b.steps);
+  for (std::size_t k = 0; k < b.tasks.size(); ++k) b.tasks[k] = (b.tasks[k] - before[k]) / static_cast<double>(b.steps);
   return b;
 }
 
@@ -81,6 +89,20 @@ solver::StepWork mean_work(const std::vector<Batch>& batches) {
     mean.whole_sides += b.work.whole_sides / n, mean.damaged_sides += b.work.damaged_sides / n;
   }
   return mean;
+}
+
+/// Mean over all steps of one of their arrays.
+template <class Array>
+Array mean_times(const std::vector<Batch>& batches, Array Batch::* times) {
+  Array sum = batches.front().*times;
+  std::ranges::fill(sum, 0.0);
+  double steps = 0.0;
+  for (const Batch& b : batches) {
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += static_cast<double>(b.steps) * (b.*times)[k];
+    steps += static_cast<double>(b.steps);
+  }
+  for (double& s : sum) s /= steps;
+  return sum;
 }
 
 /// All that was measured with one number of threads.
@@ -136,7 +158,12 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;
   std::vector<StepSplit> splits;
   for (const Team& team : teams) {
-    StepSplit s{.threads = team.threads, .parts = {}, .work = mean_work(team.batches)};
+    StepSplit s{.threads = team.threads,
+                .work = mean_work(team.batches),
+                .stages = mean_times(team.batches, &Batch::stages),
+                .forces = mean_times(team.batches, &Batch::forces),
+                .tasks = mean_times(team.batches, &Batch::tasks),
+                .alone = mean_times(team.batches, &Batch::alone)};
     for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, part);
     s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();
     splits.push_back(s);

@@ -28,6 +28,11 @@ struct StepSplit {
   int threads = 1;
   StepParts parts{};      // s a step: medians over batches; of search, ledger and output, which few steps have, means over all of them
   solver::StepWork work;  // of a step: the mean over batches
+  // Means over all batches, s a step.
+  solver::StageTimes stages{};
+  solver::ForceTimes forces{};
+  std::vector<double> tasks;     // of joints by colour, by task
+  std::array<double, 1> alone{};  // of forces, by one thread alone
   [[nodiscard]] double step() const;
 };
 

@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -89,6 +90,33 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
 }
 
+/// What more cores would do, by the model of the schedule.
+void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> splits, std::span<const Timing> timings) {
+  constexpr double kNear = 60e-9;  // s: of cores that share a cache, where there is a single one
+  constexpr std::array kCores{1, 2, 4, 8, 16, 32};
+  const auto split_of = [&](int threads) { return std::ranges::find(splits, threads, &StepSplit::threads); };
+  const auto one = split_of(1), two = split_of(2);
+  const bool both = two != splits.end() && omp_get_num_procs() > 1;
+  const auto timing_of = [&](int threads) { return std::ranges::find(timings, threads, &Timing::threads); };
+  const double handover = both && timing_of(2)->handover > 0.0 ? timing_of(2)->handover : kNear;
+  const solver::MeasuredStep measured{.tasks = one->tasks,
+                                      .one = one->stages,
+                                      .two = both ? two->stages : solver::StageTimes{},
+                                      .parts = one->forces,
+                                      .alone = one->alone[0],
+                                      .handover = handover};
+  const double on_one = timing_of(1)->step, scale = on_one / solver::predict(tasks, measured, 1).step;
+  std::printf("\nby a model of the schedule, from what was measured above; hand-over %.0f ns%s\n", 1e9 * handover,
+              both ? "" : "; what one thread does alone is not known without a second one");
+  BenchTable table(schedule_header(), "");
+  table.print_header();
+  for (const int cores : kCores) {
+    const auto known = timing_of(cores);
+    const bool seen = known != timings.end() && cores <= omp_get_num_procs();
+    table.add(schedule_row(solver::predict(tasks, measured, cores), scale, on_one, seen ? known->step : 0.0));
+  }
+}
+
 /// Where the time goes, in a pass of its own. \param folder  for results that nobody reads
 template <class Run>
 void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<Limits>& best,
@@ -104,6 +132,8 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
   for (std::size_t k = 0; k < splits.size(); ++k) {
     for (const Cells& cells : stage_rows(gather, splits[k], best[k])) table.add(cells);
   }
+  if (gather) return;
+  print_schedule(run.sim->joint_tasks(), splits, timings);
 }
 
 /// By number of threads; more of them than cores can do no more.

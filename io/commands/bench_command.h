@@ -19,7 +19,8 @@ struct BenchOptions {
   bool overwrite = false;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, by colour and by gather, and prints two tables: what a step takes, and where it goes.
+/// Steps the case with 1, 2, 4, ... threads, by colour and by gather, and prints tables: what a step takes, where it goes, and, by colour,
+/// what a model of the schedule says of more cores.
 /// \throw cases::InputError, FileError before anything runs
 int bench_command(const LoadedCase& c, const BenchOptions& o);
 

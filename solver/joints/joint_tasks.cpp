@@ -63,38 +63,44 @@ void JointTasks::deal(int threads) {
 }
 
 /// In each colour those come first that wait for another thread's, or that another thread's wait for: so both are done long before.
-void JointTasks::queue_up() {
-  const std::span<const double> borders = shares_.borders();
+JointTasks::Plan JointTasks::plan(std::span<const double> borders) const {
   const std::size_t tasks = place_.size();
-  std::vector<std::size_t> owner;
+  Plan p;
   for (const double place : place_) {
-    owner.push_back(static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place) - borders.begin()));
+    p.owner.push_back(static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end() - 1, place) - borders.begin()));
   }
-  std::vector<std::uint8_t> inside(tasks, 1);
+  p.inside.assign(tasks, 1);
   for (std::size_t task = 0; task < tasks; ++task) {
-    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) {
-      const auto other = static_cast<std::size_t>(before_[static_cast<std::size_t>(k)]);
-      if (owner[task] != owner[other]) inside[task] = inside[other] = 0;
+    for (const std::int32_t k : before(task)) {
+      const auto other = static_cast<std::size_t>(k);
+      if (p.owner[task] != p.owner[other]) p.inside[task] = p.inside[other] = 0;
     }
   }
   const std::vector<std::uint8_t> by_colour =
-      rank_.empty() ? std::vector<std::uint8_t>(tasks, 1) : tasks_before_borders({first_before_, before_}, inside);
-  queues_.resize(tasks);
-  std::iota(queues_.begin(), queues_.end(), 0);
-  std::ranges::sort(queues_, {}, [&](std::int32_t t) {
+      rank_.empty() ? std::vector<std::uint8_t>(tasks, 1) : tasks_before_borders({first_before_, before_}, p.inside);
+  p.queues.resize(tasks);
+  std::iota(p.queues.begin(), p.queues.end(), 0);
+  std::ranges::sort(p.queues, {}, [&](std::int32_t t) {
     const auto task = static_cast<std::size_t>(t);
     const bool first = by_colour[task] != 0;
-    return std::tuple(owner[task], !first, first ? colour_[task] : rank_[task], inside[task], place_[task], t);
+    return std::tuple(p.owner[task], !first, first ? colour_[task] : rank_[task], p.inside[task], place_[task], t);
   });
-  ends_.assign(borders.size(), 0);
-  for (std::size_t task = 0; task < tasks; ++task) ++ends_[owner[task]];
-  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-  place_flags(owner, inside);
+  p.ends.assign(borders.size(), 0);
+  for (std::size_t task = 0; task < tasks; ++task) ++p.ends[p.owner[task]];
+  std::partial_sum(p.ends.begin(), p.ends.end(), p.ends.begin());
+  return p;
+}
+
+void JointTasks::queue_up() {
+  Plan p = plan(shares_.borders());
+  place_flags(p);
+  queues_ = std::move(p.queues), ends_ = std::move(p.ends);
 }
 
 /// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would
 /// take those beside it from the thread that is about to write them.
-void JointTasks::place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside) {
+void JointTasks::place_flags(const Plan& plan) {
+  const auto& [owner, inside, queues, ends] = plan;
   constexpr std::size_t kLines = 128 / sizeof(Flag);
   std::vector<std::size_t> by_thread(owner.size());
   std::iota(by_thread.begin(), by_thread.end(), std::size_t{0});

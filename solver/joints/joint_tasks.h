@@ -45,6 +45,24 @@ class JointTasks {
     shares_.take_own(omp_get_thread_num(), [&](std::int32_t i) { run(i, work); });
   }
 
+  /// The queues of a team whose shares end there (ShareBorders::ends).
+  struct Plan {
+    std::vector<std::size_t> owner;     // by task: whose queue it is in
+    std::vector<std::uint8_t> inside;   // by task: waits for none of another thread's, nor another's for it
+    std::vector<std::int32_t> queues;   // one after the other
+    std::vector<std::int32_t> ends;     // by thread: where its queue ends
+  };
+  [[nodiscard]] Plan plan(std::span<const double> borders) const;
+  /// Those that a task waits for.
+  [[nodiscard]] std::span<const std::int32_t> before(std::size_t task) const {
+    return std::span(before_).subspan(static_cast<std::size_t>(first_before_[task]),
+                                      static_cast<std::size_t>(first_before_[task + 1] - first_before_[task]));
+  }
+
+  /// From now on, what each task takes is added up, without its waiting.
+  void time_tasks(bool on) { times_.assign(on ? flag_.size() : 0, 0.0); }
+  [[nodiscard]] const std::vector<double>& task_times() const { return times_; }  // s; empty: off
+
   /// Then: for what is left of the queues of others, until none is.
   template <class Work>
   void help(Work work) {
@@ -57,14 +75,16 @@ class JointTasks {
 
   void deal(int threads);
   void queue_up();
-  void place_flags(const std::vector<std::size_t>& owner, const std::vector<std::uint8_t>& inside);
+  void place_flags(const Plan& plan);
 
   /// The task at place i of all queues.
   template <class Work>
   void run(std::int32_t i, Work& work) {
     const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
-    for (std::int32_t k = first_before_[task]; k < first_before_[task + 1]; ++k) wait_for(before_[static_cast<std::size_t>(k)]);
+    for (const std::int32_t other : before(task)) wait_for(other);
+    const double start = times_.empty() ? 0.0 : omp_get_wtime();
     work(task, elements_at(static_cast<std::size_t>(i) + 1));
+    if (!times_.empty()) times_[task] += omp_get_wtime() - start;
     done_[flag_[task]].store(step_, std::memory_order_release);
   }
 
@@ -95,6 +115,7 @@ class JointTasks {
   std::vector<std::int32_t> rank_;                   // by task of an out-of-cache model: along the plan, after those that it waits for
   std::vector<std::vector<std::int32_t>> elements_;  // by task of an out-of-cache model: those that it writes to, ascending
   std::vector<double> place_;                        // by task: where its elements lie among all, from 0 to 1
+  std::vector<double> times_;                        // by task: s, so far; empty: not timed
 };
 
 }  // namespace voussoir::solver

@@ -90,7 +90,7 @@ FirstLimits first_limits(const World& w) {
   const Sides& s = w.sides;
   for (std::int64_t id = 0; id < s.count(); ++id) {
     const auto i = static_cast<std::size_t>(id);
-    if (s.joint[i] < 0) continue;
+    if (s.joint[i] < 0 || s.side_state[i] == kernels::SideState::whole) continue;  // in whole ones nothing has happened
     const kernels::Mode* mode = s.parts[i].segments.first_mode;
     std::int64_t by_mode[4] = {};
     for (int k = 0; k < s.parts[i].points.n; ++k) ++by_mode[static_cast<std::size_t>(mode[k])];

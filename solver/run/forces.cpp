@@ -50,6 +50,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     help_with_joints(joints, mine.joints, mine.clock);
     gather(w, due, mine.clock);
   }
+  const double ended = stage.split ? omp_get_wtime() : 0.0;
   std::vector<JointFindings*> found;
   std::vector<OverlapFound> overlaps;
   for (std::size_t thread = 0; thread < static_cast<std::size_t>(team); ++thread) {
@@ -63,6 +64,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   }
   collect(found, stage.events);
   apply_overlaps(w, due, overlaps);
+  if (stage.split) stage.alone += omp_get_wtime() - ended;
 }
 
 }  // namespace voussoir::solver

@@ -26,6 +26,7 @@ struct ForceStage {
   JointTasks tasks;
   bool split = false;  // whether parts are timed
   ForceTimes parts{};  // of the mean thread, so far
+  double alone = 0.0;  // s, of one thread after the team, so far; while parts are timed
 };
 
 /// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has done

@@ -78,7 +78,13 @@ class Simulation {
   [[nodiscard]] StageTimes& stage_times() { return times_; }
   [[nodiscard]] const StageTimes& stage_times() const { return times_; }
   /// Whether the parts of the stage of forces are timed too from now on; costs some hundredths of a step.
-  void time_parts(bool on) { forces_stage_.split = on; }
+  void time_parts(bool on) {
+    forces_stage_.split = on;
+    forces_stage_.tasks.time_tasks(on);
+  }
+  /// s, of forces, by one thread alone.
+  [[nodiscard]] double alone_time() const { return forces_stage_.alone; }
+  [[nodiscard]] const JointTasks& joint_tasks() const { return forces_stage_.tasks; }
   [[nodiscard]] const ForceTimes& part_times() const { return forces_stage_.parts; }
   /// The element that moves fastest (or is no number any more), as messages call it: the first to look at when the numbers go wrong.
   [[nodiscard]] std::string fastest_element() const;
