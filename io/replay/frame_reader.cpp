@@ -15,12 +15,16 @@ constexpr std::uint64_t kBlock = 8U << 20;  // bytes of one dataset in memory
 
 }  // namespace
 
-FrameReader::FrameReader(const Hdf5File& run)
-    : run_(run), start_(run.read<double>("/model/element/position0")), times_(run.read<double>("/frames/time")) {
-  const std::uint64_t n = elements();
-  if (start_.size() != 3 * n || run.shape("/frames/position") != Shape{frames(), n, 3} ||
-      run.shape("/frames/quaternion") != Shape{frames(), n, 4} || run.shape("/frames/broken") != Shape{frames(), n})
+FrameReader::FrameReader(const Hdf5File& run, std::uint64_t every)
+    : run_(run), every_(every), start_(run.read<double>("/model/element/position0")) {
+  const std::vector<double> all = run.read<double>("/frames/time");
+  const std::uint64_t n = elements(), rows = all.size();
+  if (start_.size() != 3 * n || run.shape("/frames/position") != Shape{rows, n, 3} || run.shape("/frames/quaternion") != Shape{rows, n, 4} ||
+      run.shape("/frames/broken") != Shape{rows, n})
     throw FileError(run.path(), "/frames does not fit /model/element");
+  last_row_ = rows - std::min<std::uint64_t>(rows, 1);
+  for (std::uint64_t row = 0; row < rows; row += every_) times_.push_back(all[row]);
+  if (rows > 0 && last_row_ % every_ != 0) times_.push_back(all[last_row_]);
 }
 
 std::vector<double> FrameReader::displacement(std::uint64_t frame) const {
@@ -43,10 +47,10 @@ std::vector<double> FrameReader::row(const char* name, std::uint64_t frame, std:
 // Many frames at a time: of a run that is not merged yet, every read opens all its parts.
 void FrameReader::read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const {
   block.frames = 0;  // nothing, should the read fail
-  const std::uint64_t fit = std::max<std::uint64_t>(1, kBlock / std::max<std::uint64_t>(1, row * sizeof(double)));
+  const std::uint64_t fit = every_ > 1 ? 1 : std::max<std::uint64_t>(1, kBlock / std::max<std::uint64_t>(1, row * sizeof(double)));
   const std::uint64_t count = std::min(fit, frames() - frame);
   block.values.resize(count * row);
-  run_.read_rows(dataset, Hdf5Type::f64, frame, count, block.values.data());
+  run_.read_rows(dataset, Hdf5Type::f64, std::min(frame * every_, last_row_), count, block.values.data());
   block.first = frame, block.frames = count;
 }
 

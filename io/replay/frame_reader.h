@@ -14,12 +14,14 @@ namespace voussoir::io {
 /// /frames of a run, one frame after the other: every value it gives is a number. For one thread.
 class FrameReader {
  public:
-  /// \param run  outlives the reader \throw FileError if /frames does not fit /model/element
-  explicit FrameReader(const Hdf5File& run);
+  /// \param run  outlives the reader \param every  which frames it gives: the first, every so many after it, and the last
+  /// \throw FileError if /frames does not fit /model/element
+  explicit FrameReader(const Hdf5File& run, std::uint64_t every = 1);
 
   [[nodiscard]] std::uint64_t elements() const noexcept { return start_.size() / 3; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return times_.size(); }
   [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }  // s
+  [[nodiscard]] std::uint64_t every() const noexcept { return every_; }
   /// Centroids in the reference configuration, three an element, m.
   [[nodiscard]] const std::vector<double>& start() const noexcept { return start_; }
 
@@ -37,6 +39,7 @@ class FrameReader {
   void read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const;
 
   const Hdf5File& run_;
+  std::uint64_t every_, last_row_;  // of the frames of the run
   std::vector<double> start_, times_;
   mutable std::map<std::string, Block> blocks_;  // by name of the dataset
 };

@@ -282,6 +282,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();
+  facts["every"] = frames.every();
   facts["base"] = c && !c->value.base ? Json(nullptr) : Json(c ? c->value.base->z : 0.0);
   facts["materials"] = file.read_strings("/model/material/name");
   facts["quantum"] = quantum;

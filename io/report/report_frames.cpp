@@ -76,6 +76,12 @@ class FramePacker {
 
 }  // namespace
 
+std::uint64_t frames_apart(const Hdf5File& run) {
+  constexpr std::uint64_t kMost = 40'000'000;  // elements times frames; in a collapse four bytes of the page each
+  const Shape shape = run.shape("/frames/broken");
+  return shape.size() == 2 ? std::max<std::uint64_t>(1, (shape[0] * shape[1] + kMost - 1) / kMost) : 1;
+}
+
 PackedFrames pack_frames(const Hdf5File& run, const FrameReader& reader) {
   const double quantum = quantum_of(reader);
   const std::vector<std::uint8_t> shift = shifts(run, reader.elements(), quantum);

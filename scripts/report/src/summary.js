@@ -79,6 +79,7 @@ function provenance({ facts, frames }) {
     p.started && ["Started", p.started],
     p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s`],
     p.threads !== undefined && ["Threads", count(p.threads)],
+    facts.every > 1 && ["Frames in this page", `one of ${count(facts.every)}`],
     ["Positions in this page within", `${((1000 * facts.quantum) / 2).toFixed(3)} mm`],
   ].filter(Boolean);
 }
