@@ -80,24 +80,34 @@ void write_stones(Hdf5File& file, const StoneTables& stones) {
 /// Entries [first, first + count) of a field. \pre  first is a multiple of those that lie together
 solver::Field part_of(const solver::Field& f, std::size_t first, std::size_t count) {
   solver::Field part = f;
-  part.data = static_cast<std::byte*>(f.data) + first / f.together * f.stride;
+  const std::size_t row = f.columns * size_of(f.type);
+  part.data = static_cast<std::byte*>(f.data) + (f.stride == 0 ? first * row : first / f.together * f.stride);
   part.count = count;
   return part;
 }
 
+bool is_zero(const std::byte* bytes, std::size_t n) { return n == 0 || (bytes[0] == std::byte{0} && std::memcmp(bytes, bytes + 1, n - 1) == 0); }
+
+/// Piece by piece. Pieces of zeros, as most of the history of segments is, are not written: a new file reads as zero there.
+void write_field(Hdf5File& file, const std::string& name, Hdf5Type type, const solver::Field& f) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes, or some more
+  const std::size_t row = f.columns * size_of(f.type), at_a_time = (kPiece / row / f.together + 1) * f.together;
+  for (std::size_t first = 0; first < f.count; first += at_a_time) {
+    const solver::Field part = part_of(f, first, std::min(at_a_time, f.count - first));
+    const std::vector<std::byte> values = f.stride != 0 ? packed(part) : std::vector<std::byte>{};
+    const std::byte* data = f.stride != 0 ? values.data() : static_cast<const std::byte*>(part.data);
+    const bool last = first + part.count == f.count;  // makes HDF5 give the dataset its place
+    if (last || !is_zero(data, part.bytes())) file.write_rows(name, type, first, part.count, data);
+  }
+}
+
 void write_state(Hdf5File& file, std::span<const solver::Field> state) {
-  constexpr std::size_t kPieces = std::size_t{1} << 16;  // of entries that lie together, that are packed at a time
   for (const solver::Field& f : state) {
     const std::string name = std::string("/state/") + f.name;
     const Hdf5Type type = hdf5_type(f.type);
     const Shape shape = f.columns == 1 ? Shape{f.count} : Shape{f.count, f.columns};
-    file.write_dataset(name, type, shape, f.stride != 0 ? nullptr : f.data, {}, {f.unit, std::string("one entry each: ") + f.shape});
-    if (f.stride == 0) continue;
-    const std::size_t at_a_time = kPieces * f.together;
-    for (std::size_t first = 0; first < f.count; first += at_a_time) {
-      const std::size_t count = std::min(at_a_time, f.count - first);
-      file.write_rows(name, type, first, count, packed(part_of(f, first, count)).data());
-    }
+    file.create_dataset(name, type, shape, {}, {f.unit, std::string("one entry each: ") + f.shape});
+    write_field(file, name, type, f);
   }
 }
 
