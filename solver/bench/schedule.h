@@ -10,12 +10,12 @@
 /// A small model of the schedule of a step: what it would take on more cores than the machine has.
 namespace voussoir::solver {
 
-/// What was measured of a step, the mean over some, by colour.
+/// What was measured: means over some steps, joints handed out by colour.
 struct MeasuredStep {
   std::vector<double> tasks;  // s, of joints on one thread, by task
   StageTimes one{}, two{};    // s, of one and of two threads; two: zeros if there is one core only
   ForceTimes parts{};         // s, of one thread
-  double alone = 0.0;         // s, of the forces what one thread does after the team
+  double alone = 0.0;         // s, that one thread works alone at the end of the stage of forces
   double handover = 0.0;      // s, for one thread to see what another has written
 };
 
@@ -30,10 +30,10 @@ struct PredictedStep {
 };
 
 /// Joints: each thread goes through its queue (JointTasks::plan); a task begins when those that it waits for have ended, and a hand-over
-/// later if another thread did them. Borders of shares move as in a run. Nobody helps another. Contacts and the update are shared evenly. So
-/// are searches and the ledger as far as two threads made them shorter: what they took on two beyond half of what they took on one is done
-/// alone, as are the booking of damage and the output. A barrier takes a hand-over a thread. Every core has the caches and the share of the
-/// memory that one has here; what cores take from each other's caches otherwise is left out.
+/// later if another thread did them. Borders of shares move as in a run, but no thread helps another, as it does there. Contacts and the
+/// update are shared evenly. Of a search or a row of the ledger, which took t1 on one thread and t2 on two, 2 t2 − t1 is done alone and the
+/// rest shared; the booking of damage and the output are done alone. A barrier of n threads takes n hand-overs. Every core has the caches
+/// and the share of the memory that one has here; what cores take from each other's caches otherwise is left out.
 PredictedStep predict(const JointTasks& tasks, const MeasuredStep& measured, int cores);
 
 /// When each thread has done its queue, and how long it waited for others meanwhile, s.
