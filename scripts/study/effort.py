@@ -6,18 +6,21 @@
 usage: effort.py STUDY.toml TABLE.csv [TABLE.csv ...] [--bills FOLDER]
 
 The first case of the study is the bare house; effort is what the bills of `voussoir check` have more in the others (VOUSSOIR names the
-program, default: voussoir). Bills are kept in FOLDER, if one is given, and not made again. Writes a table in Markdown on standard output:
-damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have a dash. A last column has the means over the
-runs that are done for both the measure and the bare house: grade and fallen mass, with the measure and (without), and of how many runs.
+program, default build/release/io/voussoir, else the one on the PATH). Bills are kept in FOLDER, if one is given, and not made again.
+Writes a table in Markdown on standard output: damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have
+a dash, columns without any are left out. A last column has the means over the runs that are done for both the measure and the bare house:
+grade and fallen mass, with the measure and (without), and of how many runs.
 """
 import argparse
 import csv
-import os
 import pathlib
 import re
 import subprocess
 import sys
 import tomllib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
+import program
 
 COLUMNS = {"bill of blocks": ("count", "m3"), "bill of ties": ("count", "rod", "mesh", "anchors")}
 LEAST = 5e-3  # below it a difference is round-off of what is printed
@@ -69,8 +72,7 @@ def checked(case, folder, bills):
     kept = bills / f"{pathlib.Path(case).stem}.txt" if bills else None
     if kept and kept.exists():
         return kept.read_text()
-    program = os.environ.get("VOUSSOIR", "voussoir")
-    done = subprocess.run([program, "check", case, "-j", "1"], cwd=folder, capture_output=True, text=True, check=False)
+    done = subprocess.run([program.program(), "check", case, "-j", "1"], cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"effort.py: voussoir check {case}: {done.stderr.strip()}")
     if kept:
@@ -117,13 +119,13 @@ def gain(runs, bare):
 
 
 def read(tables):
-    """Runs that are done by case, then by direction, motion and scale; and all of the latter in their order."""
+    """Runs that are done by case, then by direction, motion and scale; and in their order those of the latter that some case has done."""
     done, keys = {}, {}
     for path in tables:
         with open(path, newline="", encoding="utf-8") as file:
             for run in csv.DictReader(file):
-                keys.setdefault(key(run), len(keys))
                 if run["status"] == "done":
+                    keys.setdefault(key(run), len(keys))
                     done.setdefault(run["case"], {})[key(run)] = run
     return done, list(keys)
 
