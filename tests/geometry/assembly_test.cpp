@@ -242,4 +242,22 @@ TEST_SUITE("assembly") {
       CHECK(a.joints[0].area == relative(width * 0.1, 1e-7));
     }
   }
+
+  TEST_CASE("bricks that are alike share their lists of segments, which outlive a copy's original") {
+    std::vector<Polyhedron> pile;
+    for (const double x : {0.0, 0.5, 7.3}) {
+      for (const double z : {0.0, 0.1}) pile.push_back(box_at({x, 0, z}, {0.2, 0.1, 0.1}));
+    }
+    pile.push_back(box_at({20.0, 0, 0}, {0.3, 0.1, 0.1})), pile.push_back(box_at({20.0, 0, 0.1}, {0.3, 0.1, 0.1}));
+    Assembly copy;
+    {
+      const Assembly a = assemble_all(pile, kBrick);
+      REQUIRE(a.joints.size() == 4);
+      CHECK(a.joints[0].side_a.data() == a.joints[1].side_a.data());
+      CHECK(a.joints[0].side_a.data() == a.joints[2].side_a.data());
+      CHECK(a.joints[0].side_a.data() != a.joints[3].side_a.data());
+      copy = a;
+    }
+    check_invariants(copy);
+  }
 }

@@ -115,6 +115,30 @@ TEST_CASE("a checkpoint that is cut off or changed in a single bit, anywhere, is
   CHECK(seen == kSealBytes + 500);
 }
 
+TEST_CASE("a damaged file on disk is known, too; one that was never sealed leaves nothing") {
+  const TempFolder dir;
+  Cracked w;
+  const std::string path = dir.file("c.h5");
+  write_checkpoint(path, w.facts(), solver::fields(w.sim, w.plan));
+  CHECK(fs::file_size(path) == bytes_of(path).size());
+  REQUIRE_NOTHROW(read_checkpoint(path));
+  const std::vector<std::byte> good = bytes_of(path);
+  std::mt19937 random(7);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<std::byte> bad = good;
+    if (i % 2 == 0) {
+      bad[std::uniform_int_distribution<std::size_t>(0, bad.size() - 1)(random)] ^= std::byte{1};
+    } else {
+      bad.resize(std::uniform_int_distribution<std::size_t>(0, bad.size() - 1)(random));
+    }
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bad.data()), static_cast<std::streamsize>(bad.size()));
+    CHECK_THROWS_AS(read_checkpoint(path), DamagedFile);
+  }
+  { SealedFile dropped(dir.file("dropped.h5"), 1000); }
+  CHECK_THROWS_AS(SealedFile(dir.file("none/c.h5"), 1000), FileError);
+  CHECK(std::distance(fs::directory_iterator(dir.path()), fs::directory_iterator()) == 1);
+}
+
 TEST_CASE("foreign files and other versions are refused by name") {
   const TempFolder dir;
   std::ofstream(dir.file("text")) << "voussoir checkpoint of somebody else\n";
