@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace voussoir::geometry {
 
@@ -19,6 +20,10 @@ constexpr double kCellFactor = 1.25;
 
 /// So many boxes more a bucket has room for once boxes move from cell to cell.
 constexpr std::int32_t kRoom = 4;
+
+/// So many boxes for which their buckets had no room may stand among the large ones before the grid is filled again: filling looks at all
+/// boxes, and each query at all large ones.
+constexpr std::size_t kLeastSpilt = 16, kBoxesToSpill = 4096;
 
 bool intersect(const Box3& a, const Box3& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
@@ -113,6 +118,7 @@ void UniformGrid::fill() {
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (place_[i] == Place::cells) static_cast<void>(add(static_cast<std::int32_t>(i)));
   }
+  most_large_ = large_.size() + std::max(kLeastSpilt, boxes_.size() / kBoxesToSpill);
 }
 
 /// To the buckets of its cells. \return false if one of them has no room
@@ -147,16 +153,23 @@ void UniformGrid::move(std::int32_t index, const Box3& box) {
   const CellRange cells = is_ordered(box) ? cells_of(box) : CellRange{};
   const Place place = place_of(box, cells);
   boxes_[i] = box;
-  if (place == place_[i] && (place != Place::cells || cells == cells_[i])) {
-    cells_[i] = cells;
-    return;
-  }
-  const bool in_cells = place_[i] == Place::cells, among_large = place_[i] == Place::large || place == Place::large;
-  if (in_cells) take_out(index);
+  const bool stays = place_[i] == Place::large ? place != Place::nowhere : place == place_[i] && cells == cells_[i];
+  if (place_[i] == Place::cells && !stays) take_out(index);
   cells_[i] = cells;
-  place_[i] = place;
-  if (!among_large && (place == Place::nowhere || add(index))) return;
-  if (!among_large) room_ = kRoom;
+  if (stays) return;  // of the large ones a box is until the grid is filled again, however small it is now
+  const bool was_large = std::exchange(place_[i], place) == Place::large;
+  if (was_large) return refill();
+  if (place == Place::nowhere || (place == Place::cells && add(index))) return;
+  if (place == Place::cells) take_out(index);  // of those that had room
+  place_[i] = Place::large;
+  large_.push_back(index);
+  if (large_.size() > most_large_) refill();
+}
+
+/// With some room in each bucket, since boxes move.
+void UniformGrid::refill() {
+  room_ = kRoom;
+  for (std::size_t i = 0; i < boxes_.size(); ++i) place_[i] = place_of(boxes_[i], cells_[i]);
   fill();
 }
 

@@ -19,7 +19,7 @@ class UniformGrid {
   /// Allocates only when there are more boxes, or more cells filled, than ever before.
   void build(std::span<const Box3> boxes);
 
-  /// Moves one box. Cheap where it stays in its cells; where there is no room left in a cell it fills the grid again.
+  /// Moves one box. Cheap where it stays in its cells; where cells had no room left for many boxes it fills the grid again.
   /// \pre 0 <= index < number of boxes
   void move(std::int32_t index, const Box3& box);
 
@@ -40,6 +40,7 @@ class UniformGrid {
   [[nodiscard]] double median_extent();
   [[nodiscard]] Place place_of(const Box3& box, const CellRange& cells) const noexcept;
   void fill();
+  void refill();
   [[nodiscard]] bool add(std::int32_t index);
   void take_out(std::int32_t index);
   [[nodiscard]] Cell cell_of(Vec3 point) const noexcept;
@@ -50,7 +51,8 @@ class UniformGrid {
   std::vector<Box3> boxes_;
   std::vector<CellRange> cells_;     // by box: those it touches
   std::vector<Place> place_;         // by box: where it stands
-  std::vector<std::int32_t> large_;  // boxes that are in no cell: tried by every query
+  std::vector<std::int32_t> large_;  // boxes that are in no cell, or found no room in theirs: tried by every query
+  std::size_t most_large_ = 0;       // of these, before the grid is filled again
   double per_cell_ = 1.0;            // 1/m
   std::vector<std::int32_t> start_;  // by hash bucket, into items_: room for its boxes, and for some more
   std::vector<std::int32_t> end_;    // by hash bucket, where its boxes end

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/grid.h"
 #include "io/measures/building.h"
 #include "io/replay/placed_elements.h"
 
@@ -32,9 +33,11 @@ class FreeVolume {
     double dx, dy;
     std::vector<double> ceiling;  // of each cell, m
   };
+  [[nodiscard]] geometry::UniformGrid in_plan(const std::vector<Pose>& poses) const;
+  [[nodiscard]] static std::vector<std::int32_t> over(const Room& room, const geometry::UniformGrid& plan);
   template <class Use>
-  void for_each_chord(const Grid& grid, const std::vector<Pose>& poses, bool cover, const Use& use) const;
-  void find_ceiling(Grid& grid, const std::vector<Pose>& start) const;
+  void for_each_chord(const Grid& g, const std::vector<Pose>& poses, const std::vector<std::int32_t>& near, bool cover, const Use& use) const;
+  void find_ceiling(Grid& g, const std::vector<Pose>& start, const std::vector<std::int32_t>& near) const;
 
   const Building& building_;
   const ElementShapes& shapes_;

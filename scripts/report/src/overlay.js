@@ -45,17 +45,22 @@ function arrow(c, [x, y], [X, Y], head) {
   c.beginPath(), c.moveTo(X, Y), c.lineTo(X - h * dx - 0.45 * h * dy, Y - h * dy + 0.45 * h * dx), c.lineTo(X - h * dx + 0.45 * h * dy, Y - h * dy - 0.45 * h * dx), c.fill();
 }
 
-/** Whether a wall stands between others, which hide it. */
-function isInner(w, walls) {
+/** Of several houses in one run a wall's name ends with that of its house. */
+const houseOf = (wall) => / of house \d+/.exec(wall.name)?.[0];
+
+/** Whether a wall stands between others of its house, which hide it. */
+function isInner(w, all) {
   const kFlush = 0.05; // m
+  const walls = all.filter((other) => houseOf(other) === houseOf(w));
   return walls.some((other) => other.low[w.across] < w.low[w.across] - kFlush) && walls.some((other) => other.high[w.across] > w.high[w.across] + kFlush);
 }
 
-/** Each wall is named once, however many storeys it has: at the ground, and one between others on its top, where that is seen.
+/** Each wall is named once, however many storeys it has: at the ground, and one between others on its top, where that is seen. Names that
+ *  would lie on those of nearer walls are left out.
  *  @param open  whether the roof or what lies before a section is hidden */
 function wallNames(c, facts, camera, width, height, u, ink, open) {
   c.font = `600 ${u}px ${kType}`, c.textAlign = "center", c.textBaseline = "middle";
-  const named = new Set();
+  const named = new Set(), names = [];
   for (const w of facts.walls) {
     const name = w.name.replace(/, storey \d+$/, ""), inner = isInner(w, facts.walls);
     if (named.has(name) || (inner && !open)) continue;
@@ -68,7 +73,13 @@ function wallNames(c, facts, camera, width, height, u, ink, open) {
     const toEye = camera.position.clone().sub(p);
     if (!inner && toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
     const place = seen(p, camera, width, height);
-    if (place) write(c, name, place[0], place[1] + 0.3 * u, ink);
+    if (place) names.push({ name, x: place[0], y: place[1] + 0.3 * u, wide: 0.5 * c.measureText(name).width, far: toEye.length() });
+  }
+  const written = [];
+  for (const n of names.sort((a, b) => a.far - b.far)) {
+    if (written.some((m) => Math.abs(m.x - n.x) < m.wide + n.wide && Math.abs(m.y - n.y) < u)) continue;
+    written.push(n);
+    write(c, n.name, n.x, n.y, ink);
   }
 }
 
