@@ -115,6 +115,23 @@ TEST_CASE("a checkpoint that is cut off or changed in a single bit, anywhere, is
   CHECK(seen == kSealBytes + 500);
 }
 
+TEST_CASE("large fields that are zero in most places are read as they were written") {
+  struct Pair {
+    double a = 0.0, b = 0.0;
+  };
+  const TempFolder dir;
+  Cracked w;
+  std::vector<double> row(400'000, 0.0);
+  std::vector<Pair> pairs(300'000);
+  for (const std::size_t i : {std::size_t{5}, std::size_t{131'072}, std::size_t{250'001}}) row[i] = 1.0 + static_cast<double>(i), pairs[i].b = -row[i];
+  const std::vector<solver::Field> fields{
+      {"row", "m", "element", solver::FieldType::f64, row.data(), row.size()},
+      {.name = "b", .unit = "m", .shape = "pair", .type = solver::FieldType::f64, .data = &pairs[0].b, .count = pairs.size(), .stride = sizeof(Pair)}};
+  write_checkpoint(dir.file("c.h5"), w.facts(), fields);
+  const Checkpoint read = read_checkpoint(dir.file("c.h5"));
+  for (const solver::Field& f : fields) CHECK(read.state.at(f.name).bytes == packed(f));
+}
+
 TEST_CASE("a damaged file on disk is known, too; one that was never sealed leaves nothing") {
   const TempFolder dir;
   Cracked w;
