@@ -21,7 +21,7 @@ struct Batch {
   solver::StageTimes stages{};
   solver::ForceTimes forces{};
   std::vector<double> tasks;
-  std::array<double, 1> alone{};
+  double alone = 0.0;  // s, of forces by one thread alone
 };
 
 template <std::size_t n>
@@ -55,7 +55,7 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
   Batch b{.steps = run.plan.steps - first, .work = solver::step_work(sim.world()), .tasks = sim.joint_tasks().task_times()};
   b.stages = a_step(stages, sim.stage_times(), b.steps), b.forces = a_step(forces, sim.part_times(), b.steps);
   b.parts = parts_of(b.stages, b.forces, scatters > 0 ? scatter / scatters : 0.0, whole_share(b.work));
-  b.alone = a_step({alone}, std::array{sim.alone_time()}, b.steps);
+  b.alone = (sim.alone_time() - alone) / static_cast<double>(b.steps);
   for (std::size_t k = 0; k < b.tasks.size(); ++k) b.tasks[k] = (b.tasks[k] - before[k]) / static_cast<double>(b.steps);
   return b;
 }
@@ -91,18 +91,28 @@ solver::StepWork mean_work(const std::vector<Batch>& batches) {
   return mean;
 }
 
+double all_steps(const std::vector<Batch>& batches) {
+  double steps = 0.0;
+  for (const Batch& b : batches) steps += static_cast<double>(b.steps);
+  return steps;
+}
+
 /// Mean over all steps of one of their arrays.
 template <class Array>
 Array mean_times(const std::vector<Batch>& batches, Array Batch::* times) {
-  Array sum = batches.front().*times;
-  std::ranges::fill(sum, 0.0);
-  double steps = 0.0;
+  Array mean = batches.front().*times;
+  std::ranges::fill(mean, 0.0);
   for (const Batch& b : batches) {
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += static_cast<double>(b.steps) * (b.*times)[k];
-    steps += static_cast<double>(b.steps);
+    const double share = static_cast<double>(b.steps) / all_steps(batches);
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += share * (b.*times)[k];
   }
-  for (double& s : sum) s /= steps;
-  return sum;
+  return mean;
+}
+
+double mean_alone(const std::vector<Batch>& batches) {
+  double mean = 0.0;
+  for (const Batch& b : batches) mean += static_cast<double>(b.steps) / all_steps(batches) * b.alone;
+  return mean;
 }
 
 /// All that was measured with one number of threads.
@@ -163,7 +173,7 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
                 .stages = mean_times(team.batches, &Batch::stages),
                 .forces = mean_times(team.batches, &Batch::forces),
                 .tasks = mean_times(team.batches, &Batch::tasks),
-                .alone = mean_times(team.batches, &Batch::alone)};
+                .alone = mean_alone(team.batches)};
     for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, part);
     s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();
     splits.push_back(s);

@@ -31,8 +31,8 @@ struct StepSplit {
   // Means over all batches, s a step.
   solver::StageTimes stages{};
   solver::ForceTimes forces{};
-  std::vector<double> tasks;     // of joints by colour, by task
-  std::array<double, 1> alone{};  // of forces, by one thread alone
+  std::vector<double> tasks;  // of joints by colour, by task
+  double alone = 0.0;         // of forces, by one thread alone
   [[nodiscard]] double step() const;
 };
 

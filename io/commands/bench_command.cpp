@@ -103,7 +103,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
                                       .one = one->stages,
                                       .two = both ? two->stages : solver::StageTimes{},
                                       .parts = one->forces,
-                                      .alone = one->alone[0],
+                                      .alone = one->alone,
                                       .handover = handover};
   const double on_one = timing_of(1)->step, scale = on_one / solver::predict(tasks, measured, 1).step;
   std::printf("\nby a model of the schedule, from what was measured above; hand-over %.0f ns%s\n", 1e9 * handover,

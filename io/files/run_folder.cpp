@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,51 +11,16 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "io/files/descriptor.h"
 #include "io/files/errors.h"
+#include "io/files/whole_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
-
-std::string system_words(int error) { return std::generic_category().message(error); }
-
-/// A file descriptor that is closed in its turn.
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : id_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (id_ < 0) throw FileError(path, "cannot open: " + system_words(errno));
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (id_ >= 0) ::close(id_);
-  }
-  [[nodiscard]] int id() const noexcept { return id_; }
-  int release() noexcept { return std::exchange(id_, -1); }
-
- private:
-  int id_;
-};
-
-void sync(const std::string& path) {
-  const Descriptor file(path, O_RDONLY);
-  // Some file systems cannot sync a folder and say so with EINVAL; there is nothing more to do there.
-  if (::fsync(file.id()) != 0 && errno != EINVAL) throw FileError(path, "cannot write: " + system_words(errno));
-}
-
-void write_all(int file, const char* data, std::size_t bytes, const std::string& path) {
-  while (bytes > 0) {
-    const ssize_t n = ::write(file, data, bytes);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw FileError(path, "cannot write: " + system_words(errno));
-    data += n;
-    bytes -= static_cast<std::size_t>(n);
-  }
-}
 
 bool digits_only(const std::string& s) {
   return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -158,45 +122,6 @@ int take_lock(const std::string& folder) {
 
 }  // namespace
 
-void replace_file(const std::string& temporary, const std::string& path) {
-  try {
-    sync(temporary);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) throw FileError(path, "cannot replace: " + system_words(errno));
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
-  const std::string folder = fs::path(path).parent_path().string();
-  sync(folder.empty() ? "." : folder);
-}
-
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
-  const std::string temporary = path + ".tmp";
-  try {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    write_all(file.id(), reinterpret_cast<const char*>(bytes.data()), bytes.size(), path);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
-  replace_file(temporary, path);
-}
-
-void write_text_file(const std::string& path, const std::string& text) { write_whole_file(path, std::as_bytes(std::span(text))); }
-
-void claim_room(const std::string& path, std::uint64_t bytes) {
-  const Descriptor file(path, O_WRONLY);
-  if (::fallocate(file.id(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return;
-  if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT)
-    throw FileError(path, "no room for " + std::to_string(bytes) + " bytes: " + system_words(errno));
-}
-
-void give_back_room(const std::string& path) {
-  const Descriptor file(path, O_WRONLY);
-  struct stat is {};
-  if (::fstat(file.id(), &is) == 0 && ::ftruncate(file.id(), is.st_size) != 0) return;  // then it stays until the file goes
-}
-
 RunFolder::RunFolder(std::string path) : path_(std::move(path)) {
   while (path_.size() > 1 && path_.ends_with('/')) path_.pop_back();
   lock_ = take_lock(path_);
@@ -229,6 +154,8 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
     throw FileError(path, "cannot remove old results: " + e.code().message());
   }
 }
+
+void RunFolder::write_case(const std::string& toml) const { write_text_file(file("case.toml"), toml); }
 
 RunFolder RunFolder::open(const std::string& path) {
   std::error_code error;

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,20 +10,6 @@ namespace voussoir::io {
 
 /// How every case.toml begins that a run wrote.
 inline constexpr std::string_view kResolvedHead = "# All keys of the case with their values, as used.";
-
-/// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
-/// file or the new one, never a part. \throw FileError; then `temporary` is gone
-void replace_file(const std::string& temporary, const std::string& path);
-/// Writes these bytes under `path` as replace_file does: whatever happens, `path` is the old file or the whole new one. \throw FileError
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
-/// The same of a text. \throw FileError
-void write_text_file(const std::string& path, const std::string& text);
-
-/// Has the disk set aside so many bytes for a file, whose size does not change; nothing where the file system cannot.
-/// \throw FileError if there are not as many
-void claim_room(const std::string& path, std::uint64_t bytes);
-/// Gives back what lies behind the file's end.
-void give_back_room(const std::string& path);
 
 /// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.
 class RunFolder {
@@ -50,7 +33,7 @@ class RunFolder {
   /// Path of a file in the folder.
   [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
   /// Writes the resolved case as case.toml. \throw FileError
-  void write_case(const std::string& toml) const { write_text_file(file("case.toml"), toml); }
+  void write_case(const std::string& toml) const;
 
  private:
   explicit RunFolder(std::string path);

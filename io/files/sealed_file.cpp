@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/files/run_folder.h"
+#include "io/files/whole_file.h"
 #include "solver/state/hash.h"
 
 namespace voussoir::io {
@@ -120,7 +120,8 @@ SealedFile::SealedFile(std::string path, std::uint64_t room)
   try {
     claim_room(temporary_, kSealBytes + room);
   } catch (...) {
-    std::filesystem::remove(temporary_);
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
     throw;
   }
 }

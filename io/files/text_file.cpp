@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "io/files/errors.h"
-#include "io/files/run_folder.h"
+#include "io/files/whole_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 
 #include "geometry/vec3.h"
 #include "io/files/errors.h"
-#include "io/files/run_folder.h"
+#include "io/files/whole_file.h"
 #include "io/replay/cells.h"
 #include "io/replay/frame_reader.h"
 #include "io/results/results_parts.h"

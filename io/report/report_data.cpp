@@ -73,7 +73,7 @@ void put_modes(Scripts& out, const Hdf5File& file, const FrameReader& reader, co
 
 std::string report_data(const std::string& run, const std::string& prefix, const std::vector<solver::Mode>& modes) {
   const Hdf5File file = Hdf5File::open(run);
-  const FrameReader reader(file, frames_apart(file));
+  const FrameReader reader(file, frames_apart(file.shape("/model/element/mass")[0], file.shape("/frames/time")[0]));
   const PackedFrames frames = pack_frames(file, reader);
   const ReportFacts facts = report_facts(file, reader, frames.quantum);
   const CoveredFaces covered = covered_faces(file, reader.frames() == 0 ? DryJoints::cover : DryJoints::open);

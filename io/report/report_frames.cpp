@@ -76,10 +76,9 @@ class FramePacker {
 
 }  // namespace
 
-std::uint64_t frames_apart(const Hdf5File& run) {
+std::uint64_t frames_apart(std::uint64_t elements, std::uint64_t frames) {
   constexpr std::uint64_t kMost = 40'000'000;  // elements times frames; in a collapse four bytes of the page each
-  const Shape shape = run.shape("/frames/broken");
-  return shape.size() == 2 ? std::max<std::uint64_t>(1, (shape[0] * shape[1] + kMost - 1) / kMost) : 1;
+  return std::max<std::uint64_t>(1, (elements * frames + kMost - 1) / kMost);
 }
 
 PackedFrames pack_frames(const Hdf5File& run, const FrameReader& reader) {

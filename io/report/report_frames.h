@@ -23,8 +23,9 @@ struct PackedFrames {
   std::string text;
 };
 
-/// Every how many frames of a run a page shows: all of one house's; of large models as many as a browser bears.
-std::uint64_t frames_apart(const Hdf5File& run);
+/// A page shows the first frame of a run, every so many after it, and the last: all of one house's, of large models as many as a browser
+/// bears.
+std::uint64_t frames_apart(std::uint64_t elements, std::uint64_t frames);
 
 /// \throw FileError, also for a frame with a value that is no number
 PackedFrames pack_frames(const Hdf5File& run, const FrameReader& reader);

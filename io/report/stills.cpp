@@ -12,7 +12,7 @@
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "io/files/packed_text.h"
-#include "io/files/run_folder.h"
+#include "io/files/whole_file.h"
 #include "io/files/scratch_folder.h"
 #include "io/report/browser.h"
 #include "io/report/report_data.h"

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "io/files/run_folder.h"
+#include "io/files/whole_file.h"
 
 namespace voussoir::io {
 namespace {

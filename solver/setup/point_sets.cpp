@@ -6,8 +6,8 @@
 
 namespace voussoir::solver {
 
-std::int32_t PointSetBuilder::add(std::span<const geometry::Segment> points) {
-  const std::string key(reinterpret_cast<const char*>(points.data()), points.size_bytes());
+std::int32_t PointSetBuilder::add(geometry::SegmentList points) {
+  const std::string_view key(reinterpret_cast<const char*>(points.data()), points.size_bytes());
   const auto [found, is_new] = known_.emplace(key, static_cast<std::int32_t>(sets_.count.size()));
   if (!is_new) return found->second;
   sets_.first.push_back(static_cast<std::int32_t>(sets_.s.size()));

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-#include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "geometry/assembly.h"
@@ -15,12 +14,12 @@ namespace voussoir::solver {
 class PointSetBuilder {
  public:
   explicit PointSetBuilder(PointSets& sets) : sets_(sets) {}
-  /// Number of the set that equals `points` bit for bit; added if new.
-  std::int32_t add(std::span<const geometry::Segment> points);
+  /// Number of the set that equals `points` bit for bit; added if new. \pre  they outlive this
+  std::int32_t add(geometry::SegmentList points);
 
  private:
   PointSets& sets_;
-  std::unordered_map<std::string, std::int32_t> known_;
+  std::unordered_map<std::string_view, std::int32_t> known_;  // by their bytes
 };
 
 }  // namespace voussoir::solver

@@ -68,6 +68,15 @@ TEST_CASE("a pier does not count as the face behind which walls are dark and unn
   CHECK(count(svg, ">element2<") == 1 + 2);  // in the front elevation and both plans
 }
 
+TEST_CASE("the legend calls the stones of a house of rubble so") {
+  cases::Case c = testing::paper_flat20();
+  CHECK(count(io::draw(c, cases::build_model(c)), "stone of rubble") == 0);
+  c.house->bond = cases::Bond::rubble;
+  const std::string svg = io::draw(c, cases::build_model(c));
+  CHECK(count(svg, ">stone of rubble: ") == 1);
+  CHECK(count(svg, ">brick: ") == 0);
+}
+
 TEST_CASE("a drawing says how large openings are, how thick walls, which way the axes go and how long a metre is") {
   const cases::Case c = testing::paper_vault20();
   const std::string svg = io::draw(c, cases::build_model(c));

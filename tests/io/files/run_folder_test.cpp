@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/run_folder.h"
 
+#include "io/files/whole_file.h"
+
 #include <sys/stat.h>
 #include <sys/wait.h>
 

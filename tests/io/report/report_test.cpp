@@ -17,6 +17,7 @@
 #include "io/replay/joint_openings.h"
 #include "io/replay/opened_faces.h"
 #include "io/report/report_page.h"
+#include "io/report/report_model.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
@@ -123,6 +124,24 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   float corner = 0;
   std::memcpy(&corner, vertices.data() + 9 * 3 * sizeof(float), sizeof corner);
   CHECK(corner == 0.2F);  // x of the second corner of the second cube
+}
+
+TEST_CASE("faces of elements of several cells are given as they are: a prism over five corners has seven") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  const std::array<std::array<double, 2>, 5> house{{{0, 0}, {0.1, 0}, {0.1, 0.1}, {0.05, 0.15}, {0, 0.1}}};
+  m.blocks[1].shape = geometry::make_prism(house, 0.1, 0.2);
+  m.assembly = geometry::assemble(std::array{geometry::Part{&m.blocks[0].shape, 0.025, true}, geometry::Part{&m.blocks[1].shape, 0.025, true}}, {});
+  m.joint_law.assign(m.assembly.joints.size(), 1);
+  m.joint_strength.assign(m.assembly.joints.size(), 1.0);
+  ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
+  const std::vector<std::int32_t> loops = polyhedron_loops(Hdf5File::open(folder.file("run.h5")));
+  std::multiset<std::int32_t> corners;
+  for (std::size_t i = 0; i < loops.size(); i += 2 + static_cast<std::size_t>(loops[i + 1])) {
+    CHECK(loops[i] == 1);  // the cube is one cell
+    corners.insert(loops[i + 1]);
+  }
+  CHECK(corners == std::multiset<std::int32_t>{4, 4, 4, 4, 4, 5, 5});
 }
 
 TEST_CASE("a face is covered where bonded joints take all of its area") {
