@@ -21,8 +21,8 @@ constexpr double kCellFactor = 1.25;
 /// So many boxes more a bucket has room for once boxes move from cell to cell.
 constexpr std::int32_t kRoom = 4;
 
-/// So many boxes for which their buckets had no room may stand among the large ones before the grid is filled again: filling looks at all
-/// boxes, and each query at all large ones.
+/// A box whose cells have no room goes to the list of large ones. The grid is filled again once the list has grown by this number, or by one
+/// box in kBoxesToSpill if that is more: to fill it costs a look at every box, and each query looks at every box of the list.
 constexpr std::size_t kLeastSpilt = 16, kBoxesToSpill = 4096;
 
 bool intersect(const Box3& a, const Box3& b) {
@@ -156,7 +156,7 @@ void UniformGrid::move(std::int32_t index, const Box3& box) {
   const bool stays = place_[i] == Place::large ? place != Place::nowhere : place == place_[i] && cells == cells_[i];
   if (place_[i] == Place::cells && !stays) take_out(index);
   cells_[i] = cells;
-  if (stays) return;  // of the large ones a box is until the grid is filled again, however small it is now
+  if (stays) return;  // a box in the list of large ones stays there until the grid is filled again
   const bool was_large = std::exchange(place_[i], place) == Place::large;
   if (was_large) return refill();
   if (place == Place::nowhere || (place == Place::cells && add(index))) return;

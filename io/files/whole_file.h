@@ -18,10 +18,10 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
 /// The same of a text. \throw FileError
 void write_text_file(const std::string& path, const std::string& text);
 
-/// Has the disk set aside so many bytes for a file, whose size does not change; nothing where the file system cannot.
+/// Reserves so many bytes of the disk for a file, whose size stays as it is. Does nothing on file systems that cannot reserve.
 /// \throw FileError if there are not as many
 void claim_room(const std::string& path, std::uint64_t bytes);
-/// Gives back what lies behind the file's end. \throw FileError
+/// Frees what is reserved beyond the end of the file. \throw FileError
 void give_back_room(const std::string& path);
 
 }  // namespace voussoir::io

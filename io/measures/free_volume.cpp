@@ -23,7 +23,7 @@ std::pair<std::size_t, std::size_t> cells_between(double from, double to, double
 
 }  // namespace
 
-/// Which elements may stand over a room in plan: of a street each room has few of all.
+/// Elements by where they are in plan, so that a room finds those above it without a look at all elements of a street.
 geometry::UniformGrid FreeVolume::in_plan(const std::vector<Pose>& poses) const {
   std::vector<geometry::Box3> boxes;
   boxes.reserve(poses.size());
@@ -44,7 +44,7 @@ std::vector<std::int32_t> FreeVolume::over(const Room& room, const geometry::Uni
 }
 
 /// Calls `use` with the cell and the chord of the vertical line of every cell in an element of a floor or roof over the room, or in another
-/// one. \param near  those that may be, ascending
+/// one. \param near  the elements to look at, ascending
 template <class Use>
 void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, const std::vector<std::int32_t>& near, bool cover,
                                 const Use& use) const {

@@ -96,7 +96,7 @@ void write_field(Hdf5File& file, const std::string& name, Hdf5Type type, const s
     const solver::Field part = part_of(f, first, std::min(at_a_time, f.count - first));
     const std::vector<std::byte> values = f.stride != 0 ? packed(part) : std::vector<std::byte>{};
     const std::byte* data = f.stride != 0 ? values.data() : static_cast<const std::byte*>(part.data);
-    const bool last = first + part.count == f.count;  // makes HDF5 give the dataset its place
+    const bool last = first + part.count == f.count;  // always written: with the first piece HDF5 reserves the whole dataset
     if (last || !is_zero(data, part.bytes())) file.write_rows(name, type, first, part.count, data);
   }
 }

@@ -48,7 +48,7 @@ class JointTasks {
   /// The queues of a team whose shares end there (ShareBorders::ends).
   struct Plan {
     std::vector<std::size_t> owner;     // by task: whose queue it is in
-    std::vector<std::uint8_t> inside;   // by task: waits for none of another thread's, nor another's for it
+    std::vector<std::uint8_t> inside;   // by task: 1 if it waits for no task of another thread, and none for it
     std::vector<std::int32_t> queues;   // one after the other
     std::vector<std::int32_t> ends;     // by thread: where its queue ends
   };
@@ -59,7 +59,7 @@ class JointTasks {
                                       static_cast<std::size_t>(first_before_[task + 1] - first_before_[task]));
   }
 
-  /// From now on, what each task takes is added up, without its waiting.
+  /// From now on the time of each task is added up, without the time for which it waits.
   void time_tasks(bool on) { times_.assign(on ? flag_.size() : 0, 0.0); }
   [[nodiscard]] const std::vector<double>& task_times() const { return times_; }  // s; empty: off
 
