@@ -135,12 +135,12 @@ void check_segments(const Case& c, const Model& model) {
                        "; a larger segments.size makes fewer");
 }
 
-void assemble(const Case& c, Model& model) {
+void assemble(const Case& c, int threads, Model& model) {
   std::vector<geometry::Part> parts;
   parts.reserve(model.blocks.size());
   for (const Block& block : model.blocks) parts.push_back({&block.shape, block.segment_size, block.fixed || block.free, block.ground >= 0});
   try {
-    model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt, c.segment_rule);
+    model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt, c.segment_rule, threads);
   } catch (const geometry::ModelError& error) {
     refuse(model, error);
   }
@@ -211,11 +211,11 @@ Model build_loose_model(const Case& c) {
   return model;
 }
 
-Model build_model(const Case& c) {
-  if (const std::optional<Case> grounded = with_ground(c)) return build_model(*grounded);
+Model build_model(const Case& c, int threads) {
+  if (const std::optional<Case> grounded = with_ground(c)) return build_model(*grounded, threads);
   Model model = model_of_blocks(c);
   const JointRules rules(c, model);
-  assemble(c, model);
+  assemble(c, threads, model);
   pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
   model.joint_strength = strength_factors(c.scatter, model);
   place_ties(c, model);

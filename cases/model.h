@@ -119,8 +119,9 @@ struct Model {
 /// Stones of files must be there (StonesSpec::stones): io reads them.
 /// The law: the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the house's own keys,
 /// stones.joint, joints.between, joints.default; between two beds of stones.gap it has mortar of that thickness.
+/// \param threads  that work on it; the model is the same for any number
 /// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
-Model build_model(const Case& c);
+Model build_model(const Case& c, int threads = 1);
 
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among those equally near (to 1 nm).
 /// \pre the model has an element

@@ -7,6 +7,7 @@
 
 #include "geometry/joints.h"
 #include "geometry/message.h"
+#include "geometry/ranges.h"
 #include "geometry/touching.h"
 
 namespace voussoir::geometry {
@@ -21,19 +22,36 @@ void check_part(const Part& part, int subject) {
   validate(*part.shape, subject);
 }
 
-void add_element(const Part& part, int subject, Assembly& out, std::vector<FaceGrid>& grids) {
+/// Its mass, its faces and their grids. \pre first_face and face_count are known
+void fill_element(const Part& part, int subject, Element& element, std::vector<Face>& faces, std::vector<FaceGrid>& grids) {
   const Polyhedron& shape = *part.shape;
-  const auto count = static_cast<std::int32_t>(shape.faces.size());
-  Element& element = out.elements.emplace_back();
-  element.first_face = static_cast<std::int32_t>(out.faces.size());
-  element.face_count = count;
   element.mass = mass_properties(shape);
-  for (std::int32_t f = 0; f < count; ++f) {
+  for (std::int32_t f = 0; f < element.face_count; ++f) {
     const FacePlane plane = face_plane(shape, f);
-    out.faces.push_back(
-        {plane.normal, dot(plane.normal, plane.centroid), dot(plane.normal, plane.centroid - element.mass.centroid), plane.area});
-    grids.push_back(make_face_grid(shape, f, part.segment_size, subject));
+    const auto i = static_cast<std::size_t>(element.first_face + f);
+    faces[i] = {plane.normal, dot(plane.normal, plane.centroid), dot(plane.normal, plane.centroid - element.mass.centroid), plane.area};
+    grids[i] = make_face_grid(shape, f, part.segment_size, subject);
   }
+}
+
+/// Fills elements and faces of `out`; returns the grids of the faces.
+std::vector<FaceGrid> make_elements(std::span<const Part> parts, int threads, Assembly& out) {
+  for_ranges(parts.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) check_part(parts[i], static_cast<int>(i));
+  });
+  std::int32_t faces = 0;
+  out.elements.resize(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto count = static_cast<std::int32_t>(parts[i].shape->faces.size());
+    out.elements[i].first_face = faces, out.elements[i].face_count = count;
+    faces += count;
+  }
+  out.faces.resize(static_cast<std::size_t>(faces));
+  std::vector<FaceGrid> grids(static_cast<std::size_t>(faces));
+  for_ranges(parts.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) fill_element(parts[i], static_cast<int>(i), out.elements[i], out.faces, grids);
+  });
+  return grids;
 }
 
 /// Sets of blocks that hold together.
@@ -76,19 +94,14 @@ void check_held(std::span<const Part> parts, const std::vector<Contact>& contact
 
 }  // namespace
 
-Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule) {
+Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule, int threads) {
   Assembly out;
   out.rule = rule;
-  std::vector<FaceGrid> grids;
+  const std::vector<FaceGrid> grids = make_elements(parts, threads, out);
   std::vector<Box3> boxes;
-  out.elements.reserve(parts.size());
   boxes.reserve(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    check_part(parts[i], static_cast<int>(i));
-    add_element(parts[i], static_cast<int>(i), out, grids);
-    boxes.push_back(bounds(*parts[i].shape));
-  }
-  const Scene scene{parts, out.elements, grids, boxes};
+  for (const Part& part : parts) boxes.push_back(bounds(*part.shape));
+  const Scene scene{parts, out.elements, grids, boxes, threads};
   const std::vector<Contact> contacts = find_contacts(scene, base_z);
   check_held(parts, contacts);
   make_joints(scene, contacts, out);

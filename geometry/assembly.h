@@ -30,10 +30,10 @@ struct Joint {
   std::int32_t element_a = 0, face_a = 0;
   std::int32_t element_b = 0, face_b = 0;
   Frame frame;
-  double area = 0.0;            // m2, of the overlap
-  bool merged = false;          // the points of both sides coincide: side_a stands for both, side_b is empty
-  SegmentList side_a;           // segments mastered by face_a
-  SegmentList side_b;           // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
+  double area = 0.0;    // m2, of the overlap
+  bool merged = false;  // the points of both sides coincide: side_a stands for both, side_b is empty
+  SegmentList side_a;   // segments mastered by face_a
+  SegmentList side_b;   // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
@@ -62,7 +62,7 @@ struct Assembly {
   std::vector<Element> elements;
   std::vector<Face> faces;    // by element, in the polyhedron's face order
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
-  std::vector<FreePatch> patches;  // sorted by (element, face)
+  std::vector<FreePatch> patches;                // sorted by (element, face)
   std::shared_ptr<const SegmentStore> segments;  // of joints and patches, which are valid as long as it
   SegmentRule rule = SegmentRule::centres;
 };
@@ -90,9 +90,10 @@ struct Part {
 /// Joints with ground have the other element's points alone, as those with the base, and are merged; faces of ground have no patches.
 ///
 /// \param base_z  height of the base plane [m]; absent: no base.
+/// \param threads  that work on it; the assembly is the same bit by bit for any number
 /// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the
 /// base, a block that is held by neither the base nor an anchored one, if only by way of others. what() starts with "block <index>: ".
 /// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer.
-Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule = SegmentRule::centres);
+Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule = SegmentRule::centres, int threads = 1);
 
 }  // namespace voussoir::geometry

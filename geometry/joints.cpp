@@ -3,10 +3,14 @@
 #include "geometry/joints.h"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/message.h"
+#include "geometry/ranges.h"
 #include "geometry/rim_points.h"
 
 namespace voussoir::geometry {
@@ -106,15 +110,43 @@ class Matcher {
   std::vector<std::int32_t> by_cell_;  // segment of a, or −1
 };
 
+/// Segments of a joint from the corner of its face a.
+struct Draft {
+  std::vector<Segment> side_a, side_b;
+};
+
+/// Sides of joints whose other side is to be cut yet. Any number of threads may call it at once.
+class HalfJoints {
+ public:
+  /// Keeps the first side of a joint, and hands it out when the second one comes.
+  std::optional<std::vector<Segment>> meet(std::int32_t contact, std::vector<Segment>& side) {
+    const std::scoped_lock hold(lock_);
+    const auto [first, is_new] = sides_.try_emplace(contact);
+    if (is_new) {
+      first->second = std::move(side);
+      return std::nullopt;
+    }
+    std::vector<Segment> other = std::move(first->second);
+    sides_.erase(first);
+    return other;
+  }
+
+ private:
+  std::mutex lock_;
+  std::unordered_map<std::int32_t, std::vector<Segment>> sides_;  // by contact
+};
+
 /// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
 class FaceCutter {
  public:
-  FaceCutter(const Scene& scene, std::span<const Contact> contacts, SegmentStore& store, Assembly& out)
-      : scene_(scene), contacts_(contacts), store_(store), out_(out) {}
+  /// \param joints  in the order of the contacts; those are filled whose last side it cuts
+  FaceCutter(const Scene& scene, std::span<const Contact> contacts, SegmentRule rule, SegmentStore& store, HalfJoints& halves,
+             std::vector<Joint>& joints)
+      : scene_(scene), contacts_(contacts), rule_(rule), store_(store), halves_(halves), joints_(joints) {}
 
   void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
     if (is_ground(scene_, element)) return;
-    if (out_.rule == SegmentRule::rim) {
+    if (rule_ == SegmentRule::rim) {
       cut_face_to_rim(element, face, sides);
       return;
     }
@@ -129,6 +161,9 @@ class FaceCutter {
     add_patch(element, face, g);
   }
 
+  /// Those of all faces that were cut.
+  [[nodiscard]] std::vector<FreePatch> take_patches() { return std::move(patches_); }
+
  private:
   [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
 
@@ -140,8 +175,9 @@ class FaceCutter {
       const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
       if (!side.is_b) {
         const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
-        append_rim_points(c.overlap, size, drafts_[side.contact].side_a);
-        finish_joint(side.contact);
+        Draft draft;
+        append_rim_points(c.overlap, size, draft.side_a);
+        finish_joint(side.contact, std::move(draft));
       }
       const Polygon& overlap = overlap_on(side);
       cut_.clear();
@@ -171,30 +207,33 @@ class FaceCutter {
 
   void cut_side(const FaceGrid& g, const Side& side) {
     const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
-    Draft& draft = drafts_[side.contact];
     cutter_.cut(g, overlap_on(side), pieces_);
     for (const Piece& p : pieces_) {
       Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
       taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
     }
     merge_small(g, pieces_);
-    auto& segments = side.is_b ? draft.side_b : draft.side_a;
+    std::vector<Segment> segments;
     segments.reserve(pieces_.size());
     for (const Piece& p : pieces_) {
       const Point2 at = side.is_b ? c.map.to_a(p.centroid) : p.centroid;
       segments.push_back({at.s, at.t, p.area});
     }
-    if (side.is_b || c.element_b == kBase || is_ground(scene_, c.element_b)) finish_joint(side.contact);
+    if (c.element_b == kBase || is_ground(scene_, c.element_b)) {
+      finish_joint(side.contact, {std::move(segments), {}});
+    } else if (std::optional<std::vector<Segment>> other = halves_.meet(side.contact, segments)) {
+      if (side.is_b) segments.swap(*other);
+      finish_joint(side.contact, {std::move(segments), *std::move(other)});
+    }
   }
 
   /// All of its sides have been cut.
-  void finish_joint(std::int32_t contact) {
+  void finish_joint(std::int32_t contact, Draft draft) {
     const Contact& c = contacts_[static_cast<std::size_t>(contact)];
     const FaceGrid& g = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
-    Joint& joint = out_.joints[static_cast<std::size_t>(contact)];
-    Draft draft = std::move(drafts_.extract(contact).mapped());
+    Joint& joint = joints_[static_cast<std::size_t>(contact)];
     check_sum(c, draft.side_a, "a");
-    if (out_.rule == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
+    if (rule_ == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
       joint.merged = c.element_b != kBase;  // both elements share the points of the one
     } else if (c.element_b != kBase) {
       check_sum(c, draft.side_b, "b");
@@ -228,19 +267,16 @@ class FaceCutter {
     if (segments_.empty()) return;
     std::vector<Segment> none;
     const Frame frame = centre_on(g, segments_, none);
-    out_.patches.push_back({element, face, frame, store_.keep(segments_)});
+    patches_.push_back({element, face, frame, store_.keep(segments_)});
   }
-
-  /// Segments of a joint from the corner of its face a.
-  struct Draft {
-    std::vector<Segment> side_a, side_b;
-  };
 
   const Scene& scene_;
   std::span<const Contact> contacts_;
+  SegmentRule rule_;
   SegmentStore& store_;
-  Assembly& out_;
-  std::unordered_map<std::int32_t, Draft> drafts_;  // by contact: of joints one side of which is to be cut yet
+  HalfJoints& halves_;
+  std::vector<Joint>& joints_;
+  std::vector<FreePatch> patches_;
   Matcher matcher_;
   Cutter cutter_;
   std::vector<Piece> pieces_;
@@ -264,14 +300,23 @@ void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly
   const auto store = std::make_shared<SegmentStore>();
   out.segments = store;
   const SidesByFace by_face = sort_sides(scene, contacts);
-  FaceCutter cutter(scene, contacts, *store, out);
-  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
-    for (std::int32_t f = 0; f < scene.elements[e].face_count; ++f) {
-      const auto face = static_cast<std::size_t>(scene.elements[e].first_face + f);
-      const auto first = static_cast<std::size_t>(by_face.start[face]), end = static_cast<std::size_t>(by_face.start[face + 1]);
-      cutter.cut_face(static_cast<std::int32_t>(e), f, std::span(by_face.sides).subspan(first, end - first));
+  HalfJoints halves;
+  std::vector<std::vector<FreePatch>> patches(range_count(scene.elements.size()));
+  for_ranges(scene.elements.size(), scene.threads, [&](std::size_t range, std::size_t first, std::size_t last) {
+    FaceCutter cutter(scene, contacts, out.rule, *store, halves, out.joints);
+    for (std::size_t e = first; e < last; ++e) {
+      for (std::int32_t f = 0; f < scene.elements[e].face_count; ++f) {
+        const auto face = static_cast<std::size_t>(scene.elements[e].first_face + f);
+        const auto begin = static_cast<std::size_t>(by_face.start[face]), end = static_cast<std::size_t>(by_face.start[face + 1]);
+        cutter.cut_face(static_cast<std::int32_t>(e), f, std::span(by_face.sides).subspan(begin, end - begin));
+      }
     }
-  }
+    patches[range] = cutter.take_patches();
+  });
+  std::size_t count = 0;
+  for (const std::vector<FreePatch>& p : patches) count += p.size();
+  out.patches.reserve(count);
+  for (const std::vector<FreePatch>& p : patches) out.patches.insert(out.patches.end(), p.begin(), p.end());
 }
 
 }  // namespace voussoir::geometry

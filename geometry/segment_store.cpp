@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/segment_store.h"
 
+#include <functional>
+
 namespace voussoir::geometry {
 
 namespace {
@@ -13,10 +15,14 @@ SegmentList list_of(std::string_view bytes) { return {reinterpret_cast<const Seg
 
 SegmentList SegmentStore::keep(SegmentList segments) {
   if (segments.empty()) return {};
-  const auto found = by_bytes_.find(bytes_of(segments));
-  if (found != by_bytes_.end()) return list_of(*found);
-  const std::vector<Segment>& kept = lists_.emplace_back(segments.begin(), segments.end());
-  by_bytes_.insert(bytes_of(kept));
+  const std::string_view bytes = bytes_of(segments);
+  const std::size_t hash = std::hash<std::string_view>{}(bytes);
+  Shelf& shelf = shelves_[hash % shelves_.size()];
+  const std::scoped_lock hold(shelf.lock);
+  const auto found = shelf.known.find({bytes, hash});
+  if (found != shelf.known.end()) return list_of(found->bytes);
+  const std::vector<Segment>& kept = shelf.lists.emplace_back(segments.begin(), segments.end());
+  shelf.known.insert({bytes_of(kept), hash});
   return kept;
 }
 

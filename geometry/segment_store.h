@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <deque>
+#include <mutex>
 #include <span>
 #include <string_view>
 #include <unordered_set>
@@ -25,12 +28,25 @@ class SegmentStore {
   SegmentStore(const SegmentStore&) = delete;
   SegmentStore& operator=(const SegmentStore&) = delete;
 
-  /// The kept list that equals `segments` bit for bit; added if new. Valid as long as the store.
+  /// The kept list that equals `segments` bit for bit; added if new. Valid as long as the store. Any number of threads may call it at once.
   SegmentList keep(SegmentList segments);
 
  private:
-  std::deque<std::vector<Segment>> lists_;        // in which nothing ever moves
-  std::unordered_set<std::string_view> by_bytes_;  // the same lists
+  struct Hashed {
+    std::string_view bytes;  // of a list
+    std::size_t hash;
+    friend bool operator==(const Hashed& a, const Hashed& b) { return a.bytes == b.bytes; }
+  };
+  struct HashOf {
+    std::size_t operator()(const Hashed& h) const noexcept { return h.hash; }
+  };
+  /// Lists of some hashes, so that threads seldom wait for each other.
+  struct Shelf {
+    std::mutex lock;
+    std::deque<std::vector<Segment>> lists;    // in which nothing ever moves
+    std::unordered_set<Hashed, HashOf> known;  // the same lists
+  };
+  std::array<Shelf, 64> shelves_;
 };
 
 }  // namespace voussoir::geometry

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/grid.h"
 #include "geometry/message.h"
+#include "geometry/ranges.h"
 #include "geometry/solids/mesh.h"
 #include "geometry/solids/overlaps.h"
 
@@ -126,6 +128,24 @@ bool in_order(const Contact& x, const Contact& y) {
   return key(x) < key(y);
 }
 
+/// Element i with the base and those after it. \param near  scratch
+void meet_neighbours(const Scene& scene, std::optional<double> base_z, const UniformGrid& grid, std::int32_t i,
+                     std::vector<std::int32_t>& near, std::vector<Contact>& out, std::vector<Overlap>& overlaps) {
+  const auto first = static_cast<std::ptrdiff_t>(out.size());
+  const bool ground = scene.parts[static_cast<std::size_t>(i)].ground;
+  if (base_z && !ground) touch_base(scene, i, *base_z, out);
+  const Box3& box = scene.boxes[static_cast<std::size_t>(i)];
+  const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
+  near.clear();
+  grid.query({box.low - margin, box.high + margin}, near);
+  for (const std::int32_t j : near) {
+    if (j <= i || (ground && scene.parts[static_cast<std::size_t>(j)].ground)) continue;
+    find_overlap(scene, i, j, overlaps);
+    touch_elements(scene, i, j, out);
+  }
+  std::sort(out.begin() + first, out.end(), in_order);
+}
+
 }  // namespace
 
 PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b) {
@@ -145,23 +165,26 @@ PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b) {
 std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> base_z) {
   UniformGrid grid;
   grid.build(scene.boxes);
-  std::vector<Contact> out;
-  std::vector<Overlap> overlaps;
-  std::vector<std::int32_t> near;
-  const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(scene.elements.size()); ++i) {
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
-    const bool ground = scene.parts[static_cast<std::size_t>(i)].ground;
-    if (base_z && !ground) touch_base(scene, i, *base_z, out);
-    const Box3& box = scene.boxes[static_cast<std::size_t>(i)];
-    near.clear();
-    grid.query({box.low - margin, box.high + margin}, near);
-    for (const std::int32_t j : near) {
-      if (j <= i || (ground && scene.parts[static_cast<std::size_t>(j)].ground)) continue;
-      find_overlap(scene, i, j, overlaps);
-      touch_elements(scene, i, j, out);
+  struct Found {
+    std::vector<Contact> contacts;
+    std::vector<Overlap> overlaps;
+  };
+  std::vector<Found> found(range_count(scene.elements.size()));
+  for_ranges(scene.elements.size(), scene.threads, [&](std::size_t range, std::size_t first, std::size_t last) {
+    std::vector<std::int32_t> near;
+    for (std::size_t i = first; i < last; ++i) {
+      meet_neighbours(scene, base_z, grid, static_cast<std::int32_t>(i), near, found[range].contacts, found[range].overlaps);
     }
-    std::sort(out.begin() + first, out.end(), in_order);
+  });
+  std::size_t count = 0;
+  for (const Found& f : found) count += f.contacts.size();
+  std::vector<Contact> out;
+  out.reserve(count);
+  std::vector<Overlap> overlaps;
+  for (Found& f : found) {
+    std::ranges::move(f.contacts, std::back_inserter(out));
+    overlaps.insert(overlaps.end(), f.overlaps.begin(), f.overlaps.end());
+    f = {};
   }
   refuse_overlaps(scene, overlaps);
   return out;

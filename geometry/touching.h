@@ -42,6 +42,7 @@ struct Scene {
   std::span<const Element> elements;
   std::span<const FaceGrid> grids;  // of the faces, by element
   std::span<const Box3> boxes;      // by element
+  int threads = 1;                  // that work on it
 };
 
 /// How deep the interiors of two elements are in one another [m]: the least overlap along any face normal or product of two edges.

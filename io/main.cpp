@@ -357,6 +357,7 @@ int main(int argc, char** argv) {
   add_manual(app, w);
   try {
     app.parse(argc, argv);
+    io::use_threads(app.got_subcommand("resume") ? w.resume.threads : w.run.threads);
     return dispatch(app, w);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;

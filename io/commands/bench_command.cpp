@@ -223,7 +223,7 @@ int bench_checkpoint(const std::string& path, const BenchOptions& o) {
   CheckpointFacts facts = read_checkpoint(path).facts;
   cases::Case value = read_case({path, facts.case_toml, "."}).value;
   for (std::size_t i = 0; i < std::min(facts.stones.size(), value.stones.size()); ++i) value.stones[i].stones = std::move(facts.stones[i]);
-  const cases::Model model = cases::build_model(value);
+  const cases::Model model = cases::build_model(value, omp_get_max_threads());
   bench(build, model, o);
   return kDone;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/session/prepared_case.h"
 
+#include <omp.h>
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -64,7 +66,7 @@ void warn_of_frequency(const cases::Case& c, const cases::Model& model) {
 }  // namespace
 
 cases::Model prepared_model(const cases::Case& c) {
-  cases::Model model = cases::build_model(c);
+  cases::Model model = cases::build_model(c, omp_get_max_threads());
   load_support_motions(model, c.folder);
   cases::check_followed_points(c, model);
   return model;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/session/restored_run.h"
 
+#include <omp.h>
+
 #include <cstdio>
 
 #include "io/files/errors.h"
@@ -55,7 +57,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->facts = std::move(checkpoint.facts);
   r->value = std::move(value);
   fill_stones(*r);
-  r->model = cases::build_model(r->value);
+  r->model = cases::build_model(r->value, omp_get_max_threads());
   fill_supports(*r);
   options.reference_kernels = r->facts.reference_kernels;
   options.step = r->facts.step;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/session/waiting_threads.h"
 
+#include <omp.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -59,6 +60,10 @@ void let_threads_sleep(char** argv, bool watch) {
   std::error_code none;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();
   execv(self.c_str(), argv);  // returns only if it could not
+}
+
+void use_threads(int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
 }
 
 std::string waiting_threads() {

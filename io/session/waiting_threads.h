@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// How long threads that wait for each other spin before they sleep. Many times a step they do.
+/// How many threads there are, and how long those that wait for each other spin before they sleep. Many times a step they do.
 namespace voussoir::io {
 
 /// Settles it, unless the user has (OMP_WAIT_POLICY, GOMP_SPINCOUNT, KMP_BLOCKTIME). By default the runtime's threads spin for
@@ -13,6 +13,9 @@ namespace voussoir::io {
 /// nearly as long. On a busy one they sleep at once. The runtime reads this before main, so the program starts itself again. \param watch
 /// look for a moment whether the machine is quiet; else it counts as busy
 void let_threads_sleep(char** argv, bool watch);
+
+/// The number of threads for all that the program does from here on; 0: as OpenMP decides.
+void use_threads(int threads);
 
 /// What holds, for people.
 std::string waiting_threads();

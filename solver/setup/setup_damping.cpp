@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <omp.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -93,14 +95,23 @@ class DampingMatrices {
 void set_up_damping_bound(World& w) {
   const geometry::Assembly& a = w.model.assembly;
   DampingMatrices matrices(w);
-  for (const geometry::Joint& j : a.joints) {
-    matrices.add(j.element_a, j.face_a, j.frame, j.side_a);
-    if (j.element_b != geometry::kBase) matrices.add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
-  }
-  for (const geometry::FreePatch& p : a.patches) matrices.add(p.element, p.face, p.frame, p.segments);
-  for (std::int32_t i = 0; i < w.elements.count; ++i) {
-    const auto e = static_cast<std::size_t>(i);
-    if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);
+#pragma omp parallel num_threads(w.threads)
+  {
+    // Each thread goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
+    const auto bound = [&](std::int64_t i) { return static_cast<std::int32_t>(i * w.elements.count / omp_get_num_threads()); };
+    const std::int32_t first = bound(omp_get_thread_num()), last = bound(omp_get_thread_num() + 1);
+    const auto add = [&](std::int32_t element, std::int32_t face, const geometry::Frame& frame, geometry::SegmentList segments) {
+      if (first <= element && element < last) matrices.add(element, face, frame, segments);
+    };
+    for (const geometry::Joint& j : a.joints) {
+      add(j.element_a, j.face_a, j.frame, j.side_a);
+      if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
+    }
+    for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame, p.segments);
+    for (std::int32_t i = first; i < last; ++i) {
+      const auto e = static_cast<std::size_t>(i);
+      if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);
+    }
   }
 }
 

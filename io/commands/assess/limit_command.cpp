@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/assess/limit_command.h"
 
+#include <omp.h>
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -54,7 +56,7 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
       std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
     };
   }
-  const cases::Model model = cases::build_model(c.value);
+  const cases::Model model = cases::build_model(c.value, omp_get_max_threads());
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
