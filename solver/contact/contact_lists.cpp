@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "solver/world/first_touch.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -39,7 +41,7 @@ void rank_found(SearchRoom& room) {
 }
 
 /// Gives every patch that has candidates its slots. Leaves the lists of before in the room.
-void lay_out(Contacts& c, SearchRoom& room) {
+void lay_out(Contacts& c, SearchRoom& room, int threads) {
   std::swap(c.active, room.active), std::swap(c.first_slot, room.first_slot), std::swap(c.candidate, room.candidate);
   c.active.clear(), c.first_slot.clear();
   room.first_of.resize(room.candidates.size() + 1);
@@ -52,7 +54,8 @@ void lay_out(Contacts& c, SearchRoom& room) {
   room.first_of.back() = at;
   c.first_slot.push_back(at);
   const auto slots = static_cast<std::size_t>(at);
-  c.candidate.resize(slots), c.element.resize(slots), c.wrench.resize(slots), c.on.assign(slots, 0);
+  resize_in_shares(c.candidate, slots, threads), resize_in_shares(c.element, slots, threads), resize_in_shares(c.wrench, slots, threads);
+  c.on.assign(slots, 0);
 }
 
 void put(Contacts& c, std::int64_t slot, const kernels::Candidate& k) {
@@ -147,7 +150,7 @@ void replace_candidates(World& w) {
 #pragma omp parallel num_threads(w.threads)
   count_kept(c, room);
   rank_found(room);
-  lay_out(c, room);
+  lay_out(c, room, w.threads);
 #pragma omp parallel num_threads(w.threads)
   {
     fill_slots(c, room);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "solver/world/first_touch.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -13,9 +15,9 @@ namespace {
 constexpr std::ptrdiff_t kScattered = 128;  // patches out of order that cost more than sorting, which takes some ten steps' time
 
 template <class Column>
-void reorder(Column& column, const std::vector<std::size_t>& order) {
+void reorder(Column& column, const std::vector<std::size_t>& order, int threads) {
   Column sorted;
-  sorted.reserve(column.size());
+  reserve_in_shares(sorted, column.size(), threads);
   for (const std::size_t i : order) sorted.push_back(column[i]);
   column = std::move(sorted);
 }
@@ -30,9 +32,9 @@ std::vector<std::int64_t> ends_of_points(const Patches& p) {
 }
 
 template <class Column>
-void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
+void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, int threads) {
   Column sorted;
-  sorted.reserve(column.size());
+  reserve_in_shares(sorted, column.size(), threads);
   for (const std::size_t i : order) sorted.insert(sorted.end(), column.begin() + ends[i], column.begin() + ends[i + 1]);
   column = std::move(sorted);
 }
@@ -43,7 +45,8 @@ bool is_zero(const kernels::PointSprings& springs) {
 }
 
 /// Writes only what is not zero: see ZeroArray.
-void reorder_springs(ZeroArray<kernels::PointSprings>& springs, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order) {
+void reorder_springs(ZeroArray<kernels::PointSprings>& springs, const std::vector<std::int64_t>& ends,
+                     const std::vector<std::size_t>& order) {
   ZeroArray<kernels::PointSprings> sorted;
   sorted.assign_zeros(springs.size());
   std::size_t to = 0;
@@ -73,12 +76,12 @@ void sort_patches(World& w) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p.element[a] < p.element[b]; });
   const std::vector<std::int64_t> ends = ends_of_points(p);
-  for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order);
+  for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order, w.threads);
   reorder_springs(p.springs, ends, order);
-  reorder(p.patch, order);
-  reorder(p.element, order);
-  reorder(p.from_side, order);
-  reorder(p.mastered, order);
+  reorder(p.patch, order, w.threads);
+  reorder(p.element, order, w.threads);
+  reorder(p.from_side, order, w.threads);
+  reorder(p.mastered, order, w.threads);
   place_points(p, ends, order);
   w.contacts.room.patches = {};
 }

@@ -12,6 +12,7 @@
 #include "cases/census.h"
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
+#include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
 
@@ -53,20 +54,20 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
 namespace {
 
 /// Room for the free patches of the intact model: without it the arrays would end with up to twice of what they need.
-void reserve_patches(Patches& p, const std::vector<geometry::FreePatch>& patches) {
+void reserve_patches(Patches& p, const std::vector<geometry::FreePatch>& patches, int threads) {
   std::int64_t points = 0;
   for (const geometry::FreePatch& f : patches) points += round_up(static_cast<std::int64_t>(f.segments.size()), kernels::kLanes);
   const auto n = static_cast<std::size_t>(points);
-  p.patch.reserve(patches.size());
+  reserve_in_shares(p.patch, patches.size(), threads);
   p.element.reserve(patches.size()), p.from_side.reserve(patches.size()), p.mastered.reserve(patches.size());
-  p.partner.reserve(n), p.face.reserve(n);
+  reserve_in_shares(p.partner, n, threads), reserve_in_shares(p.face, n, threads);
 }
 
 }  // namespace
 
 void set_up_patches(World& w) {
   const geometry::Assembly& a = w.model.assembly;
-  reserve_patches(w.patches, a.patches);
+  reserve_patches(w.patches, a.patches, w.threads);
   PointSetBuilder sets(w.points);
   for (const geometry::FreePatch& p : a.patches) {
     const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];

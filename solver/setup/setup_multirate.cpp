@@ -4,6 +4,7 @@
 
 #include "cases/census.h"
 #include "solver/setup/setup.h"
+#include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
 
@@ -75,9 +76,9 @@ void set_up_multirate(World& w, const cases::Case& c) {
   m.rows.resize(m.every.size() - 1);
   w.moved_at.assign(rows / kernels::kBatch, 0);
   for (Multirate::Rows& r : m.rows) {
-    r.twist.assign(rows * kernels::kTwistStride, 0.0);
-    r.wrench.assign(rows * kernels::kWrenchStride, 0.0);
-    r.dashpot.assign(rows * kernels::kDashpotStride, 0.0);
+    assign_in_shares(r.twist, rows * kernels::kTwistStride, 0.0, w.threads);
+    assign_in_shares(r.wrench, rows * kernels::kWrenchStride, 0.0, w.threads);
+    assign_in_shares(r.dashpot, rows * kernels::kDashpotStride, 0.0, w.threads);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "solver/setup/point_sets.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/side_kinds.h"
+#include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
 
@@ -62,8 +63,8 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
     const bool one = on_base || (j.merged && w.options.merge_sides);
     const NewSide& first = sides.emplace_back(
         NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
-                on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame,
-                j.side_a, one ? 1.0 : 0.5, one && !on_base ? 2 : 1});
+                on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame, j.side_a,
+                one ? 1.0 : 0.5, one && !on_base ? 2 : 1});
     if (one) continue;
     NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, j.frame, {}, 0.5, 1};
     second.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, second.frame));
@@ -124,14 +125,19 @@ kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dr
   return {factor * law.tension, factor * law.cohesion, tan_phi, factor * law.compression, law.cap, friction};
 }
 
-void size_side_arrays(Sides& s, std::size_t blocks) {
+/// Threads share the sides of each colour. \param points  of all sides
+void size_side_arrays(Sides& s, std::size_t blocks, std::size_t points, int threads) {
   const std::size_t n = blocks * kernels::kLanes;
-  s.blocks.assign(blocks, kernels::SideBlock{});
+  std::vector<std::int64_t> block_borders, side_borders;  // of colours
+  for (const std::int32_t task : s.colour_first) block_borders.push_back(s.task_first[static_cast<std::size_t>(task)]);
+  for (const std::int64_t b : block_borders) side_borders.push_back(b * kernels::kLanes);
+  assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, threads, block_borders);
+  assign_in_shares(s.parts, n, {}, threads, side_borders);
+  reserve_in_shares(s.bond, points, threads);
   s.steady.assign_zeros(blocks);
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   s.size.assign(n, 0.0);
   for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
-  s.parts.assign(n, {});
   s.faces.assign(n, 1);
   s.side_state.assign(n, kernels::SideState::segments);
   s.retired.assign(n, 1);
@@ -316,7 +322,9 @@ void set_up_sides(World& w, const cases::Case& c) {
   std::vector<NewSide> sides = sides_of(w, turned);
   const SideKinds kinds = sort_by_kind(w, c, sides);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
-  size_side_arrays(w.sides, numbered.size() / kernels::kLanes);
+  std::int64_t points = 0;
+  for (const NewSide& s : sides) points += round_up(static_cast<std::int64_t>(s.segments.size()), kernels::kLanes);
+  size_side_arrays(w.sides, numbered.size() / kernels::kLanes, static_cast<std::size_t>(points), w.threads);
   fill_blocks(w, sides, numbered, kinds);
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/world/first_touch.h"
+
+#include <omp.h>
+
+#include <array>
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::size_t kPage = 4096;
+constexpr std::size_t kLeast = 16 * kPage;  // below it an array is in the caches of who needs it
+
+}  // namespace
+
+void touch_in_shares(void* data, std::size_t count, std::size_t width, int threads, std::span<const std::int64_t> borders) {
+  if (threads < 2 || count * width < kLeast) return;
+  auto* bytes = static_cast<volatile unsigned char*>(data);
+  const std::array<std::int64_t, 2> whole{0, static_cast<std::int64_t>(count)};
+  if (borders.size() < 2) borders = whole;
+#pragma omp parallel num_threads(threads)
+  {
+    const auto team = static_cast<std::size_t>(omp_get_num_threads()), own = static_cast<std::size_t>(omp_get_thread_num());
+    for (std::size_t s = 0; s + 1 < borders.size(); ++s) {
+      const auto first = static_cast<std::size_t>(borders[s]) * width, size = static_cast<std::size_t>(borders[s + 1]) * width - first;
+      for (std::size_t at = first + size * own / team; at < first + size * (own + 1) / team; at += kPage) bytes[at] = 0;
+    }
+  }
+}
+
+}  // namespace voussoir::solver
