@@ -161,7 +161,7 @@ struct Cut {
 };
 struct Output {
   double history_interval = 0.001;  // s
-  double frame_interval = 0.02;     // s
+  std::optional<double> frame_interval;  // s; absent = "auto", see cases/census.h
   double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
   std::vector<Cut> cuts;  // key: cut

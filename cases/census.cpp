@@ -3,6 +3,7 @@
 #include "cases/census.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -111,6 +112,19 @@ void find_step_bound(const Model& model, Census& result) {
 }
 
 }  // namespace
+
+double frame_interval(const Case& c, std::size_t elements) {
+  if (c.output.frame_interval) return *c.output.frame_interval;
+  constexpr std::array kSeries{0.02, 0.05, 0.1};  // s, and ten times, a hundred times these
+  constexpr double kMost = 40e6;                  // elements times frames
+  double interval = kSeries[0];
+  if (is_assessment(c.analysis)) return interval;
+  const auto frames = [&] { return std::floor(c.time.duration / interval) + 1.0; };
+  for (std::size_t k = 1; interval<c.time.duration&& static_cast<double>(elements) * frames()> kMost; ++k) {
+    interval = kSeries[k % 3] * std::pow(10.0, k / 3);
+  }
+  return interval;
+}
 
 Census census(const Model& model) {
   Census result;

@@ -318,6 +318,22 @@ Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::st
           [=](const S& s) { return value_text(std::invoke(get, s)); }, nullptr, nullptr};
 }
 
+/// A positive number, or the word "auto" for none.
+template <class S>
+Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::string unit, std::string sentence) {
+  Key<S> key = value<S>(std::move(name), get, std::move(unit), above(0.0), std::move(sentence));
+  key.info.shape = "\"auto\" or a number";
+  key.read = [get, info = key.info](const Node& node, S& s, Reading& reading, const std::string& path) {
+    if (same_word(node, "\"auto\"")) {
+      (s.*get).reset();
+    } else {
+      read_value(node, s.*get, info, reading, path);
+    }
+  };
+  key.text = [get](const S& s) { return s.*get ? value_text(*(s.*get)) : "\"auto\""; };
+  return key;
+}
+
 /// A word out of a few, each with the value it stands for; the words of a number are the number itself, without quotes.
 template <class S, class Get, class T>
 Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair<std::string, T>> words, std::string sentence) {

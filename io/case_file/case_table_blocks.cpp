@@ -240,7 +240,9 @@ Table<Output> output_table() {
   return {"what is written, and how often",
           {value<S>("history_interval", &S::history_interval, "s", above(0.0),
                     "between rows of histories; time.step = \"auto\" takes a step that divides it"),
-           value<S>("frame_interval", &S::frame_interval, "s", above(0.0), "between frames of the whole model"),
+           auto_or_number<S>("frame_interval", &S::frame_interval, "s",
+                             "between frames of the whole model; auto: 0.02, or for large models as much as keeps elements times frames "
+                             "below 40 million"),
            value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
            table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
           [](const S& s, const RuleCheck& check) {

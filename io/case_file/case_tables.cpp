@@ -18,26 +18,11 @@ Table<Gravity> gravity_table() {
           nullptr};
 }
 
-/// A step in s, or "auto" for none.
-Key<Time> step_key() {
-  Key<Time> key =
-      value<Time>("step", &Time::step, "s", above(0.0), "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval");
-  key.info.shape = "\"auto\" or a number";
-  key.read = [info = key.info](const Node& node, Time& time, Reading& reading, const std::string& path) {
-    if (same_word(node, "\"auto\"")) {
-      time.step.reset();
-    } else {
-      read_value(node, time.step, info, reading, path);
-    }
-  };
-  key.text = [](const Time& time) { return time.step ? value_text(*time.step) : "\"auto\""; };
-  return key;
-}
-
 Table<Time> time_table() {
   using S = Time;
   return {"time step and duration",
-          {step_key(), value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
+          {auto_or_number<S>("step", &S::step, "s", "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval"),
+           value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
            value<S>("multirate", &S::multirate, "", within(1.0, 8.0),

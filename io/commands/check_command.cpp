@@ -130,7 +130,8 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
-  const double frames = std::floor(c.end() / c.output.frame_interval) + 1.0;
+  const double interval = cases::frame_interval(c, static_cast<std::size_t>(n.elements));
+  const double frames = std::floor(c.end() / interval) + 1.0;
   const double rows = c.end() / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
   try {
@@ -143,7 +144,8 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   } catch (const solver::NumericalError& e) {
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
   }
-  std::printf("memory, disk             about %.0f MB, %.0f MB\n", memory / kMegabyte, disk / kMegabyte);
+  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", memory / kMegabyte, disk / kMegabyte,
+              cases::text(interval).c_str());
 }
 
 /// What the files of stones gave, and what was done to them.

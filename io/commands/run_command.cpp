@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "cases/census.h"
 #include "io/files/errors.h"
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
@@ -31,7 +32,9 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   warn_of_slips(c.value, model);
 
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
-  const std::string resolved = resolved_toml(anchored(c.value));
+  cases::Case used = anchored(c.value);
+  used.output.frame_interval = cases::frame_interval(used, model.blocks.size());
+  const std::string resolved = resolved_toml(used);
   ResultsOptions kept;
   kept.motion = motion_datasets(c.value, motion, sim.dt());
   kept.cuts = cut_names(c.value);

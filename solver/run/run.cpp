@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "cases/census.h"
 #include "cases/ties.h"
 #include "solver/run/collapse.h"
 #include "solver/world/errors.h"
@@ -124,7 +125,7 @@ class Plan {
         end_(end),
         after_collapse_(cases::is_assessment(c.analysis) ? 0.0 : c.time.after_collapse),
         history_(in_cycles(c.output.history_interval, sim)),
-        frame_(in_cycles(c.output.frame_interval, sim)),
+        frame_(in_cycles(cases::frame_interval(c, sim.world().model.blocks.size()), sim)),
         ledger_(in_cycles(c.output.ledger_interval, sim)),
         last_(last_step(sim, end)) {
     end_after_collapse();

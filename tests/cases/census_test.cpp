@@ -257,3 +257,22 @@ TEST_CASE("any house is built whole or refused") {
   CHECK(built > 80);
   CHECK(refused > 80);
 }
+
+TEST_CASE("frames of large models lie farther apart, unless the case says how far") {
+  Case c;
+  c.time.duration = 10.0;
+  CHECK(frame_interval(c, 4'263) == 0.02);
+  CHECK(frame_interval(c, 79'840) == 0.02);  // times 501 frames: just below 40 million
+  CHECK(frame_interval(c, 79'841) == 0.05);
+  CHECK(frame_interval(c, 300'000) == 0.1);
+  CHECK(frame_interval(c, 1'065'750) == 0.5);
+  CHECK(frame_interval(c, 1'000'000'000) >= c.time.duration);  // the first, and what stands at the end
+  c.time.duration = 0.0;
+  CHECK(frame_interval(c, 1'000'000'000) == 0.02);
+  c.time.duration = 10.0;
+  c.output.frame_interval = 0.02;
+  CHECK(frame_interval(c, 1'065'750) == 0.02);
+  c.output.frame_interval.reset();
+  c.analysis.kind = AnalysisKind::pushover;
+  CHECK(frame_interval(c, 1'065'750) == 0.02);
+}

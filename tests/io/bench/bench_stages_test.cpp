@@ -19,7 +19,7 @@ using namespace voussoir;
 
 TEST_CASE("a step is split among its parts for every team; the run goes on and tells its rows") {
   cases::Case c = testing::small_wall(6, 6);
-  c.output.ledger_interval = c.output.frame_interval = 1e-4;
+  c.output.ledger_interval = 1e-4, c.output.frame_interval = 1e-4;
   const cases::Model model = cases::build_model(c);
   const io::test::TempFolder folder;
   const std::array counts{1, 2}, steps{40, 40};

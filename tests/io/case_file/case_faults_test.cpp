@@ -123,6 +123,9 @@ TEST_CASE("faults: ranges name the value and what is allowed") {
   for (const char* key : {"history_interval", "frame_interval", "ledger_interval"}) {
     CHECK(refusal("[output]\n" + std::string(key) + " = 0.0") == "test.toml:2: output." + std::string(key) + " = 0 s: must be > 0");
   }
+  CHECK(refusal("[output]\nframe_interval = \"auto\"") == "accepted");
+  CHECK(refusal("[output]\nframe_interval = \"often\"") ==
+        "test.toml:2: output.frame_interval = \"often\": found a string in quotes, wanted \"auto\" or a number (s, > 0)");
   CHECK(refusal("[segments]\nsize = 0") != "accepted");
   CHECK(refusal("[house]\ncopies = [0, 1]") == "test.toml:2: house.copies[0] = 0: must be in [1, 1000]");
   CHECK(refusal("[house]\ncopies = [4294967297, 1]") != "accepted");

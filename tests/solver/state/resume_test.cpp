@@ -186,8 +186,8 @@ TEST_CASE("a run ends so long after the collapse as the case says, and is told o
   REQUIRE(collapse > 0.3);
   REQUIRE(collapse < 1.2);
   CHECK(whole.summary.end_time == doctest::Approx(1.4 + 2e-4));
-  const auto frame = std::llround(collapse / c.output.frame_interval);
-  CHECK(collapse == doctest::Approx(static_cast<double>(frame) * c.output.frame_interval));
+  const auto frame = std::llround(collapse / *c.output.frame_interval);
+  CHECK(collapse == doctest::Approx(static_cast<double>(frame) * *c.output.frame_interval));
 
   c.time.after_collapse = 0.1;
   const Outcome cut = run_with_stops(c, {}, {1}, {}, 1.4);
