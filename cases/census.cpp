@@ -119,9 +119,11 @@ double frame_interval(const Case& c, std::size_t elements) {
   constexpr double kMost = 40e6;                  // elements times frames
   double interval = kSeries[0];
   if (is_assessment(c.analysis)) return interval;
-  const auto frames = [&] { return std::floor(c.time.duration / interval) + 1.0; };
-  for (std::size_t k = 1; interval<c.time.duration&& static_cast<double>(elements) * frames()> kMost; ++k) {
-    interval = kSeries[k % 3] * std::pow(10.0, k / 3);
+  const auto too_many = [&] { return static_cast<double>(elements) * (std::floor(c.time.duration / interval) + 1.0) > kMost; };
+  for (std::size_t k = 1; too_many(); ++k) {
+    const double longer = kSeries[k % 3] * std::pow(10.0, k / 3);
+    if (10.0 * longer > c.time.duration) break;
+    interval = longer;
   }
   return interval;
 }

@@ -52,8 +52,9 @@ struct Census {
 
 Census census(const Model& model);
 
-/// s between frames: as the case says it. "auto" is 0.02 s, or for large models the least of 0.05, 0.1, 0.2, 0.5, 1, ... s with which
-/// elements times frames are at most 40 million (1.3 GB); for an assessment, which ends when it has found what it looks for, 0.02 s.
+/// s between frames: the number of the case, or what "auto" stands for. That is 0.02 s, or for large models the least of 0.05, 0.1, 0.2,
+/// 0.5, 1, ... s with which elements times frames are at most 40 million (1.3 GB), but no more than a tenth of the duration; 0.02 s for an
+/// assessment, which ends when it has found what it looks for.
 double frame_interval(const Case& c, std::size_t elements);
 
 /// Bound on the time step from one face (Eq. 19), s. \param distance  from the centroid to the face, m.

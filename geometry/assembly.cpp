@@ -7,7 +7,7 @@
 
 #include "geometry/joints.h"
 #include "geometry/message.h"
-#include "geometry/ranges.h"
+#include "geometry/parallel/ranges.h"
 #include "geometry/touching.h"
 
 namespace voussoir::geometry {

@@ -21,8 +21,8 @@ constexpr double kCellFactor = 1.25;
 /// So many boxes more a bucket has room for once boxes move from cell to cell.
 constexpr std::int32_t kRoom = 4;
 
-/// A box whose cells have no room goes to the list of large ones. The grid is filled again once the list has grown by this number, or by one
-/// box in kBoxesToSpill if that is more: to fill it costs a look at every box, and each query looks at every box of the list.
+/// A box whose cells have no room goes to the list of large ones. The grid is filled again once the list has grown by this number, or by
+/// one box in kBoxesToSpill if that is more: to fill it costs a look at every box, and each query looks at every box of the list.
 constexpr std::size_t kLeastSpilt = 16, kBoxesToSpill = 4096;
 
 bool intersect(const Box3& a, const Box3& b) {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "geometry/message.h"
-#include "geometry/ranges.h"
+#include "geometry/parallel/ranges.h"
 #include "geometry/rim_points.h"
 
 namespace voussoir::geometry {
@@ -115,10 +115,10 @@ struct Draft {
   std::vector<Segment> side_a, side_b;
 };
 
-/// Sides of joints whose other side is to be cut yet. Any number of threads may call it at once.
+/// Sides of joints of which one of two is cut. Any number of threads may call it at once.
 class HalfJoints {
  public:
-  /// Keeps the first side of a joint, and hands it out when the second one comes.
+  /// Keeps the side of a joint that is cut first, and hands it out when the second one is cut.
   std::optional<std::vector<Segment>> meet(std::int32_t contact, std::vector<Segment>& side) {
     const std::scoped_lock hold(lock_);
     const auto [first, is_new] = sides_.try_emplace(contact);
@@ -131,6 +131,8 @@ class HalfJoints {
     return other;
   }
 
+  [[nodiscard]] bool empty() const { return sides_.empty(); }
+
  private:
   std::mutex lock_;
   std::unordered_map<std::int32_t, std::vector<Segment>> sides_;  // by contact
@@ -139,7 +141,7 @@ class HalfJoints {
 /// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
 class FaceCutter {
  public:
-  /// \param joints  in the order of the contacts; those are filled whose last side it cuts
+  /// \param joints  in the order of the contacts; it fills a joint when it has cut its only side, or the second of its two
   FaceCutter(const Scene& scene, std::span<const Contact> contacts, SegmentRule rule, SegmentStore& store, HalfJoints& halves,
              std::vector<Joint>& joints)
       : scene_(scene), contacts_(contacts), rule_(rule), store_(store), halves_(halves), joints_(joints) {}
@@ -313,6 +315,7 @@ void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly
     }
     patches[range] = cutter.take_patches();
   });
+  if (!halves.empty()) throw std::logic_error("a joint has segments on one of its two faces alone");
   std::size_t count = 0;
   for (const std::vector<FreePatch>& p : patches) count += p.size();
   out.patches.reserve(count);

@@ -8,7 +8,7 @@
 
 #include "geometry/grid.h"
 #include "geometry/message.h"
-#include "geometry/ranges.h"
+#include "geometry/parallel/ranges.h"
 #include "geometry/solids/mesh.h"
 #include "geometry/solids/overlaps.h"
 
@@ -171,10 +171,11 @@ std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> bas
   };
   std::vector<Found> found(range_count(scene.elements.size()));
   for_ranges(scene.elements.size(), scene.threads, [&](std::size_t range, std::size_t first, std::size_t last) {
+    Found mine;
     std::vector<std::int32_t> near;
-    for (std::size_t i = first; i < last; ++i) {
-      meet_neighbours(scene, base_z, grid, static_cast<std::int32_t>(i), near, found[range].contacts, found[range].overlaps);
-    }
+    for (std::size_t i = first; i < last; ++i)
+      meet_neighbours(scene, base_z, grid, static_cast<std::int32_t>(i), near, mine.contacts, mine.overlaps);
+    found[range] = std::move(mine);
   });
   std::size_t count = 0;
   for (const Found& f : found) count += f.contacts.size();

@@ -30,7 +30,7 @@
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
 #include "io/session/prepared_case.h"
-#include "io/session/waiting_threads.h"
+#include "io/session/threads.h"
 #include "io/stones/stones.h"
 #include "solver/world/errors.h"
 

@@ -237,25 +237,26 @@ Table<Motion> motion_table() {
 
 Table<Output> output_table() {
   using S = Output;
-  return {"what is written, and how often",
-          {value<S>("history_interval", &S::history_interval, "s", above(0.0),
-                    "between rows of histories; time.step = \"auto\" takes a step that divides it"),
-           auto_or_number<S>("frame_interval", &S::frame_interval, "s",
-                             "between frames of the whole model; auto: 0.02, or for large models as much as keeps elements times frames "
-                             "below 40 million"),
-           value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
-           table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
-          [](const S& s, const RuleCheck& check) {
-            std::set<std::string> cuts;
-            for (std::size_t i = 0; i < s.cuts.size(); ++i) {
-              if (!cuts.insert(s.cuts[i].name).second) return check.fault(path_to("cut", i) + ".name", "is the name of another cut, too");
-            }
-            std::set<std::string> names;
-            for (std::size_t i = 0; i < s.history.size(); ++i) {
-              if (!names.insert(s.history[i].name).second)
-                return check.fault(path_to("history", i) + ".name", "is the name of another history, too");
-            }
-          }};
+  return {
+      "what is written, and how often",
+      {value<S>("history_interval", &S::history_interval, "s", above(0.0),
+                "between rows of histories; time.step = \"auto\" takes a step that divides it"),
+       auto_or_number<S>("frame_interval", &S::frame_interval, "s",
+                         "between frames of the whole model; auto: 0.02, or for large models the least of 0.05, 0.1, 0.2, 0.5, ... with "
+                         "which elements times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02"),
+       value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
+       table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
+      [](const S& s, const RuleCheck& check) {
+        std::set<std::string> cuts;
+        for (std::size_t i = 0; i < s.cuts.size(); ++i) {
+          if (!cuts.insert(s.cuts[i].name).second) return check.fault(path_to("cut", i) + ".name", "is the name of another cut, too");
+        }
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < s.history.size(); ++i) {
+          if (!names.insert(s.history[i].name).second)
+            return check.fault(path_to("history", i) + ".name", "is the name of another history, too");
+        }
+      }};
 }
 
 }  // namespace voussoir::io

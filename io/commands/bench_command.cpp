@@ -26,7 +26,7 @@
 #include "io/session/progress.h"
 #include "io/session/restored_run.h"
 #include "io/session/session.h"
-#include "io/session/waiting_threads.h"
+#include "io/session/threads.h"
 #include "solver/analysis/drive.h"
 #include "solver/bench/machine.h"
 #include "solver/bench/memory.h"

@@ -12,8 +12,8 @@
 #include "io/results/base_motion.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
-#include "solver/analysis/drive.h"
 #include "io/session/tie_lines.h"
+#include "solver/analysis/drive.h"
 
 namespace voussoir::io {
 
@@ -31,9 +31,10 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   print_bounded_ties(sim.world().ties, model);
   warn_of_slips(c.value, model);
 
-  const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   cases::Case used = anchored(c.value);
   used.output.frame_interval = cases::frame_interval(used, model.blocks.size());
+
+  const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(used);
   ResultsOptions kept;
   kept.motion = motion_datasets(c.value, motion, sim.dt());

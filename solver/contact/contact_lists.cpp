@@ -40,6 +40,10 @@ void rank_found(SearchRoom& room) {
   }
 }
 
+void reserve_slots(Contacts& c, std::size_t slots, int threads) {
+  reserve_in_shares(c.candidate, slots, threads), reserve_in_shares(c.element, slots, threads), reserve_in_shares(c.wrench, slots, threads);
+}
+
 /// Gives every patch that has candidates its slots. Leaves the lists of before in the room.
 void lay_out(Contacts& c, SearchRoom& room, int threads) {
   std::swap(c.active, room.active), std::swap(c.first_slot, room.first_slot), std::swap(c.candidate, room.candidate);
@@ -54,7 +58,8 @@ void lay_out(Contacts& c, SearchRoom& room, int threads) {
   room.first_of.back() = at;
   c.first_slot.push_back(at);
   const auto slots = static_cast<std::size_t>(at);
-  resize_in_shares(c.candidate, slots, threads), resize_in_shares(c.element, slots, threads), resize_in_shares(c.wrench, slots, threads);
+  reserve_slots(c, slots, threads);
+  c.candidate.resize(slots), c.element.resize(slots), c.wrench.resize(slots);
   c.on.assign(slots, 0);
 }
 
@@ -136,6 +141,7 @@ kernels::Candidate candidate_of(const World& w, std::int32_t element) {
 
 void list_candidates(World& w) {
   Contacts& c = w.contacts;
+  reserve_slots(c, c.element.size(), w.threads);
   c.candidate.clear();
   for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
   c.wrench.assign(c.element.size(), {});

@@ -51,23 +51,18 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   if (w.contact.crushing.on()) p.crushed.resize(end, 0.0);
 }
 
-namespace {
-
-/// Room for the free patches of the intact model: without it the arrays would end with up to twice of what they need.
-void reserve_patches(Patches& p, const std::vector<geometry::FreePatch>& patches, int threads) {
-  std::int64_t points = 0;
-  for (const geometry::FreePatch& f : patches) points += round_up(static_cast<std::int64_t>(f.segments.size()), kernels::kLanes);
-  const auto n = static_cast<std::size_t>(points);
-  reserve_in_shares(p.patch, patches.size(), threads);
-  p.element.reserve(patches.size()), p.from_side.reserve(patches.size()), p.mastered.reserve(patches.size());
-  reserve_in_shares(p.partner, n, threads), reserve_in_shares(p.face, n, threads);
+void reserve_patches(World& w, std::size_t patches, std::size_t points) {
+  Patches& p = w.patches;
+  reserve_in_shares(p.patch, patches, w.threads);
+  reserve_in_shares(p.partner, points, w.threads), reserve_in_shares(p.face, points, w.threads);
+  p.element.reserve(patches), p.from_side.reserve(patches), p.mastered.reserve(patches);
 }
-
-}  // namespace
 
 void set_up_patches(World& w) {
   const geometry::Assembly& a = w.model.assembly;
-  reserve_patches(w.patches, a.patches, w.threads);
+  std::int64_t points = 0;
+  for (const geometry::FreePatch& f : a.patches) points += round_up(static_cast<std::int64_t>(f.segments.size()), kernels::kLanes);
+  reserve_patches(w, a.patches.size(), static_cast<std::size_t>(points));
   PointSetBuilder sets(w.points);
   for (const geometry::FreePatch& p : a.patches) {
     const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];

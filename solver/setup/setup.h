@@ -55,6 +55,8 @@ void set_up_loads(World& w, const cases::Case& c);
 /// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand
 void set_initial_velocities(World& w);
 
+/// Room for so many free patches and their points in all. Without it arrays end with up to twice of what they need.
+void reserve_patches(World& w, std::size_t patches, std::size_t points);
 /// Appends a free patch with no partners.
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);
 

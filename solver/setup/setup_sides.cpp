@@ -125,15 +125,30 @@ kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dr
   return {factor * law.tension, factor * law.cohesion, tan_phi, factor * law.compression, law.cap, friction};
 }
 
-/// Threads share the sides of each colour. \param points  of all sides
-void size_side_arrays(Sides& s, std::size_t blocks, std::size_t points, int threads) {
+/// How many points, in lanes, the sides have that come before each colour; at last all.
+std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<NewSide>& sides, const std::vector<std::int32_t>& numbered) {
+  std::vector<std::int64_t> before;
+  std::int64_t points = 0;
+  std::size_t id = 0;
+  for (const std::int32_t task : s.colour_first) {
+    for (const std::size_t end = static_cast<std::size_t>(s.task_first[static_cast<std::size_t>(task)]) * kernels::kLanes; id < end; ++id) {
+      if (numbered[id] < 0) continue;
+      points += round_up(static_cast<std::int64_t>(sides[static_cast<std::size_t>(numbered[id])].segments.size()), kernels::kLanes);
+    }
+    before.push_back(points);
+  }
+  return before;
+}
+
+/// \param points  up to each colour, and of all sides
+void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t> points, int threads) {
   const std::size_t n = blocks * kernels::kLanes;
-  std::vector<std::int64_t> block_borders, side_borders;  // of colours
+  std::vector<std::int64_t> block_borders, side_borders;  // of colours: threads work on one after the other, each on a part of it
   for (const std::int32_t task : s.colour_first) block_borders.push_back(s.task_first[static_cast<std::size_t>(task)]);
   for (const std::int64_t b : block_borders) side_borders.push_back(b * kernels::kLanes);
   assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, threads, block_borders);
   assign_in_shares(s.parts, n, {}, threads, side_borders);
-  reserve_in_shares(s.bond, points, threads);
+  reserve_in_shares(s.bond, static_cast<std::size_t>(points.back()), threads, points);
   s.steady.assign_zeros(blocks);
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   s.size.assign(n, 0.0);
@@ -322,9 +337,7 @@ void set_up_sides(World& w, const cases::Case& c) {
   std::vector<NewSide> sides = sides_of(w, turned);
   const SideKinds kinds = sort_by_kind(w, c, sides);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
-  std::int64_t points = 0;
-  for (const NewSide& s : sides) points += round_up(static_cast<std::int64_t>(s.segments.size()), kernels::kLanes);
-  size_side_arrays(w.sides, numbered.size() / kernels::kLanes, static_cast<std::size_t>(points), w.threads);
+  size_side_arrays(w.sides, numbered.size() / kernels::kLanes, points_by_colour(w.sides, sides, numbered), w.threads);
   fill_blocks(w, sides, numbered, kinds);
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {

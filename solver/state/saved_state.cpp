@@ -15,6 +15,7 @@
 #include "solver/setup/setup.h"
 #include "solver/state/hash.h"
 #include "solver/world/errors.h"
+#include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
 
@@ -40,6 +41,7 @@ void grow_patches(World& w, const SavedState& from) {
   const SavedField& mastered = find(from, "patch_mastered");
   if (mastered.bytes.size() != sides.size()) throw StateError("field patch_mastered has another number of entries than patch_from_side");
   const Patches never_joined = std::exchange(w.patches, {});
+  reserve_patches(w, sides.size(), integers(from, "point_partner").size());
   std::size_t next = 0;
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(w.sides.count()), 0);  // 1: the master's, 2: the slave's
   for (std::size_t p = 0; p < sides.size(); ++p) {
@@ -72,7 +74,7 @@ void size_search(World& w, const SavedState& from) {
   c.active.assign(integers(from, "active_patch").size(), 0);
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
-  c.element.assign(slots, 0);
+  assign_in_shares(c.element, slots, 0, w.threads);
   c.stale_level = 0;
   c.room = {};
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});

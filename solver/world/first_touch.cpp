@@ -4,22 +4,18 @@
 
 #include <omp.h>
 
-#include <array>
-
 namespace voussoir::solver {
 
 namespace {
 
 constexpr std::size_t kPage = 4096;
-constexpr std::size_t kLeast = 16 * kPage;  // below it an array is in the caches of who needs it
+constexpr std::size_t kLeast = 16 * kPage;  // what is smaller stays in the caches, wherever its memory is
 
 }  // namespace
 
-void touch_in_shares(void* data, std::size_t count, std::size_t width, int threads, std::span<const std::int64_t> borders) {
-  if (threads < 2 || count * width < kLeast) return;
+void touch_in_shares(void* data, std::size_t width, int threads, std::span<const std::int64_t> borders) {
+  if (threads < 2 || borders.size() < 2 || static_cast<std::size_t>(borders.back() - borders.front()) * width < kLeast) return;
   auto* bytes = static_cast<volatile unsigned char*>(data);
-  const std::array<std::int64_t, 2> whole{0, static_cast<std::int64_t>(count)};
-  if (borders.size() < 2) borders = whole;
 #pragma omp parallel num_threads(threads)
   {
     const auto team = static_cast<std::size_t>(omp_get_num_threads()), own = static_cast<std::size_t>(omp_get_thread_num());

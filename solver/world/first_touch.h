@@ -2,42 +2,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-/// Memory near the threads that use it. A machine with several memories (NUMA) gives a page out of that of the core that writes there
-/// first.
+/// Memory near the threads that use it. On a machine with several memories (NUMA) the system takes a page out of the memory of the core
+/// that writes to it first; it matters where threads stay on their cores (OMP_PROC_BIND=close).
 namespace voussoir::solver {
 
-/// Has each of `threads` threads write first to its own share of an array that nobody has written to. Shares are equal parts of each
-/// section from border to border (ascending), as threads deal out what they do; none: one section. \param width  bytes of an entry
-void touch_in_shares(void* data, std::size_t count, std::size_t width, int threads, std::span<const std::int64_t> borders);
+/// Has each of `threads` threads be the first to write to its share of an array that nobody has written to: of each section of entries
+/// from one border to the next, thread k writes to the k-th of as many equal parts.
+/// \param width    bytes of an entry
+/// \param borders  ascending; entries that lie in no section are left alone
+void touch_in_shares(void* data, std::size_t width, int threads, std::span<const std::int64_t> borders);
 
-/// Room for n entries in all, touched in shares if it is new. Numbers and their order stay. Worth it only for arrays of the step.
+/// v.reserve(room); where that takes new memory, it is touched in shares. What is in it stays.
 template <class Vector>
-void reserve_in_shares(Vector& v, std::size_t n, int threads, std::span<const std::int64_t> borders = {}) {
-  if (n <= v.capacity()) return;
+void reserve_in_shares(Vector& v, std::size_t room, int threads, std::span<const std::int64_t> borders) {
+  if (room <= v.capacity()) return;
   Vector larger;
-  larger.reserve(n);
-  touch_in_shares(larger.data(), n, sizeof(typename Vector::value_type), threads, borders);
+  larger.reserve(room);
+  touch_in_shares(larger.data(), sizeof(typename Vector::value_type), threads, borders);
   larger.assign(v.begin(), v.end());
   v.swap(larger);
 }
 
-/// As v.assign(n, value).
+/// The same for n entries in one section, with room for half as many more: for arrays that grow.
+template <class Vector>
+void reserve_in_shares(Vector& v, std::size_t n, int threads) {
+  if (n > v.capacity()) reserve_in_shares(v, n + n / 2, threads, std::array<std::int64_t, 2>{0, static_cast<std::int64_t>(n)});
+}
+
+/// v.assign(n, value), in sections; without borders in one.
 template <class Vector>
 void assign_in_shares(Vector& v, std::size_t n, const typename Vector::value_type& value, int threads,
                       std::span<const std::int64_t> borders = {}) {
-  reserve_in_shares(v, n, threads, borders);
+  const std::array<std::int64_t, 2> whole{0, static_cast<std::int64_t>(n)};
+  reserve_in_shares(v, n, threads, borders.empty() ? std::span<const std::int64_t>(whole) : borders);
   v.assign(n, value);
-}
-
-/// As v.resize(n), with room for as much again where the array has to grow.
-template <class Vector>
-void resize_in_shares(Vector& v, std::size_t n, int threads) {
-  if (n > v.capacity()) reserve_in_shares(v, n > 2 * v.capacity() ? n : 2 * v.capacity(), threads);
-  v.resize(n);
 }
 
 }  // namespace voussoir::solver

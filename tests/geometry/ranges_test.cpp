@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/ranges.h"
+#include "geometry/parallel/ranges.h"
 
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "fixtures.h"
@@ -16,6 +18,10 @@ using namespace voussoir::geometry::test;
 
 namespace {
 
+bool same_frame(const Frame& a, const Frame& b) {
+  return a.centre == b.centre && a.axis_s == b.axis_s && a.axis_t == b.axis_t && a.normal == b.normal;
+}
+
 void check_equal(const Assembly& a, const Assembly& b) {
   REQUIRE(a.elements.size() == b.elements.size());
   REQUIRE(a.faces.size() == b.faces.size());
@@ -23,19 +29,23 @@ void check_equal(const Assembly& a, const Assembly& b) {
   REQUIRE(a.patches.size() == b.patches.size());
   int different = 0;
   for (std::size_t i = 0; i < a.elements.size(); ++i) {
-    different += a.elements[i].first_face != b.elements[i].first_face || a.elements[i].mass.centroid != b.elements[i].mass.centroid;
+    const MassProperties &x = a.elements[i].mass, &y = b.elements[i].mass;
+    different += a.elements[i].first_face != b.elements[i].first_face || x.centroid != y.centroid || x.volume != y.volume;
+    different += x.inertia != y.inertia;
   }
-  for (std::size_t i = 0; i < a.faces.size(); ++i)
-    different += a.faces[i].normal != b.faces[i].normal || a.faces[i].area != b.faces[i].area;
+  for (std::size_t i = 0; i < a.faces.size(); ++i) {
+    const Face &x = a.faces[i], &y = b.faces[i];
+    different += x.normal != y.normal || x.offset != y.offset || x.distance != y.distance || x.area != y.area;
+  }
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const Joint &x = a.joints[i], &y = b.joints[i];
     different += x.element_a != y.element_a || x.face_a != y.face_a || x.element_b != y.element_b || x.face_b != y.face_b;
-    different += x.frame.centre != y.frame.centre || x.area != y.area || x.merged != y.merged;
+    different += !same_frame(x.frame, y.frame) || x.area != y.area || x.merged != y.merged;
     different += !same(x.side_a, y.side_a) || !same(x.side_b, y.side_b);
   }
   for (std::size_t i = 0; i < a.patches.size(); ++i) {
     const FreePatch &x = a.patches[i], &y = b.patches[i];
-    different += x.element != y.element || x.face != y.face || x.frame.centre != y.frame.centre || !same(x.segments, y.segments);
+    different += x.element != y.element || x.face != y.face || !same_frame(x.frame, y.frame) || !same(x.segments, y.segments);
   }
   CHECK(different == 0);
 }
@@ -69,17 +79,22 @@ TEST_SUITE("ranges") {
   }
 
   TEST_CASE("of several exceptions that of the lowest range comes out") {
-    for (int round = 0; round < 20; ++round) {
-      std::string what;
-      try {
-        for_ranges(20 * kBlocksAtATime, 4, [](std::size_t range, std::size_t, std::size_t) {
-          if (range >= 3) throw std::runtime_error(std::to_string(range));
-        });
-      } catch (const std::runtime_error& e) {
-        what = e.what();
-      }
-      CHECK(what == "3");
+    std::atomic<bool> thrown = false;
+    std::string what;
+    try {
+      for_ranges(20 * kBlocksAtATime, 4, [&](std::size_t range, std::size_t, std::size_t) {
+        using namespace std::chrono_literals;
+        if (range < 3) return;
+        // The lowest throws last, unless there is no other thread.
+        for (int i = 0; range == 3 && !thrown && i < 1000; ++i) std::this_thread::sleep_for(1ms);
+        if (range == 3) std::this_thread::sleep_for(20ms);
+        thrown = true;
+        throw std::runtime_error(std::to_string(range));
+      });
+    } catch (const std::runtime_error& e) {
+      what = e.what();
     }
+    CHECK(what == "3");
   }
 
   TEST_CASE("an assembly is the same bit by bit for every number of threads") {
@@ -97,6 +112,7 @@ TEST_SUITE("ranges") {
     pushed(100, 0.01), pushed(700, 0.02), pushed(1300, 0.015);
     const std::string told = refusal(wall, 1);
     CHECK(told.find("overlaps block") != std::string::npos);
+    CHECK(told.starts_with("700: "));  // the deepest
     CHECK(refusal(wall, 3) == told);
     wall[900].vertices.resize(3), wall[1200].vertices.resize(3);
     CHECK(refusal(wall, 1).starts_with("900: "));

@@ -189,6 +189,7 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   for (std::size_t at = where.find(" %"); at != std::string::npos; at = where.find(" %", at + 1), ++parts)
     shares += std::stoi(where.substr(where.rfind(' ', at - 1) + 1));
   CHECK(parts >= 2);
+  CHECK(shell::run("grep -q '^frame_interval = 0.02 ' " + shell::quoted(out + "/case.toml")).code == 0);  // in place of "auto"
   CHECK(std::abs(shares - 100) <= parts);
   const Outcome s = voussoir("summary " + out);
   CHECK(says(

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <functional>
 
-/// The threads of this layer: a model of a million blocks is assembled by all cores.
+/// Work on many blocks by several threads. Nothing else in this layer starts threads.
 namespace voussoir::geometry {
 
-/// So many blocks are one piece of work for a thread.
+/// A thread works on so many blocks at a time.
 inline constexpr std::size_t kBlocksAtATime = 512;
 
 /// How many ranges for_ranges makes of `count` blocks.

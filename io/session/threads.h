@@ -4,10 +4,10 @@
 
 #include <string>
 
-/// How many threads there are, and how long those that wait for each other spin before they sleep. Many times a step they do.
+/// How many threads there are, and how long those that wait for each other, as they do many times a step, spin before they sleep.
 namespace voussoir::io {
 
-/// Settles it, unless the user has (OMP_WAIT_POLICY, GOMP_SPINCOUNT, KMP_BLOCKTIME). By default the runtime's threads spin for
+/// Settles how long they spin, unless the user has (OMP_WAIT_POLICY, GOMP_SPINCOUNT, KMP_BLOCKTIME). By default the runtime's threads spin for
 /// milliseconds, which is harmless on a quiet machine and ruinous on a busy one: with another process running beside, two threads were 20
 /// times slower than one. A tenth of a millisecond is right for a quiet one: it covers what a step does on one thread, and waking takes
 /// nearly as long. On a busy one they sleep at once. The runtime reads this before main, so the program starts itself again. \param watch

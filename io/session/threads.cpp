@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/session/waiting_threads.h"
+#include "io/session/threads.h"
 
 #include <omp.h>
 #include <unistd.h>

@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/ranges.h"
+#include "geometry/parallel/ranges.h"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
 
 namespace voussoir::geometry {
 
@@ -30,13 +27,11 @@ void for_ranges(std::size_t count, int threads, const std::function<void(std::si
       }
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    const std::size_t wanted = std::min(ranges, static_cast<std::size_t>(std::max(threads, 1)));
-    try {
-      while (helpers.size() + 1 < wanted) helpers.emplace_back(take_ranges);
-    } catch (const std::system_error&) {  // the system has no more threads: those that there are do it
-    }
+  const int team = static_cast<int>(std::min<std::size_t>(ranges, static_cast<std::size_t>(std::max(threads, 1))));
+  if (team < 2) {
+    take_ranges();
+  } else {
+#pragma omp parallel num_threads(team)
     take_ranges();
   }
   if (error) std::rethrow_exception(error);
