@@ -3,16 +3,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """In how many runs of an ensemble does each statement of the paper's section 4 hold?
 
-usage: outcomes.py TABLE.csv [TABLE.csv ...]
+usage: outcomes.py TABLE.csv [TABLE.csv ...] [--by options | --by record]
 
 Writes a table in Markdown: the statement, the runs in which it holds, of how many, and the 95 % interval of that share (Wilson's score
 interval). Runs that are not done, and numerical failures, are left out; a statement that compares two runs counts the records for which
 both are done. The paper has one record, so each of its statements is one draw: it is within what the ensemble allows if the interval
 reaches 5 % or more.
+
+--by: how many runs agree with each statement, of how many, by the set of options, or by the record without its number (bam-like#7 and
+bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
 """
 import collections
 import csv
 import math
+import re
 import sys
 
 BEARING, SIDE = ("front wall", "rear wall"), ("left wall", "right wall")
@@ -114,27 +118,62 @@ def count(statement, runs):
     return sum(results), len(results)
 
 
-def runs_of(paths):
-    """By case and direction, then by record; the rows that are done."""
-    runs = collections.defaultdict(dict)
+def rows_of(paths):
+    """Those that are done."""
     for path in paths:
         with open(path, newline="") as file:
-            for row in csv.DictReader(file):
-                if row["status"] == "done":
-                    runs[row["case"], row["direction"]][row["record"]] = row
+            yield from (row for row in csv.DictReader(file) if row["status"] == "done")
+
+
+def by_record(rows):
+    """By case and direction, then by record."""
+    runs = collections.defaultdict(dict)
+    for row in rows:
+        runs[row["case"], row["direction"]][row["record"]] = row
     return runs
 
 
-def main():
-    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
-        sys.exit(__doc__)
-    runs = runs_of(sys.argv[1:])
+def family(record):
+    """bam-like#7, FOLDER/pulse50-7: what they are a realisation of."""
+    return re.sub(r"[#-][0-9]+$", "", record.rsplit("/", 1)[-1])
+
+
+def print_shares(runs):
     print("| house | direction | the paper | holds in | share, % | 95 % interval, % |\n|---|---|---|---|---|---|")
     for statement in STATEMENTS:
         holds, of = count(statement, runs)
         if of:
             low, high = wilson(holds, of)
             print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {of} | {100 * holds / of:.0f} | {100 * low:.0f} to {100 * high:.0f} |")
+
+
+def print_groups(rows, label_of):
+    groups = collections.defaultdict(list)
+    for row in rows:
+        groups[label_of(row)].append(row)
+    runs = {label: by_record(group) for label, group in groups.items()}
+    print("| house | direction | the paper | " + " | ".join(runs) + " |\n|---|---|---|" + "---|" * len(runs))
+    for statement in STATEMENTS:
+        counts = [count(statement, of_label) for of_label in runs.values()]
+        if any(of for _, of in counts):
+            cells = (f"{holds} of {of}" if of else "–" for holds, of in counts)
+            print(f"| {statement.case} | {statement.direction} | {statement.text} | " + " | ".join(cells) + " |")
+
+
+LABELS = {"options": lambda row: row["options"] or "as it is", "record": lambda row: family(row["record"])}
+
+
+def main():
+    words = sys.argv[1:]
+    by = words.pop(-1) if words[-2:-1] == ["--by"] else None
+    paths = words[:-1] if by else words
+    if not paths or any(path.startswith("-") for path in paths) or (by and by not in LABELS):
+        sys.exit(__doc__)
+    rows = list(rows_of(paths))
+    if by:
+        print_groups(rows, LABELS[by])
+    else:
+        print_shares(by_record(rows))
 
 
 if __name__ == "__main__":

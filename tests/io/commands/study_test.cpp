@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -333,4 +335,55 @@ TEST_CASE("effort: what a measure takes more than the bare house, beside grade a
   folder.write("bills/rods.txt", text_of(folder.path("bills/bare.txt")));
   REQUIRE(make(" --bills " + folder.path("bills")) == 0);
   CHECK(text_of(out).find("| rods | other joints alone |") != std::string::npos);
+}
+
+TEST_CASE("outcomes: statements by set of options and by what a record is a realisation of, a column each") {
+  const TempFolder folder;
+  const std::string head =
+      "run,case,direction,record,options,status,collapsed,front wall: fallen_mass_fraction,rear wall: fallen_mass_fraction\n";
+  const std::string table = folder.write("table.csv", head +
+                                                          "a,flat20n,TLV,bam-like#1,,done,0,0.0,0.02\n"
+                                                          "b,flat20n,TLV,bam-like#2,,done,1,0.6,0.9\n"
+                                                          "c,flat20n,TLV,here/pulse0-1,,done,0,0.0,0.0\n"
+                                                          "d,flat20n,TLV,bam-like#1,no_damping,done,0,0.06,0.0\n"
+                                                          "e,flat20n,TLV,bam-like#2,no_damping,to be done,,,\n");
+  const std::string out = folder.path("table.md"), statement = "| flat20n | TLV | stands (4.1) | ";
+  const auto says = [&](const std::string& words, const std::string& columns, const std::string& row) {
+    REQUIRE(code_of(script("outcomes.py") + table + words + " >" + out) == 0);
+    const std::string text = text_of(out);
+    CHECK(text.starts_with("| house | direction | the paper | " + columns + " |\n"));
+    CHECK(text.find(statement + row + " |\n") != std::string::npos);
+  };
+  says(" --by options", "as it is | no_damping", "2 of 3 | 0 of 1");
+  says(" --by record", "bam-like | pulse0", "0 of 2 | 1 of 1");  // of number 1 the last row counts
+  CHECK(code_of(script("outcomes.py") + table + " --by seed >" + out + " 2>&1") == 1);
+}
+
+TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {
+  if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
+    MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
+    return;
+  }
+  const TempFolder folder;
+  const std::string out = folder.path("peaks.md");
+  REQUIRE(code_of("VOUSSOIR=" + shell::kProgram + " " + script("changed_motions") + folder.path("motions") + " 4 >" + out) == 0);
+  std::istringstream lines(text_of(out));
+  std::map<std::string, std::array<double, 3>> peaks;  // m/s2, m/s, m
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string bar, name, letter;
+    std::array<double, 3> p{};
+    if (words >> bar >> name >> bar >> letter >> bar >> p[0] >> bar >> p[1] >> bar >> p[2]) peaks[name + " " + letter] = p;
+  }
+  REQUIRE(peaks.size() == 8);
+  const auto displacement = [&](const char* motion) { return peaks.at(motion)[2] / peaks.at("bam-like#4 L")[2]; };
+  CHECK(displacement("pulse50-4 L") == doctest::Approx(0.5).epsilon(0.03));
+  CHECK(displacement("pulse25-4 L") == doctest::Approx(0.25).epsilon(0.06));
+  CHECK(displacement("pulse0-4 L") < 0.15);  // of the short waves
+  CHECK(peaks.at("strongT200-4 T")[0] == doctest::Approx(2.0 * peaks.at("bam-like#4 T")[0]).epsilon(0.01));
+  CHECK(peaks.at("strongT200-4 T")[1] > 1.7 * peaks.at("bam-like#4 T")[1]);
+  // The program reads them: figures of its own agree.
+  const std::string figures = folder.path("figures");
+  REQUIRE(code_of(shell::kProgram + " motion " + folder.path("motions/pulse50-4") + " >" + figures) == 0);
+  CHECK(text_of(figures).find("pulse50-4") != std::string::npos);
 }
