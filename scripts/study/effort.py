@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gain against effort: what each measure of a strengthening study takes, and what the house does with it.
 
-usage: effort.py STUDY.toml TABLE.csv [TABLE.csv ...] [--bills FOLDER]
+usage: effort.py STUDY.toml TABLE.csv [TABLE.csv ...] [--record NAME] [--bills FOLDER]
 
 The first case of the study is the bare house; effort is what the bills of `voussoir check` have more in the others (VOUSSOIR names the
 program, default build/release/io/voussoir, else the one on the PATH). Bills are kept in FOLDER, if one is given, and not made again.
 Writes a table in Markdown on standard output: damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have
 a dash, columns without any are left out. A last column has the means over the runs that are done for both the measure and the bare house:
-grade and fallen mass, with the measure and (without), and of how many runs.
+grade and fallen mass, with the measure and (without), and of how many runs. --record: only the runs of this motion.
 """
 import argparse
 import csv
@@ -118,13 +118,13 @@ def gain(runs, bare):
     return f"G{grades[0]} (G{grades[1]}), {fallen[0]} ({fallen[1]}), {len(both)} of {len(bare)}"
 
 
-def read(tables):
-    """Runs that are done by case, then by direction, motion and scale; and in their order those of the latter that some case has done."""
+def read(tables, record):
+    """Runs that are done, of that record if one is given, by case, then by direction, motion and scale; and in their order those of the latter that some case has done."""
     done, keys = {}, {}
     for path in tables:
         with open(path, newline="", encoding="utf-8") as file:
             for run in csv.DictReader(file):
-                if run["status"] == "done":
+                if run["status"] == "done" and record in (None, run["record"]):
                     keys.setdefault(key(run), len(keys))
                     done.setdefault(run["case"], {})[key(run)] = run
     return done, list(keys)
@@ -134,12 +134,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("study", type=pathlib.Path)
     parser.add_argument("tables", nargs="+")
+    parser.add_argument("--record")
     parser.add_argument("--bills", type=pathlib.Path)
     args = parser.parse_args()
     cases = tomllib.loads(args.study.read_text())["cases"]
-    done, keys = read(args.tables)
+    done, keys = read(args.tables, args.record)
     names = [pathlib.Path(case).stem for case in cases]
-    heads = ["measure", "effort", *(f"{d}, {record}, x{scale}" for d, record, scale in keys), "mean (without)"]
+    heads = ["measure", "effort", *(f"{d}, x{scale}" if args.record else f"{d}, {record}, x{scale}" for d, record, scale in keys), "mean (without)"]
     print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     bare = None
     for case, name in zip(cases, names):

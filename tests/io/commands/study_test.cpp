@@ -331,6 +331,10 @@ TEST_CASE("effort: what a measure takes more than the bare house, beside grade a
         "| bare | none | G4 28.4 | G2 10.0 | – |\n"
         "| rods | 4 anchors, 4.00 m of rod | G3 1.2 | – | G3.0 (G4.0), 1.2 (28.4), 1 of 2 |\n"
         "| piers | +0.06 m3 of adobe brick | G5 50.0 | G2 0.0 | G3.5 (G3.0), 25.0 (19.2), 2 of 2 |\n");
+  REQUIRE(make(" --record bam-like#1 --bills " + folder.path("bills")) == 0);
+  CHECK(text_of(out).starts_with("| measure | effort | mean (without) |\n"));  // none of it is done
+  REQUIRE(make(" --record bam-like --bills " + folder.path("bills")) == 0);
+  CHECK(text_of(out).starts_with("| measure | effort | TLV, x0.5 | LTV, x0.5 | mean (without) |\n"));
   // Bills that are kept are not made again.
   folder.write("bills/rods.txt", text_of(folder.path("bills/bare.txt")));
   REQUIRE(make(" --bills " + folder.path("bills")) == 0);
