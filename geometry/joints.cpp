@@ -115,7 +115,7 @@ struct Draft {
   std::vector<Segment> side_a, side_b;
 };
 
-/// Sides of joints of which one of two is cut. Any number of threads may call it at once.
+/// Joints between two faces of which one has been cut so far. Any number of threads may call it at once.
 class HalfJoints {
  public:
   /// Keeps the side of a joint that is cut first, and hands it out when the second one is cut.

@@ -40,7 +40,7 @@ class SegmentStore {
   struct HashOf {
     std::size_t operator()(const Hashed& h) const noexcept { return h.hash; }
   };
-  /// Lists of some hashes, so that threads seldom wait for each other.
+  /// The lists whose hashes leave one remainder. Each shelf has its own lock, so threads seldom wait for each other.
   struct Shelf {
     std::mutex lock;
     std::deque<std::vector<Segment>> lists;    // in which nothing ever moves

@@ -48,6 +48,7 @@ struct Words {
   std::string first, second;       // of `compare`
   std::string shell, man_folder;   // of `completion`, `man`
   bool verify = false, markdown = false;
+  int threads = 0;  // 0: as OpenMP decides
   io::RunOptions run;
   io::BenchOptions bench;
   io::ResumeOptions resume;
@@ -101,7 +102,7 @@ void add_threads(CLI::App* command, int& threads) {
 void add_case(CLI::App* command, Words& w) {
   command->add_option("CASE", w.name, "a name of the catalogue (see `voussoir cases`), or the path of a .toml file")->required();
   command->add_option("--set", w.set, "override a key of the case: a.b[0].c=value (may be repeated)");
-  add_threads(command, w.run.threads);
+  add_threads(command, w.threads);
 }
 
 void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
@@ -160,7 +161,7 @@ void add_bench(CLI::App& app, Words& w) {
 void add_resume(CLI::App& app, Words& w) {
   CLI::App* resume = app.add_subcommand("resume", "go on from the newest good checkpoint of DIR");
   resume->add_option("DIR", w.resume.folder, "folder of the run")->required();
-  add_threads(resume, w.resume.threads);
+  add_threads(resume, w.threads);
   resume->add_option("--until", w.resume.until, "s of shaking: go on to a later end than the case's");
   add_checkpoints(resume, w.resume.checkpoints);
   add_views(resume, w.resume.views);
@@ -296,7 +297,6 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("assess")) return io::assess_command(w.assess);
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
-  w.check.threads = w.modes.threads = w.run.threads;
   if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
   if (app.got_subcommand("view"))
     return with_case(
@@ -306,7 +306,6 @@ int dispatch(const CLI::App& app, Words& w) {
     return with_case(w, [&](const auto& c) { return io::limit_command(c, w.limit); });
   }
   if (app.got_subcommand("bench")) {
-    w.bench.threads = w.run.threads;
     if (w.name.ends_with(".h5")) return io::bench_checkpoint(w.name, w.bench);
     return with_case(w, [&](const auto& c) { return io::bench_command(c, w.bench); });
   }
@@ -357,7 +356,7 @@ int main(int argc, char** argv) {
   add_manual(app, w);
   try {
     app.parse(argc, argv);
-    io::use_threads(app.got_subcommand("resume") ? w.resume.threads : w.run.threads);
+    io::use_threads(w.threads);
     return dispatch(app, w);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;

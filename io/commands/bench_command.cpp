@@ -160,7 +160,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   const ScratchFolder scratch;
   BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
   const cases::Census census = cases::census(model);
-  const std::vector<int> counts = thread_counts(o.threads > 0 ? o.threads : omp_get_max_threads());
+  const std::vector<int> counts = thread_counts(omp_get_max_threads());
   TimingOptions timing;
   if (o.batches > 0) timing.least = timing.most = o.batches;
   timing.steps = o.steps;
@@ -223,7 +223,7 @@ int bench_checkpoint(const std::string& path, const BenchOptions& o) {
   CheckpointFacts facts = read_checkpoint(path).facts;
   cases::Case value = read_case({path, facts.case_toml, "."}).value;
   for (std::size_t i = 0; i < std::min(facts.stones.size(), value.stones.size()); ++i) value.stones[i].stones = std::move(facts.stones[i]);
-  const cases::Model model = cases::build_model(value, omp_get_max_threads());
+  const cases::Model model = build_on_all_threads(value);
   bench(build, model, o);
   return kDone;
 }

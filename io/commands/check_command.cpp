@@ -169,7 +169,6 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;
-  options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());

@@ -53,7 +53,6 @@ std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std
 
 void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o) {
   solver::Options options;
-  options.threads = o.threads;
   std::array<solver::ImpulseResponse, 2> response;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   for (int axis = 0; axis < 2; ++axis) {

@@ -14,7 +14,6 @@ struct ModesOptions {
   bool no_impulse = false;  // eigenvalues only: seconds instead of minutes
   bool closed = false;      // joints without a bond count as if bonded, in the eigenvalues
   bool overwrite = false, quiet = false;
-  int threads = 0;  // 0: as OpenMP decides
 };
 
 /// `voussoir modes`: first natural frequencies from the eigenvalues of the assembled stiffness, and from the impulse and Fourier transform

@@ -114,7 +114,6 @@ int resume_command(const ResumeOptions& o) {
   set_end(c, o.until, found.checkpoint.facts.time, there);
 
   solver::Options options;
-  options.threads = o.threads;
   const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
 
   const std::string resolved = resolved_toml(r->value);

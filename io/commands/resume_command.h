@@ -5,15 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "io/session/views.h"
 #include "io/results/checkpoints.h"
+#include "io/session/views.h"
 
 /// `voussoir resume`: goes on with a run that was stopped, killed, or is to last longer.
 namespace voussoir::io {
 
 struct ResumeOptions {
   std::string folder;           // of the run
-  int threads = 0;              // 0: as OpenMP decides
   std::optional<double> until;  // s of shaking; absent: as the run was meant
   bool quiet = false;
   CheckpointSchedule checkpoints;

@@ -25,7 +25,6 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.gather = o.gather;
-  options.threads = o.threads;
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);

@@ -15,7 +15,6 @@ namespace voussoir::io {
 
 struct RunOptions {
   std::string folder;  // of the results
-  int threads = 0;     // 0: as OpenMP decides
   bool reference_kernels = false;
   bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
@@ -28,7 +27,6 @@ struct RunOptions {
 int run_command(const LoadedCase& c, const RunOptions& o);
 
 struct CheckOptions {
-  int threads = 0;   // for the estimate; 0: as OpenMP decides
   std::string draw;  // SVG file of a drawing; empty: none
   bool overwrite = false;
 };

@@ -113,7 +113,7 @@ int verify_command(const LoadedCase& c, const RunOptions& o) {
   const cases::GroundMotion motion =
       c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   // Two threads are worth a look even where one is the default.
-  const int threads = std::max(2, o.threads > 0 ? o.threads : omp_get_max_threads());
+  const int threads = std::max(2, omp_get_max_threads());
   Setting s{c.value, model, motion, {}, 0};
   s.options.reference_kernels = o.reference_kernels;
   try {

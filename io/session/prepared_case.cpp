@@ -65,8 +65,10 @@ void warn_of_frequency(const cases::Case& c, const cases::Model& model) {
 
 }  // namespace
 
+cases::Model build_on_all_threads(const cases::Case& c) { return cases::build_model(c, omp_get_max_threads()); }
+
 cases::Model prepared_model(const cases::Case& c) {
-  cases::Model model = cases::build_model(c, omp_get_max_threads());
+  cases::Model model = build_on_all_threads(c);
   load_support_motions(model, c.folder);
   cases::check_followed_points(c, model);
   return model;

@@ -8,6 +8,9 @@
 /// Between the case as it was read and what a command does with it: what cannot be told before the model is built.
 namespace voussoir::io {
 
+/// cases::build_model on all threads that the program uses (use_threads).
+cases::Model build_on_all_threads(const cases::Case& c);
+
 /// The model of a case, with the motions of its supports. Refuses followed points outside of it.
 /// \throw cases::InputError, FileError
 cases::Model prepared_model(const cases::Case& c);

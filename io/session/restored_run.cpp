@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/session/restored_run.h"
 
-#include <omp.h>
-
 #include <cstdio>
 
 #include "io/files/errors.h"
+#include "io/session/prepared_case.h"
 #include "io/session/session.h"
 #include "solver/world/errors.h"
 
@@ -57,7 +56,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->facts = std::move(checkpoint.facts);
   r->value = std::move(value);
   fill_stones(*r);
-  r->model = cases::build_model(r->value, omp_get_max_threads());
+  r->model = build_on_all_threads(r->value);
   fill_supports(*r);
   options.reference_kernels = r->facts.reference_kernels;
   options.step = r->facts.step;

@@ -14,7 +14,7 @@ namespace voussoir::io {
 /// look for a moment whether the machine is quiet; else it counts as busy
 void let_threads_sleep(char** argv, bool watch);
 
-/// The number of threads for all that the program does from here on; 0: as OpenMP decides.
+/// Sets the number of threads for all that the program does from here on; 0: as OpenMP decides.
 void use_threads(int threads);
 
 /// What holds, for people.

@@ -125,7 +125,7 @@ kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dr
   return {factor * law.tension, factor * law.cohesion, tan_phi, factor * law.compression, law.cap, friction};
 }
 
-/// How many points, in lanes, the sides have that come before each colour; at last all.
+/// For each colour the number of points, padded to whole lanes, of all sides before it; the last entry is that of all sides.
 std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<NewSide>& sides, const std::vector<std::int32_t>& numbered) {
   std::vector<std::int64_t> before;
   std::int64_t points = 0;
@@ -140,7 +140,7 @@ std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<New
   return before;
 }
 
-/// \param points  up to each colour, and of all sides
+/// \param points  see points_by_colour
 void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t> points, int threads) {
   const std::size_t n = blocks * kernels::kLanes;
   std::vector<std::int64_t> block_borders, side_borders;  // of colours: threads work on one after the other, each on a part of it

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-/// Memory near the threads that use it. On a machine with several memories (NUMA) the system takes a page out of the memory of the core
-/// that writes to it first; it matters where threads stay on their cores (OMP_PROC_BIND=close).
+/// Memory near the threads that use it. On a machine with several memories (NUMA) the system places a page in the memory of the core that
+/// first writes to it. This helps where threads stay on their cores (OMP_PROC_BIND=close).
 namespace voussoir::solver {
 
 /// Has each of `threads` threads be the first to write to its share of an array that nobody has written to: of each section of entries
@@ -17,7 +17,7 @@ namespace voussoir::solver {
 /// \param borders  ascending; entries that lie in no section are left alone
 void touch_in_shares(void* data, std::size_t width, int threads, std::span<const std::int64_t> borders);
 
-/// v.reserve(room); where that takes new memory, it is touched in shares. What is in it stays.
+/// Reserves as v.reserve(room) does. Memory that is new is first written to by the threads in whose shares it lies. The contents stay.
 template <class Vector>
 void reserve_in_shares(Vector& v, std::size_t room, int threads, std::span<const std::int64_t> borders) {
   if (room <= v.capacity()) return;
@@ -28,13 +28,13 @@ void reserve_in_shares(Vector& v, std::size_t room, int threads, std::span<const
   v.swap(larger);
 }
 
-/// The same for n entries in one section, with room for half as many more: for arrays that grow.
+/// For arrays that grow: room for n entries, in one section, and for half as many more, which nobody has written to.
 template <class Vector>
 void reserve_in_shares(Vector& v, std::size_t n, int threads) {
   if (n > v.capacity()) reserve_in_shares(v, n + n / 2, threads, std::array<std::int64_t, 2>{0, static_cast<std::int64_t>(n)});
 }
 
-/// v.assign(n, value), in sections; without borders in one.
+/// As v.assign(n, value), with room made in shares. \param borders  of sections; none: one section
 template <class Vector>
 void assign_in_shares(Vector& v, std::size_t n, const typename Vector::value_type& value, int threads,
                       std::span<const std::int64_t> borders = {}) {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/assess/limit_command.h"
 
-#include <omp.h>
-
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +12,7 @@
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
 #include "io/session/exit_code.h"
+#include "io/session/prepared_case.h"
 #include "io/session/progress.h"
 #include "solver/analysis/linear_programme.h"
 
@@ -56,7 +55,7 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
       std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
     };
   }
-  const cases::Model model = cases::build_model(c.value, omp_get_max_threads());
+  const cases::Model model = build_on_all_threads(c.value);
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
