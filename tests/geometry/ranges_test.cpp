@@ -4,11 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "fixtures.h"
@@ -102,6 +104,8 @@ TEST_SUITE("ranges") {
     REQUIRE(range_count(wall.size()) == 3);
     for (const SegmentRule rule : {SegmentRule::centres, SegmentRule::rim}) {
       const Assembly one = assemble(parts_of(wall, 0.07), 0.0, rule, 1);
+      CHECK(std::ranges::is_sorted(one.joints, {}, [](const Joint& j) { return std::pair(j.element_a, j.face_a); }));
+      CHECK(std::ranges::is_sorted(one.patches, {}, [](const FreePatch& p) { return std::pair(p.element, p.face); }));
       for (const int threads : {2, 3, 8}) check_equal(one, assemble(parts_of(wall, 0.07), 0.0, rule, threads));
     }
   }
