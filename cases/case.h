@@ -54,6 +54,7 @@ struct Damping {
   bool own_frequency = false;       // frequency = "auto": that of the model's mode with the largest mass in y; io fills it in
   std::optional<double> alpha;      // 1/s; instead of ratio and frequency
   bool debris = true;               // "keep" | "off": mass damping of elements without a bond
+  bool inertial = false;            // key: frame, "ground" | "inertial": in which velocities are damped
 };
 
 struct Material {
@@ -114,6 +115,7 @@ struct Joints {
 };
 
 enum class ContactNormal { slave, master };
+enum class Dashpots { bounded, unbounded };  // may they make a contact pull, or exceed friction (Eqs. 9, 10 as they read)?
 struct ContactRule {
   std::array<std::string, 2> materials;  // "base" counts as a material
   double friction = 0.0;                 // degrees
@@ -122,6 +124,7 @@ struct Contact {
   double friction = 32.0;            // degrees, of all pairs of materials but those of `between`
   std::vector<ContactRule> between;  // a pair of materials at most once
   double damping = 1.0;              // h_n = h_s
+  Dashpots dashpots = Dashpots::bounded;
   ContactNormal normal = ContactNormal::slave;
   double compression = 0.0;           // Pa; 0: contacts bear any pressure
   double crushing_energy = 0.0;       // J/m2, above what the residual takes; 0: the strength does not fall
@@ -160,9 +163,9 @@ struct Cut {
   std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements whose middle is in it
 };
 struct Output {
-  double history_interval = 0.001;  // s
+  double history_interval = 0.001;       // s
   std::optional<double> frame_interval;  // s; absent = "auto", see cases/census.h
-  double ledger_interval = 0.01;    // s: rows of /energy, /forces, /damage
+  double ledger_interval = 0.01;         // s: rows of /energy, /forces, /damage
   std::vector<HistoryPoint> history;
   std::vector<Cut> cuts;  // key: cut
 };

@@ -27,6 +27,32 @@ Vec3 acceleration_at(const GroundMotion& m, double t) noexcept {
 
 namespace {
 
+std::vector<double> velocities(const Accelerogram& a) {
+  std::vector<double> v(a.acceleration.size(), 0.0);
+  for (std::size_t i = 1; i < v.size(); ++i) v[i] = v[i - 1] + 0.5 * a.dt * (a.acceleration[i - 1] + a.acceleration[i]);
+  return v;
+}
+
+double velocity_at(const Accelerogram& a, const std::vector<double>& v, double t) noexcept {
+  if (v.empty() || !(t > 0.0)) return 0.0;
+  const double last = static_cast<double>(v.size() - 1);
+  const auto i = static_cast<std::size_t>(std::min(t / a.dt, last));
+  const double start = static_cast<double>(i) * a.dt, end = std::min(t, last * a.dt);
+  return v[i] + 0.5 * (end - start) * (a.acceleration[i] + acceleration_at(a, end));
+}
+
+}  // namespace
+
+GroundVelocity::GroundVelocity(const GroundMotion& m) {
+  for (std::size_t k = 0; k < 3; ++k) at_samples_[k] = velocities(m.axis[k]);
+}
+
+Vec3 GroundVelocity::at(const GroundMotion& m, double t) const noexcept {
+  return {velocity_at(m.axis[0], at_samples_[0], t), velocity_at(m.axis[1], at_samples_[1], t), velocity_at(m.axis[2], at_samples_[2], t)};
+}
+
+namespace {
+
 /// Time at which the running integral reaches `share` of its end value.
 double time_of_share(const std::vector<double>& running, double dt, double share) {
   const double wanted = share * running.back();

@@ -31,6 +31,18 @@ struct GroundMotion {
 /// Ground acceleration at time t [s], m/s2. Zero for t < 0.
 Vec3 acceleration_at(const GroundMotion& m, double t) noexcept;
 
+/// Velocity of the ground that starts from rest at t = 0: the integral of acceleration_at, exact for its straight lines.
+class GroundVelocity {
+ public:
+  GroundVelocity() = default;
+  explicit GroundVelocity(const GroundMotion& m);
+  /// m/s; zero for t < 0, constant after the last sample. `m` is the motion that this was made of.
+  [[nodiscard]] Vec3 at(const GroundMotion& m, double t) const noexcept;
+
+ private:
+  std::array<std::vector<double>, 3> at_samples_;  // m/s
+};
+
 /// What engineers ask of a record. Integrals are trapezoid sums over the samples.
 struct MotionFigures {
   double peak_acceleration = 0.0;   // m/s2, absolute

@@ -111,7 +111,7 @@ VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, 
   const Lanes zero{};
   const Lanes du1 = a.step * v.s1, du2 = a.step * v.s2;
   Lanes x1 = c.slip1 + du1, x2 = c.slip2 + du2;
-  const Lanes dn = min(a.k.cn * v.n, -a.k.kn * xn);
+  const Lanes dn = min(a.k.cn * v.n, a.o.dashpot_excess - a.k.kn * xn);
   const Lanes limit = max(-(a.k.kn * xn + dn) * a.strength.friction, zero), limit2 = limit * limit;
   Lanes spring2 = a.k.ks * a.k.ks * square(x1, x2);
   const LaneMask cut = closed & (spring2 > limit2);
@@ -121,7 +121,7 @@ VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, 
     spring2 = min(spring2, limit2);
   }
   const Lanes p1 = a.k.ks * x1, p2 = a.k.ks * x2, d1 = a.k.cs * v.s1, d2 = a.k.cs * v.s2;
-  const Lanes h = dashpot_share(spring2, p1 * d1 + p2 * d2, square(d1, d2), limit2);
+  const Lanes h = dashpot_share(spring2, p1 * d1 + p2 * d2, square(d1, d2), limit2 + a.o.dashpot_excess);
   dashpot = select3(closed, LocalLanes{dn, h * d1, h * d2}, LocalLanes{});
   r.traction = select3(closed, LocalLanes{a.k.kn * xn, p1, p2}, LocalLanes{}) + dashpot;
   r.slip1 = select(closed, x1, zero);

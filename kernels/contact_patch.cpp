@@ -68,7 +68,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   const VecLanes carried = body + g.d * body;
   const VecLanes before = carried - dot(carried, g.n) * g.n, du = lanes(g.step) * vt;
   VecLanes x = before + du;
-  const Lanes dn = min(f.k.cn * vn, -f.k.kn * xn);
+  const Lanes dn = min(f.k.cn * vn, f.excess - f.k.kn * xn);
   const Lanes limit = max(-(f.k.kn * xn + dn) * f.tan_phi, zero), limit2 = limit * limit;
   Lanes spring2 = f.k.ks * f.k.ks * dot(x, x);
   const LaneMask cut = closed & (spring2 > limit2);
@@ -78,7 +78,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   }
   const VecLanes spring = lanes(f.k.ks) * x, all = lanes(f.k.cs) * vt;
   const Lanes pd = dot(spring, all), dd = dot(all, all);
-  const LaneMask within = spring2 + 2.0 * pd + dd <= limit2;
+  const LaneMask within = spring2 + 2.0 * pd + dd <= limit2 + f.excess;
   Lanes h = one;
   if (bits(closed & ~within) != 0) {
     h = select(within, one, max((sqrt(max(pd * pd + dd * (limit2 - spring2), zero)) - pd) / dd, zero));

@@ -212,7 +212,7 @@ struct StepTally {
 /// BodyForces in lanes.
 struct Pushes {
   Lanes dt;
-  VecLanes body, mean_gravity, mean_ground;
+  VecLanes body, mean_gravity, mean_ground, damped_ground;
   bool damps_rotation;
 };
 
@@ -230,7 +230,8 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   const LaneMask fixed = im == 0.0;
   const Lanes a = 0.5 * alpha * f.dt;
   const VecLanes before = load3(e.vx, e.vy, e.vz, i);
-  const VecLanes after = select3(fixed, before, (1.0 / (1.0 + a)) * ((1.0 - a) * before + f.dt * (im * force + f.body)));
+  const VecLanes after =
+      select3(fixed, before, (1.0 / (1.0 + a)) * ((1.0 - a) * before + f.dt * (im * force + f.body - alpha * f.damped_ground)));
   const VecLanes mean = lanes(0.5) * (before + after);
   store3(e.vx, e.vy, e.vz, i, after);
   const VecLanes l = load3(e.lx, e.ly, e.lz, i);
@@ -244,7 +245,7 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   store3(e.lx, e.ly, e.lz, i, turned_on);
   tally.gravity = tally.gravity + m * dot(f.mean_gravity, before);
   tally.ground = tally.ground - m * dot(f.mean_ground, before);
-  tally.damping = tally.damping + alpha * (m * dot(mean, mean) + lost);
+  tally.damping = tally.damping + alpha * (m * dot(mean, mean + f.damped_ground) + lost);
   if (bits(dashed != 0.0) != 0) {
     VecLanes dash;
     load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);
@@ -255,7 +256,8 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
 }  // namespace
 
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
-  const Pushes pushes{lanes(f.dt), spread(f.gravity - f.ground), spread(f.mean_gravity), spread(f.mean_ground), f.damps_rotation};
+  const Pushes pushes{lanes(f.dt),           spread(f.gravity - f.ground), spread(f.mean_gravity),
+                      spread(f.mean_ground), spread(f.damped_ground),      f.damps_rotation};
   for (std::int64_t i = first; i < last; i += kBatch) {
     StepTally tally;
     for (int k = 0; k < kBatch; k += kWidth) kick_group(e, rows, pushes, i + k, tally);

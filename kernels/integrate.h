@@ -34,11 +34,13 @@ struct BodyForces {
   Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
   Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
   bool damps_rotation = false;     // α on the angular momentum too: while settling, where only the state of rest matters
+  Vec3 damped_ground{};            // m/s at this step: velocity of the ground if α acts on it too (damping.frame = "inertial"); else 0
 };
 
-/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt F/m] / (1 + a), a = αΔt/2, and L₊ = L₋ + Δt T, or damped as v is. Adds the
-/// work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω behind the step: ½ αΔt (L₋ +
-/// L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements [first, last), whole batches.
+/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt (F/m − α v_g)] / (1 + a), a = αΔt/2, v_g = damped_ground, and L₊ = L₋ + Δt T,
+/// or damped as v is. Adds the work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω
+/// behind the step: ½ αΔt (L₋ + L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements
+/// [first, last), whole batches.
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
 /// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit

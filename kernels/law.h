@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 /// Strength and contact constants of a spring, and the choices the paper leaves open. Passed to kernels by value.
 namespace voussoir::kernels {
@@ -17,6 +18,9 @@ struct Strength {
   double friction = 0.0;     // tan φ of the contact that a broken bond becomes (Eq. 8): that of the two materials
 };
 
+/// By how much dashpots may exceed the bounds of THEORY.md (17) and (19): by nothing, or without end (contact.dashpots).
+inline constexpr double kBounded = 0.0, kUnbounded = std::numeric_limits<double>::infinity();
+
 /// Springs and dashpots per area.
 struct Stiffness {
   double kn = 0.0, ks = 0.0;  // Pa/m, Eqs. 1-3
@@ -25,11 +29,12 @@ struct Stiffness {
 
 enum class ShearInTension : std::uint8_t { cohesion, none, coulomb };
 
-/// The options [failure] of the case file.
+/// The options [failure] of the case file, and how far dashpots may go.
 struct FailureOptions {
   bool shear = true;
   bool brittle = false;
   ShearInTension in_tension = ShearInTension::cohesion;
+  double dashpot_excess = kBounded;  // see there
 };
 
 /// State of one segment of a joint. Bonded springs need no history but plastic slip; contact springs keep their elongation.

@@ -128,6 +128,7 @@ struct Facing {
   Vec3 v0, vs, vt;   // rate of the slave relative to the master
   Stiffness k;
   double tan_phi = 0.0, factor = 0.5;
+  double excess = kBounded;  // of dashpots
 };
 
 inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const Face* faces,
@@ -152,6 +153,7 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   f.vt = cross(w, m.et);
   f.k = stiffness(p, c.element, face, b, faces, o);
   f.tan_phi = o.friction.of(faces[p.face].material, faces[face].material);
+  f.excess = o.dashpot_excess;
   f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
   return f;
 }

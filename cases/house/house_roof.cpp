@@ -13,13 +13,28 @@ Tick roof_seat(const House& house, const HousePlan& plan) {
   return plan.height + (upon_walls ? positive_length(house.reinforcement->ring_beam[1], "house.reinforcement.ring_beam") : 0);
 }
 
+namespace {
+
+/// How deep beams lie on a bearing wall, from its inner face.
+Tick seat_of(const House& house, Tick wall, Tick brick) {
+  if (!house.roof.bearing) return std::min(wall, brick);
+  const Tick seat = positive_length(*house.roof.bearing, "house.roof.bearing");
+  if (seat > wall)
+    throw InputError(
+        "house.roof.bearing",
+        text(*house.roof.bearing) + " m is more than the thickness of the bearing walls; allowed: up to " + text(metres(wall)) + " m");
+  return seat;
+}
+
+}  // namespace
+
 void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
   if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
     throw InputError("house.roof.kind", "a flat roof rests on the front and the rear wall; house.walls leaves one of them out");
   const Tick width = element_length(house.roof.beam[0], plan.outer[0], "house.roof.beam");
   const Tick height = positive_length(house.roof.beam[1], "house.roof.beam");
   const Tick bearing = plan.wall(Side::front).thickness;
-  const Tick seat = std::min(bearing, plan.brick_length);
+  const Tick seat = seat_of(house, bearing, plan.brick_length);
   const Tick low = roof_seat(house, plan);
   const Interval across{bearing - seat, plan.outer[1] - (bearing - seat)};
   const Tick element = element_length(house.roof.element, across.length(), "house.roof.element");

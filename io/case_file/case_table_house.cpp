@@ -36,6 +36,8 @@ Table<Roof> roof_table() {
            value<S>("element", &S::element, "m", above(0.0), "flat, pitched: length of an element of a beam or rafter"),
            value<S>("between_beams", &S::between_beams, "", filled(),
                     "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
+           value<S>("bearing", &S::bearing, "m", above(0.0),
+                    "flat: length of beam on each bearing wall, from its inner face; none: its thickness, at most a brick's length"),
            value<S>("radius", &S::radius, "m", above(0.0), "vault, gables: inner radius"),
            value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
            value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),
@@ -47,6 +49,7 @@ Table<Roof> roof_table() {
                     "pitched: of the axes of rafters, at most; the first and the last are flush with the ends of the house"),
            table<S>("tie", &S::tie, roof_tie_table()), table<S>("deck", &S::deck, deck_table())},
           [](const S& s, const RuleCheck& check) {
+            if (s.bearing && s.kind != RoofKind::flat) check.fault("bearing", "needs kind = \"flat\"");
             if (s.kind == RoofKind::pitched) return;
             const auto only_pitched = [&](const char* key, bool given) {
               if (given) check.fault(key, "needs kind = \"pitched\"");

@@ -21,18 +21,20 @@ struct ContactStep {
 /// \param xn      m, its elongation along `normal`, below 0
 /// \param rate    m/s, of the other body relative to this one
 /// \param spring  m, elongation of the shear spring at the end of the last step
-inline ContactStep advance_contact(double xn, Vec3 normal, Vec3 rate, Vec3 spring, Stiffness k, double tan_phi, double step) noexcept {
+/// \param excess  of dashpots: kBounded or kUnbounded
+inline ContactStep advance_contact(double xn, Vec3 normal, Vec3 rate, Vec3 spring, Stiffness k, double tan_phi, double step,
+                                   double excess) noexcept {
   ContactStep c;
   const double vn = dot(rate, normal);
   const Vec3 slide = rate - vn * normal;
   c.before = spring - dot(spring, normal) * normal;
   c.spring = c.before + step * slide;
-  const double dn = std::min(k.cn * vn, -k.kn * xn);  // the normal total never pulls
+  const double dn = std::min(k.cn * vn, excess - k.kn * xn);  // the normal total never pulls
   const double limit = std::max(0.0, -(k.kn * xn + dn) * tan_phi);
   const double shear = k.ks * norm(c.spring);
   if (shear > limit) c.spring *= limit / shear;
   const Vec3 p = k.ks * c.spring, all = k.cs * slide;
-  const double share = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit);
+  const double share = detail::dashpot_share(std::min(dot(p, p), limit * limit), dot(p, all), dot(all, all), limit * limit + excess);
   c.elastic = p + (k.kn * xn) * normal;
   c.dashpot = share * all + dn * normal;
   return c;

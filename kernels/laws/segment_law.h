@@ -89,14 +89,15 @@ inline double dashpot_share(double pp, double pd, double dd, double limit2) noex
 /// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot carries what the spring leaves of it.
 /// Scaling both and giving the spring what the dashpot does not carry would stretch it backwards in fast sliding, by energy that nobody put
 /// in.
-inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, SegmentStep& out) noexcept {
+/// \param excess  kBounded or kUnbounded
+inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, double excess, SegmentStep& out) noexcept {
   // The normal total never pulls: the dashpot may at most cancel the spring.
-  const double dn = std::min(k.cn * rate.n, -k.kn * x.n);
+  const double dn = std::min(k.cn * rate.n, excess - k.kn * x.n);
   const double limit = std::max(0.0, -(k.kn * x.n + dn) * tan_phi);  // fused, their sum may be a hair above 0
   const double spring = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
   if (spring > limit) x.s1 *= limit / spring, x.s2 *= limit / spring;
   const double p1 = k.ks * x.s1, p2 = k.ks * x.s2, d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;
-  const double h = dashpot_share(std::min(p1 * p1 + p2 * p2, limit * limit), p1 * d1 + p2 * d2, d1 * d1 + d2 * d2, limit * limit);
+  const double h = dashpot_share(std::min(p1 * p1 + p2 * p2, limit * limit), p1 * d1 + p2 * d2, d1 * d1 + d2 * d2, limit * limit + excess);
   out.dashpot = {dn, h * d1, h * d2};
   out.traction = {k.kn * x.n + dn, p1 + h * d1, p2 + h * d2};
 }
@@ -139,14 +140,14 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
       if (out.reached == Mode::none) out.reached = out.broke;
       q.bond = out.broke == Mode::compression ? Bond::crushed : Bond::contact;
       // Eq. 8 at once: what is left closed goes on as a contact, without a jump of its normal force.
-      if (!open) detail::contact_traction(x, rate, k, s.friction, out);
+      if (!open) detail::contact_traction(x, rate, k, s.friction, o.dashpot_excess, out);
     }
   } else {
     x = {u.n - q.closure, q.slip1 + du.s1, q.slip2 + du.s2};
     open = x.n >= 0.0;
     if (!open) {
       if (q.bond == Bond::crushed) detail::return_to_cap(x, q, u, k, s);
-      detail::contact_traction(x, rate, k, s.friction, out);
+      detail::contact_traction(x, rate, k, s.friction, o.dashpot_excess, out);
     }
   }
   if (open) {

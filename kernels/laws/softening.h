@@ -171,7 +171,7 @@ inline SegmentStep advance_soft_segment(SegmentState& q, double& wear, Local u, 
   if (now.open) {
     now.x = {};
   } else {
-    detail::contact_traction(now.x, rate, k, s.friction, out);
+    detail::contact_traction(now.x, rate, k, s.friction, o.dashpot_excess, out);
   }
   detail::book_losses(out, before, now, du, k, a);
   wear = 0.0;

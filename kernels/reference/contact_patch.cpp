@@ -17,7 +17,7 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
     return;
   }
   const Vec3 v = f.v0 + s * f.vs + t * f.vt;
-  const ContactStep c = advance_contact(xn, f.n, v, apply(master, q.slip(i)), f.k, f.tan_phi, step);
+  const ContactStep c = advance_contact(xn, f.n, v, apply(master, q.slip(i)), f.k, f.tan_phi, step, f.excess);
   const double da = f.factor * area, vn = dot(v, f.n);
   const Vec3 x = c.spring, vt = v - vn * f.n;
   total.add(da * (c.elastic + c.dashpot), s, t);

@@ -99,7 +99,8 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels:
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
   const double xn = allowed_overlap(w, s.a, s.b) - at.depth;
-  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step);
+  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step,
+                                                           w.contact.dashpot_excess);
   s.shear = transposed(turn) * c.spring;
   s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
   s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);

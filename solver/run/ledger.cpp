@@ -96,14 +96,14 @@ double Ledger::kinetic(const World& w) const {
 }
 
 // The accumulators hold whole steps; a row stands at a whole step, in the middle of one, so half of the last is taken back.
-void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) const {
+void Ledger::sum_losses(const World& w, const kernels::BodyForces& f, EnergyRow& row) const {
   const Elements& e = w.elements;
   double damping_early = 0.0, dashpot_early = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
     const double step = w.step_of_element(i);
-    damping_early += 0.25 * step * e.alpha[i] * e.mass[i] * dot(v + at(v_, i), v);
-    if (damps_rotation)
+    damping_early += 0.25 * step * e.alpha[i] * e.mass[i] * dot(v + at(v_, i) + 2.0 * f.damped_ground, v);
+    if (f.damps_rotation)
       damping_early += 0.25 * step * e.alpha[i] * dot(at(l_, i), spin);  // kick has counted with the ω of half a step before
     dashpot_early -= 0.5 * step * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
@@ -115,14 +115,14 @@ void Ledger::sum_losses(const World& w, bool damps_rotation, EnergyRow& row) con
   row.fracture = total(w.sides.fracture) + total(w.patches, &FreePatch::fracture) + total(w.ties, &kernels::TieState::released);
 }
 
-EnergyRow Ledger::after_drift(const World& w, bool damps_rotation, double time) {
+EnergyRow Ledger::after_drift(const World& w, const kernels::BodyForces& f, double time) {
   EnergyRow row;
   row.time = time;
   row.kinetic = kinetic(w);
   row.strain = stored_.bonds;
   row.contact = stored_.contact + patches_;
   row.gravity = -total(w.elements, kernels::Tally::work_gravity);
-  sum_losses(w, damps_rotation, row);
+  sum_losses(w, f, row);
   const double losses = row.dashpot + row.friction + row.fracture + row.damping;
   const double balance = row.kinetic + row.strain + row.contact + row.gravity + losses;
   const double work = total(w.elements, kernels::Tally::work_ground) + loads_ + supports_;

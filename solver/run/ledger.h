@@ -29,7 +29,8 @@ class Ledger {
 
   /// Brackets the kick and drift of a step in which a row is due; before_kick when sides that came apart in it have retired.
   void before_kick(World& w);
-  EnergyRow after_drift(const World& w, bool damps_rotation, double time);
+  /// \param f  of the step, as for its kick
+  EnergyRow after_drift(const World& w, const kernels::BodyForces& f, double time);
 
   [[nodiscard]] double kinetic_over_elastic() const { return std::abs(last_.kinetic) / (last_.strain + last_.contact + 1e-300); }
   [[nodiscard]] const EnergyRow& last() const { return last_; }
@@ -38,7 +39,7 @@ class Ledger {
  private:
   friend struct FieldTable;
   [[nodiscard]] double kinetic(const World& w) const;
-  void sum_losses(const World& w, bool damps_rotation, EnergyRow& row) const;
+  void sum_losses(const World& w, const kernels::BodyForces& f, EnergyRow& row) const;
 
   bool fresh_ = true;
   double initial_ = 0.0, loads_ = 0.0, supports_ = 0.0, scale_ = 0.0, worst_ = 0.0;  // J

@@ -68,7 +68,7 @@ Vec3 rotation_vector(Quaternion q, Quaternion start) {
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
-    : case_(c), motion_(motion), world_(build_world(c, m, o)), program_(c, *world_) {
+    : case_(c), motion_(motion), ground_velocity_(motion), world_(build_world(c, m, o)), program_(c, *world_) {
   World& w = *world_;
   list_live_blocks(w);
   forces_stage_.tasks = JointTasks(w);
@@ -112,13 +112,17 @@ Vec3 Simulation::gravity_at(double t) const { return gravity_share(t) * full_gra
 
 Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
 
+Vec3 Simulation::damped_ground(double t) const {
+  return phase_ == Phase::shaking && case_.damping.inertial ? ground_velocity_.at(motion_, t) : Vec3{};
+}
+
 bool Simulation::damps_rotation() const { return phase_ == Phase::settling || program_.active(); }
 
 /// On elements that are moved on in steps of a level. Gravity and ground act with the impulse of all of them, as pairs of that level do:
 /// what rests on these has no velocity then.
 kernels::BodyForces Simulation::body_forces(int level) const {
   const double dt = world_->step_of(level), t = static_cast<double>(step_) * world_->dt;
-  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, damps_rotation()};
+  kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, damps_rotation(), damped_ground(t)};
   if (step_ == 0) {  // no interval behind the first step
     const Multirate& m = world_->multirate;
     const double share = m.impulse_steps(level, 0) / m.steps_of(level);
@@ -347,7 +351,7 @@ void Simulation::step(Due due) {
   } else {
     kick_and_drift();
   }
-  if (due.ledger) ledger_.after_drift(w, damps_rotation(), t);
+  if (due.ledger) ledger_.after_drift(w, body_forces(0), t);
   ++step_;
   if (step_ % kGuardInterval == 0) guard();
 }

@@ -115,10 +115,12 @@ class Simulation {
   [[nodiscard]] double gravity_share(double t) const;  // of gravity, and of what tightens ties
   [[nodiscard]] Vec3 gravity_at(double t) const;
   [[nodiscard]] Vec3 ground_at(double t) const;
+  [[nodiscard]] Vec3 damped_ground(double t) const;  // see BodyForces
   void set_damping(double alpha);
 
   const cases::Case& case_;
   cases::GroundMotion motion_;
+  cases::GroundVelocity ground_velocity_;
   std::unique_ptr<World> world_;
   LoadProgram program_;
   Phase phase_ = Phase::shaking;

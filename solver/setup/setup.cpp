@@ -103,8 +103,11 @@ void set_up_loads(World& w, const cases::Case& c) {
 
 namespace {
 
-kernels::FailureOptions failure_options(const cases::Failure& f) {
+double dashpot_excess(const cases::Contact& c) { return c.dashpots == cases::Dashpots::bounded ? kernels::kBounded : kernels::kUnbounded; }
+
+kernels::FailureOptions failure_options(const cases::Failure& f, const cases::Contact& contact) {
   kernels::FailureOptions o;
+  o.dashpot_excess = dashpot_excess(contact);
   o.shear = f.shear;
   o.brittle = f.post_shear == cases::PostShear::brittle;
   o.in_tension = f.shear_in_tension == cases::ShearInTension::cohesion ? kernels::ShearInTension::cohesion
@@ -128,7 +131,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->options = o;
   w->threads = o.threads > 0 ? o.threads : omp_get_max_threads();
   w->out_of_cache = m.blocks.size() >= o.out_of_cache_from;
-  w->failure = failure_options(c.failure);
+  w->failure = failure_options(c.failure, c.contact);
   w->has_base = c.base.has_value();
   w->drop_debris_damping = !c.damping.debris;
   w->bound = cases::census(m).step_bound;
@@ -140,6 +143,7 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
                 .master_normal = c.contact.normal == cases::ContactNormal::master};
   w->contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
   w->contact.crushing = crushing_of(c.contact);
+  w->contact.dashpot_excess = dashpot_excess(c.contact);
   set_up_elements(*w, c);
   w->contact.base = w->elements.base;
   set_up_faces(*w);

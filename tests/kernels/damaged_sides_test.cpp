@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "kernels/laws/contact_law.h"
 #include "tests/kernels/side_fixture.h"
 
 using namespace voussoir;
@@ -95,9 +96,10 @@ void shake_together(Twin& fast, Twin& plain, std::uint64_t seed, kernels::Failur
 }  // namespace
 
 TEST_CASE("vector and plain segments go the same way through cracking, slip and contact") {
-  for (int option = 0; option < 4; ++option) {
+  for (int option = 0; option < 5; ++option) {
     kernels::FailureOptions o;
     o.brittle = option == 1;
+    o.dashpot_excess = option == 4 ? kernels::kUnbounded : kernels::kBounded;
     o.in_tension = option == 2   ? kernels::ShearInTension::none
                    : option == 3 ? kernels::ShearInTension::coulomb
                                  : kernels::ShearInTension::cohesion;
@@ -310,6 +312,24 @@ TEST_CASE(
       CHECK(sum[i].lost == doctest::Approx(sum[i - 1].lost).epsilon(1e-2));
     }
     CHECK(sum[2].lost > 0.1 * sum[2].most);
+  }
+}
+
+TEST_CASE("dashpots without bounds are Eqs. 9 and 10 as they read: a contact may pull, and bear more than friction") {
+  const kernels::Stiffness k{1e9, 4e8, 4e5, 2e5};
+  const kernels::Strength strength{1e5, 3e4, 0.6, 4.9e5, 9.0, 0.5};
+  const kernels::Local rate{1.0, 2.0, 0.0};
+  for (const double excess : {kernels::kBounded, kernels::kUnbounded}) {
+    kernels::SegmentState q{.bond = kernels::Bond::contact};
+    const kernels::SegmentStep s = kernels::advance_segment(q, {-1e-4, 0.0, 0.0}, rate, kStep, k, strength, {.dashpot_excess = excess});
+    const kernels::ContactStep c =
+        kernels::advance_contact(-1e-4, {1.0, 0.0, 0.0}, {rate.n, rate.s1, rate.s2}, {}, k, strength.friction, kStep, excess);
+    const bool free = excess == kernels::kUnbounded;
+    CHECK(s.dashpot.n == doctest::Approx(free ? 4e5 : 1e5));
+    CHECK(s.dashpot.s1 == doctest::Approx(free ? 4e5 : 0.0).scale(1.0));
+    CHECK(s.traction.n == doctest::Approx(free ? 3e5 : 0.0).scale(1.0));
+    CHECK(s.traction.s1 == doctest::Approx(s.dashpot.s1).scale(1.0));  // nothing presses, so no friction
+    CHECK(distance(c.dashpot, Vec3{s.dashpot.n, s.dashpot.s1, s.dashpot.s2}) < 1e-6);
   }
 }
 

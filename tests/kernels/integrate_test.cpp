@@ -123,7 +123,7 @@ TEST_CASE("what is said of elements along their principal axes is what their ine
   }
 }
 
-// The plain twin: (27) of THEORY.md for gravity, ground and damping, element by element.
+// The plain twin: (22) and (27) of THEORY.md for gravity, ground and damping, element by element.
 TEST_CASE("a batch's energy tally is the sums over its elements") {
   Flying f;
   Noise noise(9);
@@ -133,15 +133,17 @@ TEST_CASE("a batch's energy tally is the sums over its elements") {
   }
   f.step();
   const Flying before = f;
-  const kernels::BodyForces bodies{kStep, {0.1, 0.2, -9.81}, {1.0, -2.0, 0.5}, {0.1, 0.3, -9.7}, {0.9, -2.1, 0.4}};
+  const kernels::BodyForces bodies{kStep, {0.1, 0.2, -9.81}, {1.0, -2.0, 0.5}, {0.1, 0.3, -9.7}, {0.9, -2.1, 0.4}, false, {0.7, -0.3, 0.2}};
   kernels::kick(f.view(), f.rows(), bodies, 0, kCount);
   for (std::size_t batch = 0; batch < kCount / kernels::kBatch; ++batch) {
     double ground = 0.0, gravity = 0.0, damping = 0.0;
     for (std::size_t i = batch * kernels::kBatch; i < (batch + 1) * kernels::kBatch; ++i) {
-      const Vec3 v = at(before, 7, i), mean = 0.5 * (v + at(f, 7, i));
+      const Vec3 v = at(before, 7, i), mean = 0.5 * (v + at(f, 7, i)), damped = mean + bodies.damped_ground;
+      const Vec3 gained = f.columns[16][i] > 0.0 ? kStep * (bodies.gravity - bodies.ground - f.columns[18][i] * damped) : Vec3{};
+      CHECK(distance(at(f, 7, i), v + gained) < 1e-14);
       ground -= kStep * f.columns[16][i] * dot(bodies.mean_ground, v);
       gravity += kStep * f.columns[16][i] * dot(bodies.mean_gravity, v);
-      damping += kStep * f.columns[18][i] * f.columns[16][i] * dot(mean, mean);
+      damping += kStep * f.columns[18][i] * f.columns[16][i] * dot(mean, damped);
     }
     const double* tally = f.tally.data() + batch * kernels::kTallies;
     CHECK(tally[0] == doctest::Approx(ground).epsilon(1e-12));

@@ -133,7 +133,7 @@ inline Volumes roof_of(const House& h) {
   const Roof& r = h.roof;
   Volumes v;
   if (r.kind == RoofKind::flat) {
-    const double across = depth - 2 * (top.bearing - std::min(top.bearing, h.brick[0] + h.mortar));
+    const double across = depth - 2 * (top.bearing - r.bearing.value_or(std::min(top.bearing, h.brick[0] + h.mortar)));
     v.timber = length * across * r.beam[1];
     v.load = r.surcharge * length * across;
   }

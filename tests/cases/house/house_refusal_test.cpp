@@ -88,6 +88,8 @@ TEST_CASE("sizes off the grid are refused with the nearest that fit") {
       {[](House& h) { h.origin[0] = std::nan(""); }, "house.origin", "out of range"},
       {[](House& h) { h.roof.beam[0] = 0.0; }, "house.roof.beam", "allowed: above 0"},
       {[](House& h) { h.roof.element = 1e-5; }, "house.roof.element", "more than 1000 parts"},
+      {[](House& h) { h.roof.bearing = 0.3; }, "house.roof.bearing",
+       "0.3 m is more than the thickness of the bearing walls; allowed: up to 0.2 m"},
   };
   for (const Refusal& r : refusals) check_refused(r);
 }

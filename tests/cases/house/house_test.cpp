@@ -284,6 +284,23 @@ TEST_CASE("flat roof: 27 beams of 17 elements on the inner 0.2 m of the bearing 
   CHECK(blocks.back().tag == "roof beam 26");
 }
 
+TEST_CASE("flat roof: beams as long as they are said to bear on the walls") {
+  const auto reach = [](std::optional<double> bearing) {
+    House house = *testing::paper_flat40().house;
+    house.roof.bearing = bearing;
+    double low = 10.0, high = 0.0;
+    for (const Block& b : built(house)) {
+      if (b.kind != PartKind::beam) continue;
+      const geometry::Box3 box = geometry::bounds(b.shape);
+      low = std::min(low, box.low.y), high = std::max(high, box.high.y);
+    }
+    return std::array{low, high};
+  };
+  CHECK(reach(0.4) == std::array{0.0, 3.8});
+  CHECK(reach(0.1)[0] == doctest::Approx(0.3));
+  CHECK(reach(0.2) == reach({}));
+}
+
 TEST_CASE("openings in any wall, several in one, stacked, full height, or none") {
   House house = plain_house();
   house.bond = Bond::running;

@@ -27,7 +27,7 @@ namespace {
 
 int houses_to_try() {
   const char* wanted = std::getenv("VOUSSOIR_RANDOM_HOUSES");
-  return wanted == nullptr ? 120 : std::atoi(wanted);
+  return wanted == nullptr ? 180 : std::atoi(wanted);
 }
 
 class Dice {
@@ -150,6 +150,7 @@ void add_roof(Dice& dice, House& h) {
   r.beam = {dice.pick(0.1, 0.3, 0.05), dice.pick(0.1, 0.2, 0.05)};
   r.element = dice.pick(0.15, 0.3, 0.05);
   const double wall = top_bearing(h), room = h.inner_size[1] + 2 * (h.bearing_wall - wall);
+  if (r.kind == RoofKind::flat && dice.one_in(4)) r.bearing = dice.pick(0.05, dice.one_in(8) ? 0.5 : wall, 0.01);
   r.thickness = std::min(wall, dice.pick(0.1, 0.3, 0.05));
   const double play = wall - r.thickness;
   r.radius = 0.5 * room + 0.001 * dice.whole(0, static_cast<int>(1000 * play));

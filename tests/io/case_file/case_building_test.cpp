@@ -246,6 +246,11 @@ TEST_CASE("faults: floors") {
   faulty(floor, "deck = { shear_stiffness = 1e6, stiffness = 1e6, strength = -2 }", "deck.strength = -2 N/m: must be > 0");
 }
 
+TEST_CASE("faults: flat roofs") {
+  faulty("[house.roof]\nkind = \"flat\"\n", "bearing = 0", "house.roof.bearing = 0 m: must be > 0");
+  faulty("[house.roof]\nkind = \"vault\"\n", "bearing = 0.2", "house.roof.bearing = 0.2 m needs kind = \"flat\"");
+}
+
 TEST_CASE("faults: pitched roofs") {
   faulty("[house.roof]\nkind = \"pitched\"\n", "pitch = 3.0", "house.roof.pitch = 3 degrees: must be");
   faulty("[house.roof]\nkind = \"pitched\"\n", "spacing = 0", "house.roof.spacing = 0 m: must be > 0");

@@ -100,6 +100,7 @@ TEST_CASE("faults: ranges name the value and what is allowed") {
   CHECK(refusal(material, {"materials.m.young=0"}) != "accepted");
   CHECK(refusal("[contact]\nfriction = 90") == "test.toml:2: contact.friction = 90 degrees: must be in [0, 90)");
   CHECK(refusal("[contact]\nfriction = 0") == "accepted");
+  CHECK(refusal("[contact]\ndashpots = \"free\"").starts_with("test.toml:2: contact.dashpots = \"free\""));
   CHECK(refusal("[contact]\ncompression = -1") == "test.toml:2: contact.compression = -1 Pa: must be >= 0");
   CHECK(refusal("[contact]\ncompression = 1e6\ncrushing_depth = 0").starts_with("test.toml:3: contact.crushing_depth = 0 m"));
   CHECK(refusal("[contact]\ncrushing_energy = 5").starts_with("test.toml:2: contact.crushing_energy = 5 J/m2 needs compression"));
@@ -182,6 +183,7 @@ TEST_CASE("faults: rules of damping and mortar") {
   CHECK(refusal("[house.reinforcement]\nring_beam_place = \"outside\"").find("must be \"inside\" | \"middle\"") != std::string::npos);
   CHECK(refusal("[damping]\nfrequency = 6\nratio = 2").starts_with("test.toml:3: damping.ratio = 2: must be"));
   CHECK(refusal("[damping]\nalpha = 1.5") == "accepted");
+  CHECK(refusal("[damping]\nalpha = 1.5\nframe = \"absolute\"").starts_with("test.toml:3: damping.frame = \"absolute\""));
   const std::string law = "[joint_laws.n]\ntension = 1\ncohesion = 1\nfriction = 30\ncompression = 1\n";
   CHECK(refusal(law) == "accepted");
   CHECK(refusal(law + "thickness = 0.01\npoisson = 0.2").starts_with("test.toml:1: joint_laws.n.young is missing"));

@@ -58,12 +58,14 @@ TEST_CASE("case file: every key of the analysis is read") {
   CHECK(c.damping.frequency == 6.05);
   CHECK(!c.damping.alpha);
   CHECK(!c.damping.debris);
+  CHECK(c.damping.inertial);
   CHECK(!c.failure.shear);
   CHECK(c.failure.post_shear == cases::PostShear::brittle);
   CHECK(c.failure.shear_in_tension == cases::ShearInTension::coulomb);
   CHECK(c.contact.friction == 30.0);
   CHECK(c.contact.damping == 0.5);
   CHECK(c.contact.normal == cases::ContactNormal::master);
+  CHECK(c.contact.dashpots == cases::Dashpots::unbounded);
   CHECK(c.contact.compression == 6.5e6);
   CHECK(c.contact.crushing_energy == 4000.0);
   CHECK(c.contact.residual_compression == 7.0e5);
