@@ -363,6 +363,42 @@ TEST_CASE("outcomes: statements by set of options and by what a record is a real
   CHECK(code_of(script("outcomes.py") + table + " --by seed >" + out + " 2>&1") == 1);
 }
 
+TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and what brings it") {
+  const TempFolder folder;
+  const std::string head =
+      "run,case,direction,record,options,status,collapsed,front wall: fallen_mass_fraction,rear wall: fallen_mass_fraction\n";
+  // Flat20N under TLV stands in none of three, Flat40N in some, Flat20R in all of five.
+  std::string ensemble = head, model = head, motion = head;
+  const auto add = [](std::string& table, const std::string& house, const std::string& record, const std::string& options, bool stands) {
+    table += "r," + house + ",TLV," + record + "," + options + ",done," + (stands ? "0,0.0,0.0\n" : "1,0.6,0.9\n");
+  };
+  for (int i = 1; i <= 5; ++i) {
+    const std::string record = "bam-like#" + std::to_string(i);
+    add(ensemble, "flat20n", record, "", false), add(ensemble, "flat40n", record, "", i == 2), add(ensemble, "flat20r", record, "", true);
+    if (i > 3) continue;
+    add(model, "flat20n", record, "as_it_is", false), add(model, "flat20n", record, "wood", i != 1);
+    add(model, "flat20n", record, "springs", i == 1);
+    add(motion, "flat20n", record, "", false), add(motion, "flat20n", "here/weak-" + std::to_string(i), "", true);
+  }
+  const std::string paths[] = {folder.write("ensemble.csv", ensemble), folder.write("model.csv", model),
+                               folder.write("motion.csv", motion)};
+  const std::string out = folder.path("table.md");
+  const auto says = [&](const std::string& words) {
+    REQUIRE(code_of(script("verdict.py") + words + " >" + out) == 0);
+    return text_of(out);
+  };
+  const std::string by_model = says(paths[0] + " --model " + paths[1]);
+  CHECK(by_model.find("| flat20n | TLV | stands (4.1) | 0 of 5 | 0 to 43 | wood (2 of 3, without 0) | not tried | model |") !=
+        std::string::npos);
+  CHECK(by_model.find("| flat40n | TLV | stands (4.1) | 1 of 5 | 4 to 62 | not tried | not tried | motion |") != std::string::npos);
+  CHECK(by_model.find("| flat20r | TLV | stands (4.1) | 5 of 5 | 57 to 100 | not tried | not tried | agrees |") != std::string::npos);
+  CHECK(says(paths[0] + " --model " + paths[1] + " --motion " + paths[2])
+            .find("| wood (2 of 3, without 0) | weak (3 of 3, without 0) | open |") != std::string::npos);
+  CHECK(says(paths[0] + " --motion " + paths[2]).find("| 0 of 5 | 0 to 43 | not tried | weak (3 of 3, without 0) | open |") !=
+        std::string::npos);
+  CHECK(code_of(script("verdict.py") + "--model " + paths[1] + " >" + out + " 2>&1") == 1);
+}
+
 TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {
   if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
     MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
