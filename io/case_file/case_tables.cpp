@@ -57,10 +57,9 @@ Table<Damping> damping_table() {
       {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
        frequency_key(), value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond"),
-       choice<S, bool S::*, bool>(
-           "frame", &S::inertial, "", {{"ground", false}, {"inertial", true}},
-           "frame of the velocities that mass damping acts on: the ground, which moves, as in Eqs. 13 and 15; or one "
-           "at rest")},
+       choice<S, bool S::*, bool>("frame", &S::inertial, "", {{"ground", false}, {"inertial", true}},
+                                  "ground: velocities relative to the moving ground are damped, as in Eqs. 13 and 15; inertial: those "
+                                  "relative to a frame at rest")},
       [](const S& s, const RuleCheck& check) {
         if (s.alpha && s.ratio > 0.0) check.fault("alpha", "does not go with damping.ratio; give ratio and frequency, or alpha");
         if (s.ratio > 0.0 && !s.frequency && !s.own_frequency)
@@ -230,7 +229,7 @@ Table<Contact> contact_table() {
        value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
        choice<S, Dashpots S::*, Dashpots>(
            "dashpots", &S::dashpots, "", {{"bounded", Dashpots::bounded}, {"unbounded", Dashpots::unbounded}},
-           "bounded: no contact pulls, and none bears more than friction; unbounded: Eqs. 9 and 10 as they read"),
+           "bounded: dashpots make no contact pull, and bear no more than friction does; unbounded: Eqs. 9 and 10 as they read"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
        value<S>("compression", &S::compression, "Pa", at_least(0.0),
