@@ -58,8 +58,8 @@ Table<Damping> damping_table() {
        frequency_key(), value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond"),
        choice<S, bool S::*, bool>("frame", &S::inertial, "", {{"ground", false}, {"inertial", true}},
-                                  "ground: velocities relative to the moving ground are damped, as in Eqs. 13 and 15; inertial: those "
-                                  "relative to a frame at rest")},
+                                  "velocities that are damped while it shakes: ground: relative to the moving ground, as in Eqs. 13 and "
+                                  "15; inertial: absolute ones")},
       [](const S& s, const RuleCheck& check) {
         if (s.alpha && s.ratio > 0.0) check.fault("alpha", "does not go with damping.ratio; give ratio and frequency, or alpha");
         if (s.ratio > 0.0 && !s.frequency && !s.own_frequency)
@@ -227,9 +227,10 @@ Table<Contact> contact_table() {
       {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
                 "angle of friction of all pairs of materials, broken joints too, but of those in `between`"),
        value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
-       choice<S, Dashpots S::*, Dashpots>(
-           "dashpots", &S::dashpots, "", {{"bounded", Dashpots::bounded}, {"unbounded", Dashpots::unbounded}},
-           "bounded: dashpots make no contact pull, and bear no more than friction does; unbounded: Eqs. 9 and 10 as they read"),
+       choice<S, Dashpots S::*, Dashpots>("dashpots", &S::dashpots, "",
+                                          {{"bounded", Dashpots::bounded}, {"unbounded", Dashpots::unbounded}},
+                                          "bounded: spring and dashpot together never pull and never exceed friction; unbounded: the whole "
+                                          "dashpot acts while faces touch"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
        value<S>("compression", &S::compression, "Pa", at_least(0.0),

@@ -129,13 +129,17 @@ def by_record(rows):
     """By case and direction, then by record."""
     runs = collections.defaultdict(dict)
     for row in rows:
-        runs[row["case"], row["direction"]][row["record"]] = row
+        of_house = runs[row["case"], row["direction"]]
+        if row["record"] in of_house:
+            sys.exit(f"{row['run']}: the same house, direction and record as {of_house[row['record']]['run']}; allowed: each once, with one set "
+                     "of options, scale and seed (sets of options: --by options)")
+        of_house[row["record"]] = row
     return runs
 
 
 def family(record):
-    """bam-like#7, FOLDER/pulse50-7: what they are a realisation of."""
-    return re.sub(r"[#-][0-9]+$", "", record.rsplit("/", 1)[-1])
+    """What bam-like#7 and FOLDER/pulse50-7 are realisations of; other records are by themselves."""
+    return re.sub(r"-[0-9]+$", "", record.rsplit("/", 1)[1]) if "/" in record else re.sub(r"#[0-9]+$", "", record)
 
 
 def print_shares(runs):
@@ -160,7 +164,7 @@ def print_groups(rows, label_of):
             print(f"| {statement.case} | {statement.direction} | {statement.text} | " + " | ".join(cells) + " |")
 
 
-LABELS = {"options": lambda row: row["options"] or "as it is", "record": lambda row: family(row["record"])}
+LABELS = {"options": lambda row: row["options"] or "as_it_is", "record": lambda row: family(row["record"])}
 
 
 def main():
