@@ -115,7 +115,7 @@ struct Joints {
 };
 
 enum class ContactNormal { slave, master };
-enum class Dashpots { bounded, unbounded };  // may they make a contact pull, or exceed friction (Eqs. 9, 10 as they read)?
+enum class Dashpots { bounded, unbounded };  // unbounded: they may make a contact pull, and exceed friction
 struct ContactRule {
   std::array<std::string, 2> materials;  // "base" counts as a material
   double friction = 0.0;                 // degrees

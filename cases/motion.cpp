@@ -27,6 +27,7 @@ Vec3 acceleration_at(const GroundMotion& m, double t) noexcept {
 
 namespace {
 
+/// At the samples, from rest [m/s].
 std::vector<double> velocities(const Accelerogram& a) {
   std::vector<double> v(a.acceleration.size(), 0.0);
   for (std::size_t i = 1; i < v.size(); ++i) v[i] = v[i - 1] + 0.5 * a.dt * (a.acceleration[i - 1] + a.acceleration[i]);
@@ -43,12 +44,13 @@ double velocity_at(const Accelerogram& a, const std::vector<double>& v, double t
 
 }  // namespace
 
-GroundVelocity::GroundVelocity(const GroundMotion& m) {
+GroundVelocity::GroundVelocity(const GroundMotion& m) : motion_(m) {
   for (std::size_t k = 0; k < 3; ++k) at_samples_[k] = velocities(m.axis[k]);
 }
 
-Vec3 GroundVelocity::at(const GroundMotion& m, double t) const noexcept {
-  return {velocity_at(m.axis[0], at_samples_[0], t), velocity_at(m.axis[1], at_samples_[1], t), velocity_at(m.axis[2], at_samples_[2], t)};
+Vec3 GroundVelocity::at(double t) const noexcept {
+  const auto along = [&](std::size_t k) { return velocity_at(motion_.axis[k], at_samples_[k], t); };
+  return {along(0), along(1), along(2)};
 }
 
 namespace {
@@ -70,18 +72,17 @@ MotionFigures figures(const Accelerogram& a) {
   const std::vector<double>& s = a.acceleration;
   if (s.empty()) return f;
   std::vector<double> squares(s.size(), 0.0);
-  double velocity = 0.0, displacement = 0.0;
+  const std::vector<double> velocity = velocities(a);
+  double displacement = 0.0;
   f.peak_acceleration = std::abs(s[0]);
   for (std::size_t i = 1; i < s.size(); ++i) {
-    const double before = velocity;
-    velocity += 0.5 * a.dt * (s[i - 1] + s[i]);
-    displacement += 0.5 * a.dt * (before + velocity);
+    displacement += 0.5 * a.dt * (velocity[i - 1] + velocity[i]);
     squares[i] = squares[i - 1] + 0.5 * a.dt * (s[i - 1] * s[i - 1] + s[i] * s[i]);
     if (std::abs(s[i]) > f.peak_acceleration) {
       f.peak_acceleration = std::abs(s[i]);
       f.peak_time = static_cast<double>(i) * a.dt;
     }
-    f.peak_velocity = std::max(f.peak_velocity, std::abs(velocity));
+    f.peak_velocity = std::max(f.peak_velocity, std::abs(velocity[i]));
     f.peak_displacement = std::max(f.peak_displacement, std::abs(displacement));
   }
   f.duration = static_cast<double>(s.size() - 1) * a.dt;

@@ -34,12 +34,12 @@ Vec3 acceleration_at(const GroundMotion& m, double t) noexcept;
 /// Velocity of the ground that starts from rest at t = 0: the integral of acceleration_at, exact for its straight lines.
 class GroundVelocity {
  public:
-  GroundVelocity() = default;
   explicit GroundVelocity(const GroundMotion& m);
-  /// m/s; zero for t < 0, constant after the last sample. `m` is the motion that this was made of.
-  [[nodiscard]] Vec3 at(const GroundMotion& m, double t) const noexcept;
+  /// m/s; zero for t < 0, constant after the last sample.
+  [[nodiscard]] Vec3 at(double t) const noexcept;
 
  private:
+  GroundMotion motion_;
   std::array<std::vector<double>, 3> at_samples_;  // m/s
 };
 

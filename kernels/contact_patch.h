@@ -111,7 +111,7 @@ struct ContactOptions {
   // edges of their faces: such a point stands on the faces beside it too, whose own points carry it. It stays free, and whole bodies meet.
   bool crossed_faces = true;
   Crushing crushing{};
-  double dashpot_excess = kBounded;  // see there
+  double dashpot_excess = kBounded;  // or kUnbounded
 };
 
 /// What never changes of a body.

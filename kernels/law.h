@@ -18,7 +18,7 @@ struct Strength {
   double friction = 0.0;     // tan φ of the contact that a broken bond becomes (Eq. 8): that of the two materials
 };
 
-/// By how much dashpots may exceed the bounds of THEORY.md (17) and (19): by nothing, or without end (contact.dashpots).
+/// How far dashpots may exceed the bounds of THEORY.md (17) and (19): not at all, or without limit (contact.dashpots).
 inline constexpr double kBounded = 0.0, kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Springs and dashpots per area.
@@ -34,7 +34,7 @@ struct FailureOptions {
   bool shear = true;
   bool brittle = false;
   ShearInTension in_tension = ShearInTension::cohesion;
-  double dashpot_excess = kBounded;  // see there
+  double dashpot_excess = kBounded;  // or kUnbounded
 };
 
 /// State of one segment of a joint. Bonded springs need no history but plastic slip; contact springs keep their elongation.

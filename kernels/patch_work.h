@@ -128,7 +128,7 @@ struct Facing {
   Vec3 v0, vs, vt;   // rate of the slave relative to the master
   Stiffness k;
   double tan_phi = 0.0, factor = 0.5;
-  double excess = kBounded;  // of dashpots
+  double excess = kBounded;  // ContactOptions::dashpot_excess
 };
 
 inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Candidate& c, int face, const Bodies& b, const Face* faces,

@@ -38,8 +38,7 @@ Table<Roof> roof_table() {
                     "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
            value<S>("bearing", &S::bearing, "m", above(0.0),
                     "flat: length over which a beam rests on each bearing wall, from the wall's inner face, at most the wall's thickness; "
-                    "none: that "
-                    "thickness, at most a brick's length"),
+                    "none: that thickness, at most a brick's length"),
            value<S>("radius", &S::radius, "m", above(0.0), "vault, gables: inner radius"),
            value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
            value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),

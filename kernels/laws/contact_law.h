@@ -29,7 +29,7 @@ inline ContactStep advance_contact(double xn, Vec3 normal, Vec3 rate, Vec3 sprin
   const Vec3 slide = rate - vn * normal;
   c.before = spring - dot(spring, normal) * normal;
   c.spring = c.before + step * slide;
-  const double dn = std::min(k.cn * vn, excess - k.kn * xn);  // the normal total never pulls
+  const double dn = std::min(k.cn * vn, excess - k.kn * xn);  // bounded, the normal total never pulls
   const double limit = std::max(0.0, -(k.kn * xn + dn) * tan_phi);
   const double shear = k.ks * norm(c.spring);
   if (shear > limit) c.spring *= limit / shear;

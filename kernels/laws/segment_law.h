@@ -91,7 +91,7 @@ inline double dashpot_share(double pp, double pd, double dd, double limit2) noex
 /// in.
 /// \param excess  kBounded or kUnbounded
 inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, double excess, SegmentStep& out) noexcept {
-  // The normal total never pulls: the dashpot may at most cancel the spring.
+  // Bounded, the normal total never pulls: the dashpot may at most cancel the spring.
   const double dn = std::min(k.cn * rate.n, excess - k.kn * x.n);
   const double limit = std::max(0.0, -(k.kn * x.n + dn) * tan_phi);  // fused, their sum may be a hair above 0
   const double spring = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);

@@ -31,7 +31,10 @@ LEAST_RUNS = 3  # with and without a change, to say that it makes a statement ho
 
 
 def realisation(record):
-    return int(re.search(r"[0-9]+$", record)[0])
+    number = re.search(r"[#-]([0-9]+)$", record)
+    if number is None:
+        sys.exit(f'record = "{record}"; allowed: realisations, as bam-like#7 or FOLDER/pulse50-7')
+    return int(number[1])
 
 
 def by_realisation(runs):

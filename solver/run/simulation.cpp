@@ -113,7 +113,7 @@ Vec3 Simulation::gravity_at(double t) const { return gravity_share(t) * full_gra
 Vec3 Simulation::ground_at(double t) const { return phase_ == Phase::shaking ? cases::acceleration_at(motion_, t) : Vec3{}; }
 
 Vec3 Simulation::damped_ground(double t) const {
-  return phase_ == Phase::shaking && case_.damping.inertial ? ground_velocity_.at(motion_, t) : Vec3{};
+  return phase_ == Phase::shaking && case_.damping.inertial ? ground_velocity_.at(t) : Vec3{};
 }
 
 bool Simulation::damps_rotation() const { return phase_ == Phase::settling || program_.active(); }

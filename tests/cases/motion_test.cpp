@@ -90,15 +90,15 @@ TEST_CASE("velocity of the ground is the integral of straight lines, from rest, 
   m.axis[0] = {"x", 0.5, {1.0, 3.0, -1.0}};
   m.axis[2] = {"z", 0.25, {4.0, 8.0}};
   const GroundVelocity v(m);
-  CHECK(v.at(m, -1.0) == Vec3{0.0, 0.0, 0.0});
-  CHECK(v.at(m, 0.0) == Vec3{0.0, 0.0, 0.0});
-  CHECK(v.at(m, 0.125).x == doctest::Approx(0.125 * (1.0 + 1.5) / 2.0));
-  CHECK(v.at(m, 0.125).z == doctest::Approx(0.125 * (4.0 + 6.0) / 2.0));
-  CHECK(v.at(m, 0.5).x == doctest::Approx(1.0));
-  CHECK(v.at(m, 0.75).x == doctest::Approx(1.0 + 0.25 * (3.0 + 1.0) / 2.0));
-  CHECK(v.at(m, 1.0).x == doctest::Approx(1.5));
-  CHECK(v.at(m, 7.0) == Vec3{v.at(m, 1.0).x, 0.0, 1.5});
-  CHECK(GroundVelocity(GroundMotion{}).at(GroundMotion{}, 1.0) == Vec3{0.0, 0.0, 0.0});
+  CHECK(v.at(-1.0) == Vec3{0.0, 0.0, 0.0});
+  CHECK(v.at(0.0) == Vec3{0.0, 0.0, 0.0});
+  CHECK(v.at(0.125).x == doctest::Approx(0.125 * (1.0 + 1.5) / 2.0));
+  CHECK(v.at(0.125).z == doctest::Approx(0.125 * (4.0 + 6.0) / 2.0));
+  CHECK(v.at(0.5).x == doctest::Approx(1.0));
+  CHECK(v.at(0.75).x == doctest::Approx(1.0 + 0.25 * (3.0 + 1.0) / 2.0));
+  CHECK(v.at(1.0).x == doctest::Approx(1.5));
+  CHECK(v.at(7.0) == Vec3{v.at(1.0).x, 0.0, 1.5});
+  CHECK(GroundVelocity(GroundMotion{}).at(1.0) == Vec3{0.0, 0.0, 0.0});
 }
 
 TEST_CASE("figures of a rectangular pulse") {

@@ -137,6 +137,10 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   folder.write("motion.csv", motion);
   holds(all, "flat20n | TLV | stands (4.1) | 0 of 5 | 0 to 43 | " + wood + " | none of 1 | model");
   CHECK(code_of(script("verdict.py") + "--model " + paths[1] + " >" + out + " 2>&1") == 1);
+  const std::string single =
+      folder.write("single.csv", ensemble.substr(0, ensemble.find('\n') + 1) + "r,flat20n,TLV,lucerne,,done,0,0,0,1,0,0\n");
+  CHECK(code_of(script("verdict.py") + single + " >" + out + " 2>&1") == 1);
+  CHECK(text_of(out) == "record = \"lucerne\"; allowed: realisations, as bam-like#7 or FOLDER/pulse50-7\n");
 }
 
 TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {
