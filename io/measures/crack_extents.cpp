@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/measures/crack_extents.h"
 
+#include <utility>
+
 #include "io/files/hdf5_file.h"
 
 namespace voussoir::io {
@@ -31,6 +33,15 @@ std::vector<CrackExtent> Cracks::extents(double time, const std::vector<Pose>& p
     }
   }
   return extents;
+}
+
+std::optional<double> Cracks::first_time(std::size_t wall) const {
+  std::optional<double> first;
+  for (const CrackedJoint& j : joints_) {
+    if (!std::cmp_equal(j.wall_a, wall) && !std::cmp_equal(j.wall_b, wall)) continue;
+    if (j.joint.time >= 0 && !(first && *first <= j.joint.time)) first = j.joint.time;
+  }
+  return first;
 }
 
 }  // namespace voussoir::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "io/measures/building.h"
@@ -29,6 +30,9 @@ class Cracks {
 
   /// One for each wall. \param time  of the poses [s]
   [[nodiscard]] std::vector<CrackExtent> extents(double time, const std::vector<Pose>& poses) const;
+
+  /// When the first of a wall's joints came open, at or after time zero [s].
+  [[nodiscard]] std::optional<double> first_time(std::size_t wall) const;
 
  private:
   struct CrackedJoint {

@@ -22,6 +22,7 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kQuarter = 0.25;  // of a wall's mass
 
 /// What of a part's mass has fallen, and since when something has.
 struct Part {
@@ -90,6 +91,8 @@ class Measurer {
 
   void take(double time, const std::vector<Pose>& poses) {
     take_fallen(time, poses);
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      if (m_.walls[w].quarter_fallen_time == kNeverReached && walls_[w].share() >= kQuarter) m_.walls[w].quarter_fallen_time = time;
     BuildingDamage damage{{}, roof_.share(), all_.share(), m_.collapsed};
     const std::vector<CrackExtent> cracks = cracks_.extents(time, poses);
     for (std::size_t w = 0; w < walls_.size(); ++w) damage.walls.push_back(damage_of(w, cracks[w], poses));
@@ -124,7 +127,7 @@ class Measurer {
     const Wall& wall = building_.walls[w];
     WallMeasures& measures = m_.walls[w];
     const std::optional<double> drift = wall_drift(wall, start_, poses, fallen_);
-    measures.crack_extent = cracks.fine, measures.large_crack_extent = cracks.large;
+    measures.opened_extent = cracks.any, measures.crack_extent = cracks.fine, measures.large_crack_extent = cracks.large;
     if (m_.series.time.empty()) measures.settling_crack_extent = cracks.fine;
     measures.residual_drift = drift.value_or(kNone);
     m_.series.drift.push_back(measures.residual_drift);
@@ -176,6 +179,7 @@ class Measurer {
       WallMeasures& measures = m_.walls[w];
       measures.fallen_mass_fraction = walls_[w].share();
       measures.first_fallen_time = walls_[w].first_time;
+      measures.first_crack_time = cracks_.first_time(w).value_or(kNeverReached);
       if (walls_[w].first_time != kNeverReached && walls_[w].first_time < first) {
         first = walls_[w].first_time;
         m_.first_fallen_wall = measures.name;

@@ -192,6 +192,23 @@ TEST_CASE("drift is outward, relative to the foot, and ends with the wall") {
   CHECK(m.series.drift[2 * m.walls.size() + front] == doctest::Approx(-0.02 / 0.4));
 }
 
+TEST_CASE("a wall has fallen by a quarter later than its first brick, or never") {
+  Hut hut;
+  const auto falls = [&hut](const std::string& name, double above) {
+    return [&hut, name, above](std::size_t e, Vec3 x) { return hut.tag(e) == name && x.z > above ? x - Vec3{0, 0, x.z - 0.05} : x; };
+  };
+  std::size_t brick = 0;
+  while (hut.tag(brick) != "left wall" || hut.centroid(brick).z < 0.3) ++brick;
+  hut.frame(0.0, stays);
+  hut.frame(0.1, [&](std::size_t e, Vec3 x) { return e == brick ? x - Vec3{0, 0, 0.25} : falls("rear wall", 0.3)(e, x); });
+  hut.frame(0.2, [&](std::size_t e, Vec3 x) { return falls("left wall", 0.2)(e, falls("rear wall", 0.3)(e, x)); });
+  hut.frame(0.3, stays);  // the first time counts
+  const Measures m = hut.measures();
+  CHECK(wall(m, "left wall").first_fallen_time == 0.1);
+  CHECK(wall(m, "left wall").quarter_fallen_time == 0.2);
+  CHECK(wall(m, "front wall").quarter_fallen_time == kNeverReached);
+}
+
 TEST_CASE("out of the house is told by a wall's name and the turn of the house, for one wall alone and for one thicker than long") {
   for (const int turn : {0, 90, 180, 270}) {
     for (const std::string side : {"front", "right", "rear", "left"}) {
@@ -230,7 +247,11 @@ TEST_CASE("a crack along the whole foot of a wall has the extent one, and its wi
   const Measures m = hut.measures();
   CHECK(wall(m, "front wall").crack_extent == doctest::Approx(1.0));
   CHECK(wall(m, "front wall").large_crack_extent == 0.0);
+  CHECK(wall(m, "front wall").opened_extent == doctest::Approx(1.0));
+  CHECK(wall(m, "front wall").first_crack_time == 0.05);
   CHECK(wall(m, "rear wall").crack_extent == 0.0);
+  CHECK(wall(m, "rear wall").opened_extent == 0.0);
+  CHECK(wall(m, "rear wall").first_crack_time == kNeverReached);
   CHECK(m.first_crack_time == 0.05);
   // One wall in four is many, not most.
   CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 2, 2});
