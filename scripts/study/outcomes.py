@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""In how many runs of an ensemble does each statement of the paper's section 4 hold?
+"""In how many runs of an ensemble does each statement of the paper hold?
 
 usage: outcomes.py TABLE.csv [TABLE.csv ...] [--by options | --by record]
 
-Writes a table in Markdown: the statement, the runs in which it holds, of how many, and the 95 % interval of that share (Wilson's score
-interval). Runs that are not done, and numerical failures, are left out; a statement that compares two runs counts the records for which
-both are done. The paper has one record, so each of its statements is one draw: it is within what the ensemble allows if the interval
-reaches 5 % or more.
+Writes a table in Markdown: the statement (statements.py), the runs in which it holds, of how many that tell, and the 95 % interval of that
+share (Wilson's score interval; it is about motions like those of the ensemble). Runs that do not tell are counted as undecided: the statement
+asks for something that did not happen there, or the run ended too early. A statement that compares two houses pairs them by record. The last
+line says how many runs are done, and how many of them failed numerically; both kinds that have no result are left out.
 
---by: how many runs agree with each statement, of how many, by the set of options, or by the record without its number (bam-like#7 and
-bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
+--by: how many runs agree with each statement, of how many that tell, by the set of options, or by the record without its number (bam-like#7
+and bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
 """
 import collections
 import csv
@@ -19,86 +19,9 @@ import math
 import re
 import sys
 
-BEARING, SIDE = ("front wall", "rear wall"), ("left wall", "right wall")
-STANDS, FALLS = 0.05, 0.25  # shares of a wall's mass: less has fallen from a wall that stands, more from one that falls
+from statements import STATEMENTS, Run, Unknown
+
 NORMAL_95 = 1.959963984540054
-
-
-def number(run, column):
-    return float(run[column]) if run.get(column, "") != "" else math.nan
-
-
-def collapses(run):
-    return run["collapsed"] == "1"
-
-
-def fallen(run, walls):
-    return [number(run, f"{wall}: fallen_mass_fraction") for wall in walls]
-
-
-def stands(run):
-    """Neither the roof nor a bearing wall falls."""
-    return not collapses(run) and max(fallen(run, BEARING)) < STANDS
-
-
-def bearing_walls_fall(run):
-    return max(fallen(run, BEARING)) > FALLS
-
-
-def bearing_walls_first(run):
-    """A bearing wall, or the roof over it, loses its first element before a side wall does."""
-    return run["first_fallen_wall"] in BEARING
-
-
-def sides_lose_bricks(run):
-    return max(fallen(run, SIDE)) > 0.0
-
-
-def cracks(run):
-    return sum(number(run, mode) for mode in ("tension", "shear", "compression"))
-
-
-def cracks_alone(run):
-    return cracks(run) > 0 and number(run, "fallen_mass_fraction") == 0
-
-
-# Case, direction, what the paper says (its section), and whether a run agrees. A statement about two runs takes the other one, too: case
-# and direction stand last.
-Statement = collections.namedtuple("Statement", "case direction text holds other", defaults=(None,))
-STATEMENTS = [
-    Statement("flat20w", "TLV", "bearing walls and roof stay (4.1)", stands),
-    Statement("flat20w", "TLV", "side walls lose bricks (4.1)", sides_lose_bricks),
-    Statement("flat20w", "LTV", "the roof falls (4.1)", collapses),
-    Statement("flat20w", "LTV", "with the bearing walls (4.1)", bearing_walls_fall),
-    Statement("flat20w", "LTV", "and these before the side walls (4.1)", bearing_walls_first),
-    Statement("flat20n", "TLV", "stands (4.1)", stands),
-    Statement("flat20n", "LTV", "the roof falls (4.1)", collapses),
-    Statement("flat20n", "LTV", "with the bearing walls (4.1)", bearing_walls_fall),
-    Statement("flat20n", "LTV", "and these before the side walls (4.1)", bearing_walls_first),
-    Statement("flat20n", "LTV", "not before 5 s; the paper has 6 s (4.1)", lambda run: collapses(run) and number(run, "collapse_time") > 5.0),
-    Statement("flat20n", "LTV", "falls where TLV stands (4.1)", lambda run, tlv: collapses(run) and stands(tlv), ("flat20n", "TLV")),
-    Statement("flat20s", "TLV", "cracks, nothing falls (4.1)", cracks_alone),
-    Statement("flat20s", "LTV", "cracks, nothing falls (4.1)", cracks_alone),
-    Statement("flat40n", "TLV", "stands (4.1)", stands),
-    Statement("flat40n", "TLV", "fewer cracks than Flat20N (4.1)", lambda run, thin: cracks(run) < cracks(thin), ("flat20n", "TLV")),
-    Statement("flat40n", "LTV", "stands (4.1)", stands),
-    Statement("flat20r", "TLV", "stands (4.1)", stands),
-    Statement("flat20r", "TLV", "fewer cracks than Flat20N (4.1)", lambda run, bare: cracks(run) < cracks(bare), ("flat20n", "TLV")),
-    Statement("flat20r", "LTV", "the bearing walls stand (4.1)", stands),
-    *(Statement("vault20w", d, "collapses as soon as the motion begins (4.2)", lambda run: collapses(run) and number(run, "collapse_time") < 1.5)
-      for d in ("TLV", "LTV")),
-    *(Statement("vault20n", d, "collapses with the bearing walls (4.2)", lambda run: collapses(run) and bearing_walls_fall(run))
-      for d in ("TLV", "LTV")),
-    *(Statement("vault20s", d, "does not collapse (4.2)", stands) for d in ("TLV", "LTV")),
-    *(Statement("vault40n", d, "the roof falls later than Vault20N's (4.2)",
-                lambda run, thin: collapses(run) and number(run, "collapse_time") > number(thin, "collapse_time"), ("vault20n", d))
-      for d in ("TLV", "LTV")),
-    Statement("vault40n", "TLV", "both bearing walls stay (4.2)", lambda run: not bearing_walls_fall(run)),
-    Statement("vault40n", "LTV", "the front wall fractures (4.2)", lambda run: number(run, "front wall: fallen_mass_fraction") > STANDS),
-    *(Statement("vault20r", d, "the roof falls later than Vault40N's (4.2)",
-                lambda run, thick: collapses(run) and number(run, "collapse_time") > number(thick, "collapse_time"), ("vault40n", d))
-      for d in ("TLV", "LTV")),
-]
 
 
 def wilson(holds, runs):
@@ -109,20 +32,38 @@ def wilson(holds, runs):
     return max(0.0, middle - half), min(1.0, middle + half)
 
 
-def count(statement, runs):
-    """How many runs agree, of how many."""
+def answers(statement, runs):
+    """By record: whether the statement holds; None: undecided."""
     mine = runs[statement.case, statement.direction]
-    other = runs[statement.other] if statement.other else None
-    results = [statement.holds(run, other[record]) if other is not None else statement.holds(run)
-               for record, run in mine.items() if other is None or record in other]
-    return sum(results), len(results)
+    others = runs[statement.other] if statement.other else None
+    found = {}
+    for record, row in mine.items():
+        if others is not None and record not in others:
+            continue
+        rows = (row,) if others is None else (row, others[record])
+        try:
+            found[record] = statement.holds(*map(Run, rows))
+        except Unknown:
+            found[record] = None
+    return found
 
 
-def rows_of(paths):
-    """Those that are done."""
+def count(found):
+    """In how many runs a statement holds, of how many that tell."""
+    return sum(a is True for a in found.values()), sum(a is not None for a in found.values())
+
+
+def all_rows(paths):
     for path in paths:
-        with open(path, newline="") as file:
-            yield from (row for row in csv.DictReader(file) if row["status"] == "done")
+        try:
+            with open(path, newline="") as file:
+                yield from csv.DictReader(file)
+        except OSError as error:
+            sys.exit(f"{path}: {error.strerror}")
+
+
+def done(rows):
+    return [row for row in rows if row["status"] == "done"]
 
 
 def by_record(rows):
@@ -142,26 +83,38 @@ def family(record):
     return re.sub(r"-[0-9]+$", "", record.rsplit("/", 1)[1]) if "/" in record else re.sub(r"#[0-9]+$", "", record)
 
 
-def print_shares(runs):
-    print("| house | direction | the paper | holds in | share, % | 95 % interval, % |\n|---|---|---|---|---|---|")
+def progress(rows):
+    failed = sum(row["status"] == "numerical failure" for row in rows)
+    return f"{len(done(rows)) + failed} of {len(rows)} runs are done" + (f", of them {failed} with a numerical failure." if failed else ".")
+
+
+def print_shares(rows):
+    runs = by_record(done(rows))
+    print("| house | direction | the paper | holds in | share, % | 95 % interval, % | undecided |\n|---|---|---|---|---|---|---|")
     for statement in STATEMENTS:
-        holds, of = count(statement, runs)
-        if of:
-            low, high = wilson(holds, of)
-            print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {of} | {100 * holds / of:.0f} | {100 * low:.0f} to {100 * high:.0f} |")
+        found = answers(statement, runs)
+        if not found:
+            continue
+        holds, of = count(found)
+        low, high = wilson(holds, of) if of else (0.0, 1.0)
+        share = f"{100 * holds / of:.0f}" if of else "–"
+        print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {of} | {share} | {100 * low:.0f} to {100 * high:.0f} "
+              f"| {len(found) - of} |")
+    print("\n" + progress(rows))
 
 
 def print_groups(rows, label_of):
     groups = collections.defaultdict(list)
-    for row in rows:
+    for row in done(rows):
         groups[label_of(row)].append(row)
     runs = {label: by_record(group) for label, group in groups.items()}
     print("| house | direction | the paper | " + " | ".join(runs) + " |\n|---|---|---|" + "---|" * len(runs))
     for statement in STATEMENTS:
-        counts = [count(statement, of_label) for of_label in runs.values()]
-        if any(of for _, of in counts):
-            cells = (f"{holds} of {of}" if of else "–" for holds, of in counts)
+        found = [answers(statement, of_label) for of_label in runs.values()]
+        if any(found):
+            cells = ("{} of {}".format(*count(of_label)) if of_label else "–" for of_label in found)
             print(f"| {statement.case} | {statement.direction} | {statement.text} | " + " | ".join(cells) + " |")
+    print("\n" + progress(rows))
 
 
 LABELS = {"options": lambda row: row["options"] or "as_it_is", "record": lambda row: family(row["record"])}
@@ -173,11 +126,11 @@ def main():
     paths = words[:-1] if by else words
     if not paths or any(path.startswith("-") for path in paths) or (by and by not in LABELS):
         sys.exit(__doc__)
-    rows = list(rows_of(paths))
+    rows = list(all_rows(paths))
     if by:
         print_groups(rows, LABELS[by])
     else:
-        print_shares(by_record(rows))
+        print_shares(rows)
 
 
 if __name__ == "__main__":

@@ -5,104 +5,123 @@
 
 usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--motion TABLE.csv ...]
 
-The ensemble: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published peak values; the model as it is.
---model: some of these realisations again, with one choice of the model changed at a time (column `options`; `as_it_is`: none).
---motion: the model as it is, and some of these realisations with one thing changed at a time (column `record`: FOLDER/pulse50-2 is a changed
-bam-like#2), beside the unchanged ones.
-Runs that are not done, and numerical failures, are left out.
+ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures, with the default model.
+--model: some of these realisations again, with one choice of the model changed at a time. The column `options` names the change; rows of
+  `as_it_is` have none. Options named chance... change nothing but last digits: they show what chance does.
+--motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
+  is a changed bam-like#2. The unchanged bam-like#2 stands in the same table.
 
-A change makes a statement hold if, of the realisations that were run with and without it, three or more, the statement is true in all with
-the change and in none without. A statement that compares two houses takes the other house from the ensemble.
+Statements are those of statements.py; runs that do not tell, are not done or failed numerically are left out. A statement that compares two
+houses pairs them by realisation. "Fewer cracks than Flat20N", asked of a changed model of Flat40N, is asked of it and of the unchanged
+Flat20N; asked of a changed motion, of both houses under that motion.
 
-agrees  the statement holds in all runs of the ensemble, or in so many that the 95 % interval of their share lies above one half
-motion  it holds in some of them: motions with the same peak values give different outcomes
-model   it holds in none of them; a choice of the model makes it hold, and of the changes of the motion that were tried none does
-open    it holds in none, and nothing that was tried makes it hold; or a changed motion does, which no longer meets the peak values; or no
-        change of the motion was tried
+A change makes a statement hold if, of three or more realisations that were run with and without it, the statement is true in all with it and
+in none without.
+
+agrees            the statement holds in most motions: the 95 % interval of its share lies above one half
+motion            it holds in some: motions that meet the same figures give different outcomes
+motion or chance  the same, but runs that differ in last digits alone also give different outcomes
+model             it holds in none; a choice of the model makes it hold, and none of the changed motions that were tried does
+open              anything else; the reason follows
 """
 import collections
 import re
 import sys
 
-from outcomes import LABELS, STATEMENTS, by_record, count, rows_of, wilson
+from outcomes import LABELS, all_rows, answers, by_record, count, done, wilson
+from statements import STATEMENTS
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}
 LEAST_RUNS = 3  # with and without a change, to say that it makes a statement hold
+FEW = 4         # fewer runs than these cannot agree: the interval of 3 of 3 reaches below one half
 
 
 def realisation(record):
-    number = re.search(r"[#-]([0-9]+)$", record)
+    number = re.search(r"^bam-like#([0-9]+)$|/.*-([0-9]+)$", record)
     if number is None:
         sys.exit(f'record = "{record}"; allowed: realisations, as bam-like#7 or FOLDER/pulse50-7')
-    return int(number[1])
+    return int(number[1] or number[2])
 
 
-def by_realisation(runs):
+def by_realisation(rows):
     """As by_record gives them, but by the number of the realisation."""
-    return collections.defaultdict(dict, {house: {realisation(record): run for record, run in of_house.items()} for house, of_house in runs.items()})
-
-
-def groups_of(paths, label_of):
-    rows = collections.defaultdict(list)
-    for row in rows_of(paths):
-        rows[label_of(row)].append(row)
-    return {label: by_realisation(by_record(group)) for label, group in rows.items()}
-
-
-def with_other(statement, runs, ensemble):
-    """The runs that a statement needs: the other house of a comparison is that of the ensemble."""
-    if statement.other is None or statement.other[0] == statement.case:
-        return runs
-    return collections.defaultdict(dict, {**runs, statement.other: ensemble[statement.other]})
-
-
-def among(statement, runs, numbers):
-    house = statement.case, statement.direction
-    return collections.defaultdict(dict, {**runs, house: {n: run for n, run in runs[house].items() if n in numbers}})
-
-
-def numbers_of(statement, runs):
-    """The realisations for which the statement can be asked."""
-    mine = set(runs[statement.case, statement.direction])
-    return mine if statement.other is None else mine & set(runs[statement.other])
+    runs = collections.defaultdict(dict)
+    for house, of_house in by_record(rows).items():
+        for record, row in of_house.items():
+            number = realisation(record)
+            if number in runs[house]:
+                sys.exit(f"{row['run']}: a second run of realisation {number} beside {runs[house][number]['run']}; allowed: one of each")
+            runs[house][number] = row
+    return runs
 
 
 class Changes:
     """Runs with one change at a time, and those without any."""
 
-    def __init__(self, paths, column, unchanged, ensemble):
-        self.groups, self.ensemble = groups_of(paths, LABELS[column]), ensemble
-        self.unchanged = self.groups.pop(unchanged, None)
+    def __init__(self, paths, column, unchanged, others):
+        """others: the houses to compare with, where a change has none of its own; None: then a comparison is not asked."""
+        rows = collections.defaultdict(list)
+        for row in done(all_rows(paths)):
+            rows[LABELS[column](row)].append(row)
+        self.groups = {label: by_realisation(of_label) for label, of_label in rows.items()}
+        self.others = others
+        self.unchanged = self.groups.pop(unchanged, collections.defaultdict(dict))
+
+    def answers(self, statement, runs):
+        if statement.other and self.others is not None and statement.other != (statement.case, statement.direction):
+            runs = collections.defaultdict(dict, {**runs, statement.other: runs.get(statement.other) or self.others[statement.other]})
+        return {number: a for number, a in answers(statement, runs).items() if a is not None}
+
+    def pairs(self, statement, wanted=lambda label: True):
+        """By change: the answers with and without it, of the realisations that have both."""
+        without = self.answers(statement, self.unchanged)
+        found = {label: self.answers(statement, group) for label, group in self.groups.items() if wanted(label)}
+        return {label: [(a[n], without[n]) for n in sorted(a.keys() & without.keys())] for label, a in found.items()}
 
     def counts(self, statement):
         """By change: in how many runs the statement holds with it, in how many without it, of how many."""
-        if self.unchanged is None:
-            return {}
-        without = with_other(statement, self.unchanged, self.ensemble)
-        found = {}
-        for label, group in self.groups.items():
-            changed = with_other(statement, group, self.ensemble)
-            both = numbers_of(statement, changed) & numbers_of(statement, without)
-            if len(both) >= LEAST_RUNS:
-                found[label] = (count(statement, among(statement, changed, both))[0], count(statement, among(statement, without, both))[0], len(both))
-        return found
+        return {label: (sum(a for a, _ in pairs), sum(b for _, b in pairs), len(pairs))
+                for label, pairs in self.pairs(statement, lambda label: not is_repeat(label)).items() if len(pairs) >= LEAST_RUNS}
+
+    def repeats(self, statement):
+        """How many runs that differ in last digits alone give another answer, of how many."""
+        pairs = [pair for of_label in self.pairs(statement, is_repeat).values() for pair in of_label]
+        return sum(a != b for a, b in pairs), len(pairs)
 
 
-def making(counts):
-    """The changes that make a statement hold."""
-    return [f"{label} ({holds} of {runs}, without {without})" for label, (holds, without, runs) in counts.items() if holds == runs and without == 0]
+def is_repeat(label):
+    return label.startswith("chance")
 
 
-def verdict(holds, runs, by_model, by_motion, motions_tried):
-    if holds == runs or wilson(holds, runs)[0] > 0.5:
+def makes_hold(holds, without, runs):
+    return holds == runs and without == 0
+
+
+def verdict(holds, runs, model, motion, differ):
+    """model, motion: counts by change. differ: how many repeats give another answer."""
+    by_model, by_motion = (any(makes_hold(*c) for c in counts.values()) for counts in (model, motion))
+    if runs < FEW:
+        return "open: few runs"
+    if wilson(holds, runs)[0] > 0.5:
         return "agrees"
     if holds > 0:
-        return "motion"
-    return "model" if by_model and motions_tried and not by_motion else "open"
+        return "motion or chance" if differ > 0 else "motion"
+    if by_motion:
+        return "open: a motion with other figures makes it hold"
+    if by_model:
+        return "model" if motion else "open: a choice of the model makes it hold, no changed motion was tried"
+    return "open: nothing that was tried makes it hold" if model or motion else "open: no change was tried"
 
 
 def said(counts):
-    return "; ".join(making(counts)) or f"none of {len(counts)}" if counts else "not tried"
+    if not counts:
+        return "not tried"
+    making = [f"{label} ({holds} of {runs}, without {without})" for label, (holds, without, runs) in counts.items() if makes_hold(holds, without, runs)]
+    if making:
+        return "; ".join(making)
+    most = max(counts, key=lambda label: (counts[label][0] - counts[label][1]) / counts[label][2])
+    holds, without, runs = counts[most]
+    return f"none of {len(counts)}" + (f" (most: {most}, {holds} of {runs}, without {without})" if holds > without else "")
 
 
 def split(words):
@@ -122,19 +141,20 @@ def split(words):
 
 def main():
     paths = split(sys.argv[1:])
-    ensemble = by_realisation(by_record(rows_of(paths[""])))
+    ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
-    motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], ensemble)
+    motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)
     print("| house | direction | the paper | holds in | 95 % interval, % | choices of the model that make it hold | changes of the motion that do "
-          "| verdict |\n|---|---|---|---|---|---|---|---|")
+          "| repeats that differ | verdict |\n|---|---|---|---|---|---|---|---|---|")
     for statement in STATEMENTS:
-        holds, runs = count(statement, ensemble)
+        holds, runs = count(answers(statement, ensemble))
         if not runs:
             continue
-        by_model, by_motion = model.counts(statement), motion.counts(statement)
+        by_model, by_motion, (differ, repeats) = model.counts(statement), motion.counts(statement), model.repeats(statement)
         low, high = wilson(holds, runs)
         print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {runs} | {100 * low:.0f} to {100 * high:.0f} "
-              f"| {said(by_model)} | {said(by_motion)} | {verdict(holds, runs, making(by_model), making(by_motion), bool(by_motion))} |")
+              f"| {said(by_model)} | {said(by_motion)} | {f'{differ} of {repeats}' if repeats else '–'} "
+              f"| {verdict(holds, runs, by_model, by_motion, differ)} |")
 
 
 if __name__ == "__main__":
