@@ -158,7 +158,7 @@ class Plan {
       const std::int64_t n = sim_.steps();
       const double time = sim_.time();
       const bool history = n % history_ == 0, ledger = n % ledger_ == 0 || n == last_;
-      if (n % frame_ == 0) {
+      if (n % frame_ == 0 || n == last_) {
         const StageTimer timer(sim_.stage_times(), Stage::output);
         report_.frame();
         if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();

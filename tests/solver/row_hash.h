@@ -38,6 +38,7 @@ class RowHash final : public solver::Recorder {
     add(5, &f.time, sizeof f.time);
     for (const auto& part : {f.position, f.quaternion, f.broken}) add(5, part.data(), part.size_bytes());
     ++rows[5];
+    last_frame = f.time;
   }
   void summary(const solver::Summary& s) override { last = s; }
 
@@ -49,6 +50,7 @@ class RowHash final : public solver::Recorder {
 
   std::array<std::uint64_t, 6> rows{};
   solver::Summary last;
+  double last_frame = -1.0;  // s
 
  private:
   void add(std::size_t table, const void* data, std::size_t bytes) { hashes_[table].add(data, bytes); }

@@ -203,6 +203,22 @@ TEST_CASE("a run ends so long after the collapse as the case says, and is told o
   CHECK(run_with_stops(c, {}, {1}, {}, 0.2).summary.end_time == doctest::Approx(0.2 + 2e-4));
 }
 
+TEST_CASE("the last frame shows the end, whether its interval meets it or not") {
+  cases::Case c = small_wall(3, 4);
+  c.output.frame_interval = 0.02;
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  for (const double end : {0.1, 0.107}) {
+    solver::Simulation sim(c, m, g, {});
+    solver::RunState plan;
+    RowHash out;
+    solver::run(sim, plan, c, end, out, [](const solver::RunStatus&) { return true; });
+    CHECK(out.rows[5] == (end > 0.1 ? 7U : 6U));
+    CHECK(out.last_frame == doctest::Approx(out.last.end_time - sim.dt()));
+    CHECK(std::abs(out.last_frame - end) <= 0.5 * sim.dt());
+  }
+}
+
 TEST_CASE("a run that ended goes on to a later end, as if it had been meant from the start") {
   cases::Case c = small_wall(3, 4);
   const cases::Model m = cases::build_model(c);
@@ -216,7 +232,7 @@ TEST_CASE("a run that ended goes on to a later end, as if it had been meant from
   }
   solver::SavedState last;
   {
-    // Before its last step, since that has a row of the ledger that a longer run may not have.
+    // Before its last step, since that has a frame and a row of the ledger that a longer run may not have.
     solver::Simulation sim(c, m, g, {});
     solver::RunState plan;
     solver::run(sim, plan, c, 0.1037, extended, [&](const solver::RunStatus& s) { return !s.last; });
