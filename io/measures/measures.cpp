@@ -179,7 +179,7 @@ class Measurer {
       WallMeasures& measures = m_.walls[w];
       measures.fallen_mass_fraction = walls_[w].share();
       measures.first_fallen_time = walls_[w].first_time;
-      measures.first_crack_time = cracks_.first_time(w).value_or(kNeverReached);
+      measures.first_open_joint_time = cracks_.first_time(w).value_or(kNeverReached);
       if (walls_[w].first_time != kNeverReached && walls_[w].first_time < first) {
         first = walls_[w].first_time;
         m_.first_fallen_wall = measures.name;

@@ -25,7 +25,7 @@ struct WallMeasures {
   double fallen_mass_fraction = 0;                  // of the wall's mass, at the end
   double first_fallen_time = kNeverReached;         // of the first frame in which an element of it has fallen, s
   double quarter_fallen_time = kNeverReached;       // of the first frame in which a quarter of its mass has fallen, s
-  double first_crack_time = kNeverReached;          // when a joint of it first came open, at or after time zero, s
+  double first_open_joint_time = kNeverReached;     // when a joint of it first came open, at or after time zero, s
   double peak_drift = 0;                            // as long as it stood, the largest in magnitude; NaN: never stood
   double residual_drift = 0;                        // at the end; NaN: it does not stand
   double peak_in_plane_drift = 0;                   // as peak_drift, along the wall

@@ -34,7 +34,7 @@ inline constexpr std::array kWallColumns{
     WallColumn{"fallen_mass_fraction", &WallMeasures::fallen_mass_fraction, "1", "of the mass of the wall with its gable and lintels"},
     WallColumn{"first_fallen_time", &WallMeasures::first_fallen_time, "s", "when its first element had fallen; below 0: none has"},
     WallColumn{"quarter_fallen_time", &WallMeasures::quarter_fallen_time, "s", "when a quarter of its mass had fallen; below 0: never"},
-    WallColumn{"first_crack_time", &WallMeasures::first_crack_time, "s", "when the first of its joints came open; below 0: never"},
+    WallColumn{"first_open_joint_time", &WallMeasures::first_open_joint_time, "s", "when the first of its joints came open; below 0: never"},
     WallColumn{"peak_drift", &WallMeasures::peak_drift, "1", "out-of-plane drift while it stood, outward positive; NaN: it never stood"},
     WallColumn{"residual_drift", &WallMeasures::residual_drift, "1", "out-of-plane drift at the end; NaN: the wall does not stand"},
     WallColumn{"peak_in_plane_drift", &WallMeasures::peak_in_plane_drift, "1",

@@ -6,9 +6,10 @@
 usage: outcomes.py TABLE.csv [TABLE.csv ...] [--by options | --by record]
 
 Writes a table in Markdown: the statement (statements.py), the runs in which it holds, of how many that tell, and the 95 % interval of that
-share (Wilson's score interval; it is about motions like those of the ensemble). Runs that do not tell are counted as undecided: the statement
-asks for something that did not happen there, or the run ended too early. A statement that compares two houses pairs them by record. The last
-line says how many runs are done, and how many of them failed numerically; both kinds that have no result are left out.
+share (Wilson's score interval; it holds for motions drawn like those of the ensemble). Undecided runs do not tell: the question does not
+arise, the run ended too early, or the table lacks a column. If there is one run of each house and direction: yes, no or undecided. A statement
+that compares two runs pairs them by record, and is left out where one of the two is not in the table. Runs that are not finished, and
+numerical failures, do not count. The tables have one scale and one seed.
 
 --by: how many runs agree with each statement, of how many that tell, by the set of options, or by the record without its number (bam-like#7
 and bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
@@ -19,7 +20,7 @@ import math
 import re
 import sys
 
-from statements import STATEMENTS, Run, Unknown
+from statements import LEGEND, STATEMENTS, Run, Unknown
 
 NORMAL_95 = 1.959963984540054
 
@@ -53,17 +54,32 @@ def count(found):
     return sum(a is True for a in found.values()), sum(a is not None for a in found.values())
 
 
+NEEDED = ("run", "case", "direction", "record", "status", "collapsed", "end_time")
+
+
+def rows_of(path):
+    try:
+        with open(path, newline="") as file:
+            rows = list(csv.DictReader(file))
+    except OSError as error:
+        sys.exit(f"{path}: {error.strerror}")
+    missing = [name for name in NEEDED if rows and name not in rows[0]]
+    if missing:
+        sys.exit(f'{path}: no column "{missing[0]}"; allowed: the table.csv of a study')
+    return rows
+
+
 def all_rows(paths):
-    for path in paths:
-        try:
-            with open(path, newline="") as file:
-                yield from csv.DictReader(file)
-        except OSError as error:
-            sys.exit(f"{path}: {error.strerror}")
+    return [row for path in paths for row in rows_of(path)]
 
 
 def done(rows):
     return [row for row in rows if row["status"] == "done"]
+
+
+def difference(a, b):
+    """In which column of the study two rows differ, to say why they clash."""
+    return next((f"{name} ({a[name]}, {b[name]})" for name in ("options", "scale", "seed") if a.get(name) != b.get(name)), "nothing")
 
 
 def by_record(rows):
@@ -72,34 +88,39 @@ def by_record(rows):
     for row in rows:
         of_house = runs[row["case"], row["direction"]]
         if row["record"] in of_house:
-            sys.exit(f"{row['run']}: the same house, direction and record as {of_house[row['record']]['run']}; allowed: each once, with one set "
-                     "of options, scale and seed (sets of options: --by options)")
+            first = of_house[row["record"]]
+            sys.exit(f"{row['run']}: the same house, direction and record as {first['run']}; they differ in {difference(first, row)}; "
+                     "allowed: one run of each")
         of_house[row["record"]] = row
     return runs
 
 
 def family(record):
-    """What bam-like#7 and FOLDER/pulse50-7 are realisations of; other records are by themselves."""
+    """The name of a record without its number: bam-like of bam-like#7, pulse50 of FOLDER/pulse50-7."""
     return re.sub(r"-[0-9]+$", "", record.rsplit("/", 1)[1]) if "/" in record else re.sub(r"#[0-9]+$", "", record)
 
 
 def progress(rows):
     failed = sum(row["status"] == "numerical failure" for row in rows)
-    return f"{len(done(rows)) + failed} of {len(rows)} runs are done" + (f", of them {failed} with a numerical failure." if failed else ".")
+    return LEGEND + f"\n{len(done(rows)) + failed} of {len(rows)} runs are finished" + (f", {failed} by a numerical failure." if failed else ".")
+
+
+def share(found):
+    holds, of = count(found)
+    low, high = wilson(holds, of) if of else (0.0, 1.0)
+    return [f"{holds} of {of}", f"{100 * holds / of:.0f}" if of else "–", f"{100 * low:.0f} to {100 * high:.0f}", f"{len(found) - of}"]
 
 
 def print_shares(rows):
     runs = by_record(done(rows))
-    print("| house | direction | the paper | holds in | share, % | 95 % interval, % | undecided |\n|---|---|---|---|---|---|---|")
+    single = all(len(of_house) == 1 for of_house in runs.values())
+    print("| house | direction | the paper | " + ("here |\n|---|---|---|---|" if single
+          else "holds in | share, % | 95 % interval, % | undecided |\n|---|---|---|---|---|---|---|"))
     for statement in STATEMENTS:
         found = answers(statement, runs)
-        if not found:
-            continue
-        holds, of = count(found)
-        low, high = wilson(holds, of) if of else (0.0, 1.0)
-        share = f"{100 * holds / of:.0f}" if of else "–"
-        print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {of} | {share} | {100 * low:.0f} to {100 * high:.0f} "
-              f"| {len(found) - of} |")
+        if found:
+            cells = [{True: "yes", False: "no", None: "undecided"}[a] for a in found.values()] if single else share(found)
+            print(f"| {statement.case} | {statement.direction} | {statement.text} | " + " | ".join(cells) + " |")
     print("\n" + progress(rows))
 
 
@@ -117,7 +138,7 @@ def print_groups(rows, label_of):
     print("\n" + progress(rows))
 
 
-LABELS = {"options": lambda row: row["options"] or "as_it_is", "record": lambda row: family(row["record"])}
+LABELS = {"options": lambda row: row.get("options") or "as_it_is", "record": lambda row: family(row["record"])}
 
 
 def main():
@@ -126,7 +147,7 @@ def main():
     paths = words[:-1] if by else words
     if not paths or any(path.startswith("-") for path in paths) or (by and by not in LABELS):
         sys.exit(__doc__)
-    rows = list(all_rows(paths))
+    rows = all_rows(paths)
     if by:
         print_groups(rows, LABELS[by])
     else:

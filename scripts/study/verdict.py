@@ -5,24 +5,30 @@
 
 usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--motion TABLE.csv ...]
 
-ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures, with the default model.
+ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures (peaks of acceleration and
+  velocity, period of the pulse, Arias intensity, durations: cases/catalogue/bam-like.md), with the default model.
 --model: some of these realisations again, with one choice of the model changed at a time. The column `options` names the change; rows of
-  `as_it_is` have none. Options named chance... change nothing but last digits: they show what chance does.
+  `as_it_is` have none. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
-  is a changed bam-like#2. The unchanged bam-like#2 stands in the same table.
+  is a changed bam-like#2. The table also holds the unchanged bam-like#2.
 
-Statements are those of statements.py; runs that do not tell, are not done or failed numerically are left out. A statement that compares two
-houses pairs them by realisation. "Fewer cracks than Flat20N", asked of a changed model of Flat40N, is asked of it and of the unchanged
-Flat20N; asked of a changed motion, of both houses under that motion.
+The statements are those of statements.py. Runs that do not tell are left out. A statement that compares two houses pairs them by realisation:
+a house with a changed model with the other house of the ensemble, a house under a changed motion with the other house under that motion. A
+statement that compares LTV with TLV takes both from runs with the change.
 
-A change makes a statement hold if, of three or more realisations that were run with and without it, the statement is true in all with it and
+A change makes a statement hold if, of three or more realisations that tell both with and without it, the statement is true in all with it and
 in none without.
 
-agrees            the statement holds in most motions: the 95 % interval of its share lies above one half
-motion            it holds in some: motions that meet the same figures give different outcomes
-motion or chance  the same, but runs that differ in last digits alone also give different outcomes
-model             it holds in none; a choice of the model makes it hold, and none of the changed motions that were tried does
-open              anything else; the reason follows
+The verdict is the first of these that applies:
+open: no run tells, open: few runs   fewer than four runs of the ensemble tell
+agrees                               it holds in most motions: the 95 % interval of its share lies above one half
+motion or chance                     it holds in some, and runs that differ by chance alone give different answers, too
+motion                               it holds in some: motions that meet the same figures give different outcomes. Where no repeats were run
+                                     (–) chance is not ruled out
+open: a motion with other figures    it holds in none; under a changed motion it does
+model                                it holds in none; with a choice of the model it does, and with none of the changed motions
+open: a choice of the model, ...     the same, but no changed motion was tried
+open: nothing that was tried         nothing makes it hold
 """
 import collections
 import re
@@ -59,7 +65,7 @@ class Changes:
     """Runs with one change at a time, and those without any."""
 
     def __init__(self, paths, column, unchanged, others):
-        """others: the houses to compare with, where a change has none of its own; None: then a comparison is not asked."""
+        """others: runs of the other houses that statements compare with; None: these are among the runs with the change."""
         rows = collections.defaultdict(list)
         for row in done(all_rows(paths)):
             rows[LABELS[column](row)].append(row)
@@ -68,8 +74,8 @@ class Changes:
         self.unchanged = self.groups.pop(unchanged, collections.defaultdict(dict))
 
     def answers(self, statement, runs):
-        if statement.other and self.others is not None and statement.other != (statement.case, statement.direction):
-            runs = collections.defaultdict(dict, {**runs, statement.other: runs.get(statement.other) or self.others[statement.other]})
+        if self.others is not None and statement.other and statement.other[0] != statement.case:
+            runs = collections.defaultdict(dict, {**runs, statement.other: self.others[statement.other]})
         return {number: a for number, a in answers(statement, runs).items() if a is not None}
 
     def pairs(self, statement, wanted=lambda label: True):
@@ -101,7 +107,7 @@ def verdict(holds, runs, model, motion, differ):
     """model, motion: counts by change. differ: how many repeats give another answer."""
     by_model, by_motion = (any(makes_hold(*c) for c in counts.values()) for counts in (model, motion))
     if runs < FEW:
-        return "open: few runs"
+        return "open: few runs" if runs else "open: no run tells"
     if wilson(holds, runs)[0] > 0.5:
         return "agrees"
     if holds > 0:
@@ -121,7 +127,7 @@ def said(counts):
         return "; ".join(making)
     most = max(counts, key=lambda label: (counts[label][0] - counts[label][1]) / counts[label][2])
     holds, without, runs = counts[most]
-    return f"none of {len(counts)}" + (f" (most: {most}, {holds} of {runs}, without {without})" if holds > without else "")
+    return f"none of {len(counts)}" + (f" (nearest: {most}, {holds} of {runs}, without {without})" if holds > without else "")
 
 
 def split(words):
@@ -144,14 +150,15 @@ def main():
     ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
     motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)
-    print("| house | direction | the paper | holds in | 95 % interval, % | choices of the model that make it hold | changes of the motion that do "
-          "| repeats that differ | verdict |\n|---|---|---|---|---|---|---|---|---|")
+    print("| house | direction | the paper | holds in | 95 % interval, % | choices of the model that make it hold | changes of the motion that make it hold "
+          "| repeats with another answer | verdict |\n|---|---|---|---|---|---|---|---|---|")
     for statement in STATEMENTS:
-        holds, runs = count(answers(statement, ensemble))
-        if not runs:
+        found = answers(statement, ensemble)
+        if not found:
             continue
+        holds, runs = count(found)
         by_model, by_motion, (differ, repeats) = model.counts(statement), motion.counts(statement), model.repeats(statement)
-        low, high = wilson(holds, runs)
+        low, high = wilson(holds, runs) if runs else (0.0, 1.0)
         print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {runs} | {100 * low:.0f} to {100 * high:.0f} "
               f"| {said(by_model)} | {said(by_motion)} | {f'{differ} of {repeats}' if repeats else '–'} "
               f"| {verdict(holds, runs, by_model, by_motion, differ)} |")

@@ -248,10 +248,10 @@ TEST_CASE("a crack along the whole foot of a wall has the extent one, and its wi
   CHECK(wall(m, "front wall").crack_extent == doctest::Approx(1.0));
   CHECK(wall(m, "front wall").large_crack_extent == 0.0);
   CHECK(wall(m, "front wall").opened_extent == doctest::Approx(1.0));
-  CHECK(wall(m, "front wall").first_crack_time == 0.05);
+  CHECK(wall(m, "front wall").first_open_joint_time == 0.05);
   CHECK(wall(m, "rear wall").crack_extent == 0.0);
   CHECK(wall(m, "rear wall").opened_extent == 0.0);
-  CHECK(wall(m, "rear wall").first_crack_time == kNeverReached);
+  CHECK(wall(m, "rear wall").first_open_joint_time == kNeverReached);
   CHECK(m.first_crack_time == 0.05);
   // One wall in four is many, not most.
   CHECK(m.series.damage_grade == std::vector<std::int64_t>{0, 2, 2});

@@ -93,9 +93,9 @@ TEST_CASE("damage from settling and from shaking are told apart") {
   CHECK(m.damage_grade == 2);
   CHECK(wall(m, "front wall").settling_crack_extent > 0.5);
   CHECK(wall(m, "front wall").settling_crack_extent == doctest::Approx(wall(m, "front wall").crack_extent));
-  CHECK(wall(m, "front wall").first_crack_time == kNeverReached);
+  CHECK(wall(m, "front wall").first_open_joint_time == kNeverReached);
   CHECK(wall(m, "front wall").opened_extent == 0.0);
-  CHECK(wall(m, "rear wall").first_crack_time == 0.05);
+  CHECK(wall(m, "rear wall").first_open_joint_time == 0.05);
   CHECK(wall(m, "rear wall").settling_crack_extent == 0.0);
   CHECK(wall(m, "rear wall").crack_extent > 0.5);
 }
