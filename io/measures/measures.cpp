@@ -22,12 +22,12 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kQuarter = 0.25;  // of a wall's mass
 
-/// What of a part's mass has fallen, and since when something has.
+/// What of a part's mass has fallen, and when something first had, and a quarter.
 struct Part {
-  double mass = 0, fallen = 0;        // kg; fallen: in this frame
-  double first_time = kNeverReached;  // s
+  double mass = 0, fallen = 0;          // kg; fallen: in this frame
+  double first_time = kNeverReached;    // s
+  double quarter_time = kNeverReached;  // s
 
   [[nodiscard]] double share() const noexcept { return mass > 0 ? fallen / mass : 0.0; }
 };
@@ -91,8 +91,6 @@ class Measurer {
 
   void take(double time, const std::vector<Pose>& poses) {
     take_fallen(time, poses);
-    for (std::size_t w = 0; w < walls_.size(); ++w)
-      if (m_.walls[w].quarter_fallen_time == kNeverReached && walls_[w].share() >= kQuarter) m_.walls[w].quarter_fallen_time = time;
     BuildingDamage damage{{}, roof_.share(), all_.share(), m_.collapsed};
     const std::vector<CrackExtent> cracks = cracks_.extents(time, poses);
     for (std::size_t w = 0; w < walls_.size(); ++w) damage.walls.push_back(damage_of(w, cracks[w], poses));
@@ -118,6 +116,8 @@ class Measurer {
         if (part->first_time == kNeverReached) part->first_time = time;
       }
     }
+    for (Part& w : walls_)
+      if (w.quarter_time == kNeverReached && w.share() >= 0.25) w.quarter_time = time;
     m_.collapsed = sum.is_collapse();
     if (m_.collapsed && m_.collapse_time == kNeverReached) m_.collapse_time = time;
   }
@@ -179,6 +179,7 @@ class Measurer {
       WallMeasures& measures = m_.walls[w];
       measures.fallen_mass_fraction = walls_[w].share();
       measures.first_fallen_time = walls_[w].first_time;
+      measures.quarter_fallen_time = walls_[w].quarter_time;
       measures.first_open_joint_time = cracks_.first_time(w).value_or(kNeverReached);
       if (walls_[w].first_time != kNeverReached && walls_[w].first_time < first) {
         first = walls_[w].first_time;

@@ -7,7 +7,7 @@ A question is answered by true or false, or by raising Unknown: the table has no
 stands). Columns: io/MEASURES.md, and /summary in io/RESULTS.md. Times that the paper gives are those of its record; bam-like is made to be
 strong at the same times, another record need not be.
 
-What the paper says and no column tells, so is not here: where on a wall cracks lie, whether they are diagonal or horizontal, that end beams
+Not asked, since no column tells: where on a wall cracks lie, whether they are diagonal or horizontal, that end beams
 separate from a roof.
 """
 import collections
@@ -19,7 +19,7 @@ FALLS = 0.25     # of its mass: a wall that has lost as much or more falls
 DURATION = 10.0  # s, of the paper's runs
 L_RULES = 3.5    # s: until then the component L is the stronger one (3.7)
 AT_ONCE = 1.5    # s, assumed, for "as soon as the simulation started"
-STRONG = 2.4     # s, assumed: "small initial ground motion" ends, as peaks of bam-like begin
+STRONG = 2.4     # s, assumed, for the end of the "small initial ground motion": peaks of bam-like begin here
 ALIKE = 0.5      # s, assumed, for collapses with "no clear difference"
 ROUNDING = 1e-3  # s
 LEGEND = ("A roof falls if more than half of its mass has fallen; a wall if 25 % of its mass or more; it loses bricks if 5 % or more, and "

@@ -73,15 +73,16 @@ class Changes:
         self.others = others
         self.unchanged = self.groups.pop(unchanged, collections.defaultdict(dict))
 
-    def answers(self, statement, runs):
+    def decided(self, statement, runs):
+        """By realisation: whether the statement holds, of those runs that tell."""
         if self.others is not None and statement.other and statement.other[0] != statement.case:
             runs = collections.defaultdict(dict, {**runs, statement.other: self.others[statement.other]})
         return {number: a for number, a in answers(statement, runs).items() if a is not None}
 
     def pairs(self, statement, wanted=lambda label: True):
         """By change: the answers with and without it, of the realisations that have both."""
-        without = self.answers(statement, self.unchanged)
-        found = {label: self.answers(statement, group) for label, group in self.groups.items() if wanted(label)}
+        without = self.decided(statement, self.unchanged)
+        found = {label: self.decided(statement, group) for label, group in self.groups.items() if wanted(label)}
         return {label: [(a[n], without[n]) for n in sorted(a.keys() & without.keys())] for label, a in found.items()}
 
     def counts(self, statement):

@@ -201,8 +201,8 @@ TEST_CASE("a wall has fallen by a quarter later than its first brick, or never")
   while (hut.tag(brick) != "left wall" || hut.centroid(brick).z < 0.3) ++brick;
   hut.frame(0.0, stays);
   hut.frame(0.1, [&](std::size_t e, Vec3 x) { return e == brick ? x - Vec3{0, 0, 0.25} : falls("rear wall", 0.3)(e, x); });
-  hut.frame(0.2, [&](std::size_t e, Vec3 x) { return falls("left wall", 0.2)(e, falls("rear wall", 0.3)(e, x)); });
-  hut.frame(0.3, stays);  // the first time counts
+  for (const double time : {0.2, 0.3})  // the first time counts
+    hut.frame(time, [&](std::size_t e, Vec3 x) { return falls("left wall", 0.2)(e, falls("rear wall", 0.3)(e, x)); });
   const Measures m = hut.measures();
   CHECK(wall(m, "left wall").first_fallen_time == 0.1);
   CHECK(wall(m, "left wall").quarter_fallen_time == 0.2);
