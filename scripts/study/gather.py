@@ -52,20 +52,24 @@ def costs(folder):
     return dict(zip(COSTS, (len(sessions), round(sum(seconds), 3), round(core_hours, 6))))
 
 
+def place(run, status):
+    axes = {name: "" if value is None else value for name, value in run["axes"].items()}
+    return {"run": run["name"]} | axes | {"identity": run["identity"], "status": status}
+
+
 def row(voussoir, run):
     folder = pathlib.Path("runs") / run["name"]
-    axes = {name: "" if value is None else value for name, value in run["axes"].items()}
     done = folder / "done.json"
     status = json.loads(done.read_text())["status"] if done.exists() else "to be done"
     found = results(voussoir, folder) if done.exists() else {}
-    return {"run": run["name"]} | axes | {"identity": run["identity"], "status": status}, found, costs(folder)
+    return place(run, status), found, costs(folder)
 
 
 def known_row(known, run):
-    """As a row of this table; its columns may come in another order."""
-    place = ("run", *run["axes"], "identity", "status")
-    found = {name: value for name, value in known.items() if name not in (*place, *COSTS)}
-    return {name: known[name] for name in place}, found, {name: known[name] for name in COSTS}
+    """As a row of this table, of which the known one may not be: its place is this study's, its columns may come in another order."""
+    here = place(run, known["status"])
+    found = {name: value for name, value in known.items() if name not in (*here, *COSTS)}
+    return here, found, {name: known[name] for name in COSTS}
 
 
 def main():

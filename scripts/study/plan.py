@@ -283,21 +283,30 @@ def version_of(voussoir):
     return done.stdout.strip().removeprefix("voussoir ")
 
 
-def known_rows(table, runs, folder, voussoir):
-    """Rows of an earlier table of the study, by run: of those that have ended, are the same by case and overrides, and are not in the folder.
-    All must be of this program: rows of another physics are no others of the same kind."""
+def finished_rows(table):
+    """By identity: the rows of a study's table that are of runs that have ended."""
     try:
         with open(table, newline="") as file:
             rows = list(csv.DictReader(file))
     except OSError as error:
-        raise StudyError(f"{table}: {error.strerror}; wanted a table.csv of the study") from error
-    identities = {run["name"]: run["identity"] for run in runs if not (folder / "runs" / run["name"]).exists()}
+        raise StudyError(f"{table}: {error.strerror}; wanted a table.csv of a study") from error
     for column in ("run", "identity", "status"):
         if rows and column not in rows[0]:
-            raise StudyError(f"{table}: no column {column}; wanted a table.csv of the study")
-    known = {row["run"]: row for row in rows if row["status"] != "to be done" and identities.get(row["run"]) == row["identity"]}
-    others = sorted({row.get("version", "") for row in known.values()} - {version_of(voussoir)})
-    if others:
-        raise StudyError(f"{table}: holds runs of version {' and '.join(others)}, and this is {version_of(voussoir)}: their results may differ. "
-                         "Leave out --known, or name the program of the table by VOUSSOIR=...")
+            raise StudyError(f"{table}: no column {column}; wanted a table.csv of a study")
+    return {row["identity"]: row for row in rows if row["status"] != "to be done"}
+
+
+def known_rows(tables, runs, folder, voussoir):
+    """Rows of earlier tables, by run: of those that have ended, are the same by case and overrides, and are not in the folder. The table may
+    be another study's, and call the run otherwise. All must be of this program: rows of another physics are no others of the same kind."""
+    known = {}
+    for table in tables:
+        there = finished_rows(table)
+        found = {run["name"]: there[run["identity"]] for run in runs
+                 if run["identity"] in there and not (folder / "runs" / run["name"]).exists()}
+        others = sorted({row.get("version", "") for row in found.values()} - {version_of(voussoir)})
+        if others:
+            raise StudyError(f"{table}: holds runs of version {' and '.join(others)}, and this is {version_of(voussoir)}: their results may differ. "
+                             "Leave out --known, or name the program of the table by VOUSSOIR=...")
+        known = found | known
     return known
