@@ -9,7 +9,7 @@ Writes a table in Markdown: the statement (statements.py), the runs in which it 
 share (Wilson's score interval; it holds for motions drawn like those of the ensemble). Undecided runs do not tell: the question does not
 arise, the run ended too early, or the table lacks a column. If there is one run of each house and direction: yes, no or undecided. A statement
 that compares two runs pairs them by record, and is left out where one of the two is not in the table. Runs that are not finished, and
-numerical failures, do not count. The tables have one scale and one seed.
+numerical failures, do not count. The tables have one scale and one seed. A run that is in two tables counts once.
 
 --by: how many runs agree with each statement, of how many that tell, by the set of options, or by the record without its number (bam-like#7
 and bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
@@ -82,13 +82,18 @@ def difference(a, b):
     return next((f"{name} ({a[name]}, {b[name]})" for name in ("options", "scale", "seed") if a.get(name) != b.get(name)), "nothing")
 
 
+def same_run(a, b):
+    """Two studies may share runs (--known of scripts/study/run)."""
+    return bool(a.get("identity")) and a["identity"] == b.get("identity")
+
+
 def by_record(rows):
     """By case and direction, then by record."""
     runs = collections.defaultdict(dict)
     for row in rows:
         of_house = runs[row["case"], row["direction"]]
-        if row["record"] in of_house:
-            first = of_house[row["record"]]
+        first = of_house.get(row["record"])
+        if first and not same_run(first, row):
             sys.exit(f"{row['run']}: the same house, direction and record as {first['run']}; they differ in {difference(first, row)}; "
                      "allowed: one run of each")
         of_house[row["record"]] = row

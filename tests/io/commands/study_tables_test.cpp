@@ -135,6 +135,12 @@ TEST_CASE("outcomes: statements by set of options and by what a record is a real
   CHECK(code_of(script("outcomes.py") + path + " --by record >" + out + " 2>&1") == 1);
   CHECK(text_of(out).starts_with(
       "r3: the same house, direction and record as r0; they differ in options (, no_damping); allowed: one run of each\n"));
+  // A run that is in two tables counts once.
+  Table shared;
+  shared.add("flat20n", "bam-like#1", with(kStands, {{"identity", "0a"}}));
+  const std::string first = folder.write("shared.csv", shared.text()), second = folder.write("again.csv", shared.text());
+  REQUIRE(code_of(script("outcomes.py") + first + " " + second + " >" + out) == 0);
+  CHECK(text_of(out).find(statement + "yes |\n") != std::string::npos);
   CHECK(code_of(script("outcomes.py") + path + " --by seed >" + out + " 2>&1") == 1);
   CHECK(code_of(script("outcomes.py") + folder.path("none.csv") + " >" + out + " 2>&1") == 1);
   CHECK(text_of(out) == folder.path("none.csv") + ": No such file or directory\n");
