@@ -11,6 +11,9 @@ arise, the run ended too early, or the table lacks a column. If there is one run
 that compares two runs pairs them by record, and is left out where one of the two is not in the table. Runs that are not finished, and
 numerical failures, do not count. The tables have one scale and one seed. A run that is in two tables counts once.
 
+The last column asks the same of the runs of the other direction, LTV for TLV and TLV for LTV: section 4.4 (1) of the paper, against 4.1, has
+its houses collapse in TLV.
+
 --by: how many runs agree with each statement, of how many that tell, by the set of options, or by the record without its number (bam-like#7
 and bam-like#8 count together, as do pulse50-1 and pulse50-2): a column each.
 """
@@ -110,21 +113,37 @@ def progress(rows):
     return LEGEND + f"\n{len(done(rows)) + failed} of {len(rows)} runs are finished" + (f", {failed} by a numerical failure." if failed else ".")
 
 
+OTHER_DIRECTION = {"LTV": "TLV", "TLV": "LTV"}
+
+
+def exchanged(runs):
+    """Runs as they would be if LTV were called TLV, and TLV LTV."""
+    return collections.defaultdict(dict, {(case, OTHER_DIRECTION.get(direction, direction)): of_house
+                                          for (case, direction), of_house in runs.items()})
+
+
 def share(found):
     holds, of = count(found)
     low, high = wilson(holds, of) if of else (0.0, 1.0)
     return [f"{holds} of {of}", f"{100 * holds / of:.0f}" if of else "–", f"{100 * low:.0f} to {100 * high:.0f}", f"{len(found) - of}"]
 
 
+def said(found):
+    """Of the one run that there is."""
+    return [{True: "yes", False: "no", None: "undecided"}[a] for a in found.values()]
+
+
 def print_shares(rows):
     runs = by_record(done(rows))
+    other_way = exchanged(runs)
     single = all(len(of_house) == 1 for of_house in runs.values())
-    print("| house | direction | the paper | " + ("here |\n|---|---|---|---|" if single
-          else "holds in | share, % | 95 % interval, % | undecided |\n|---|---|---|---|---|---|---|"))
+    show = said if single else share
+    print("| house | direction | the paper | " + ("here | directions exchanged |\n|---|---|---|---|---|" if single
+          else "holds in | share, % | 95 % interval, % | undecided | directions exchanged |\n|---|---|---|---|---|---|---|---|"))
     for statement in STATEMENTS:
-        found = answers(statement, runs)
+        found, found_other_way = answers(statement, runs), answers(statement, other_way)
         if found:
-            cells = [{True: "yes", False: "no", None: "undecided"}[a] for a in found.values()] if single else share(found)
+            cells = show(found) + (show(found_other_way)[:1] if found_other_way else ["–"])
             print(f"| {statement.case} | {statement.direction} | {statement.text} | " + " | ".join(cells) + " |")
     print("\n" + progress(rows))
 
