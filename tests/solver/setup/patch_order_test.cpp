@@ -33,10 +33,13 @@ double stamp(const solver::Patches& p, std::size_t i) {
   return p.patch[i].element + 1e-3 * p.patch[i].face + 1e-8 * (2 * p.from_side[i] + p.mastered[i]);
 }
 
+double& crushed_of(solver::Patches& p, std::size_t i, int k) { return p.points(static_cast<std::int64_t>(i)).crushed[k]; }
+
 }  // namespace
 
 TEST_CASE("free patches sorted by element keep what is theirs, and a state that holds them is restored") {
-  const cases::Case c = small_wall(4, 8);
+  cases::Case c = small_wall(4, 8);
+  c.contact.compression = 2e4, c.contact.residual_compression = 4e3, c.contact.crushing_energy = 2.0, c.contact.crushing_depth = 2e-3;
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
   solver::World& w = sim.world();
@@ -48,15 +51,17 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
   for (std::size_t i = 0; i < count; ++i) {
     p.patch[i].stored = stamp(p, i);
     for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
-      p.points(static_cast<std::int64_t>(i)).set_slip(k, {stamp(p, i) + k, 0.0, 0.0});
+      p.points(static_cast<std::int64_t>(i)).set_slip(k, {stamp(p, i) + k, 0.0, 0.0}), crushed_of(p, i, k) = 2.0 * stamp(p, i) + k;
   }
   solver::sort_patches(w);
   REQUIRE(p.patch.size() == count);
   CHECK(in_order(p));
   for (std::size_t i = 0; i < count; ++i) {
     CHECK(p.patch[i].stored == stamp(p, i));
-    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
+    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k) {
       CHECK(p.points(static_cast<std::int64_t>(i)).slip(k).x == stamp(p, i) + k);
+      CHECK(crushed_of(p, i, k) == 2.0 * stamp(p, i) + k);
+    }
   }
   solver::search_all(w);
   solver::RunState plan, plan_again;
