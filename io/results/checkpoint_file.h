@@ -20,7 +20,7 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 5;
+inline constexpr std::int64_t kCheckpointSchema = 6;
 
 /// Everything but the state.
 struct CheckpointFacts {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -110,40 +108,11 @@ void replace_overlap_pairs(World& w) {
     pairs.insert(pairs.end(), found.begin() + room.first_overlap[i], found.begin() + room.first_overlap[i + 1]);
     std::ranges::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), {}, &OverlapPair::b);
   }
-  w.overlaps.stale = false;
   if (w.multirate.on()) list_overlap_levels(w);
 }
 
-// From where it stands an element goes by the skin at most until it is searched again: back to where that was last, and on by half the
-// skin.
-void list_all_overlap_pairs(World& w) {
-  const double travel = 2.0 * w.travel.skin();
-  std::vector<geometry::Box3> box(static_cast<std::size_t>(w.elements.count));
-  for (std::int32_t e = 0; e < w.elements.count; ++e) box[static_cast<std::size_t>(e)] = box_of(w, e);
-  geometry::UniformGrid grid;
-  grid.build(box);
-  std::vector<std::vector<OverlapPair>> by_thread(static_cast<std::size_t>(w.threads));
-#pragma omp parallel num_threads(w.threads)
-  {
-    std::vector<OverlapPair>& mine = by_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    std::vector<std::int32_t> near;
-#pragma omp for schedule(static)
-    for (std::int32_t e = 0; e < w.elements.count; ++e) {
-      const geometry::Box3& here = box[static_cast<std::size_t>(e)];
-      const Vec3 wide{travel, travel, travel};
-      near.clear();
-      grid.query({here.low - wide, here.high + wide}, near);
-      for (const std::int32_t other : near) {
-        if (other > e && !(is_fixed(w, e) && is_fixed(w, other))) consider(w, e, other, travel, mine);
-      }
-      if (w.has_base && !is_fixed(w, e)) consider(w, e, w.elements.base, travel, mine);
-    }
-  }
-  std::vector<OverlapPair>& pairs = w.overlaps.pairs;
-  pairs.clear();
-  for (const std::vector<OverlapPair>& mine : by_thread) pairs.insert(pairs.end(), mine.begin(), mine.end());
-  activate(w, pairs);
-  w.overlaps.stale = false;
+void use_restored_overlap_pairs(World& w) {
+  activate(w, w.overlaps.pairs);
   if (w.multirate.on()) list_overlap_levels(w);
 }
 

@@ -310,12 +310,9 @@ void Simulation::step(Due due) {
   place_supports();
   {
     const StageTimer timer(times_, Stage::search);
-    // After a restore all pairs are listed before a search, which lists those of the elements that it searches again and keeps the others.
-    if (w.overlaps.stale && w.travel.is_searched()) list_all_overlap_pairs(w);
     const bool search = w.multirate.starts_cycle(step_) && w.travel.search_due(moved_);
     if (search) search_contacts(w);
     if (search && w.multirate.on()) renew_contact_levels(w);
-    if (w.overlaps.stale) list_all_overlap_pairs(w);
     if (w.contacts.stale_level < w.multirate.due(step_)) build_gather(w);
     if ((search || step_ == 0) && w.multirate.on()) renew_moves(w);
   }

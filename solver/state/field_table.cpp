@@ -137,6 +137,16 @@ void add_overlaps(Table& t, World& w) {
   t.insert(t.end(), {value("overlap_friction", "J", o.friction), value("overlap_impact", "J", o.impact)});
 }
 
+// Beyond what touches they decide nothing but, at several rates, how an element is moved on; the hash of a state leaves them out.
+void add_listed_pairs(Table& t, World& w) {
+  std::vector<OverlapPair>& pairs = w.overlaps.pairs;
+  OverlapPair none;
+  OverlapPair& first = pairs.empty() ? none : pairs.front();
+  const std::int64_t elements = w.elements.base + 1;
+  t.insert(t.end(), {member("listed_a", "-", "pair that may overlap", pairs, &first.a, 0, elements - 2),
+                     member("listed_b", "-", "pair that may overlap", pairs, &first.b, 1, elements - 1)});
+}
+
 void add_ties(Table& t, Ties& ties) {
   if (ties.state.empty()) return;
   kernels::TieState& first = ties.state.front();
@@ -257,6 +267,7 @@ std::vector<Field> fields(World& w) {
 
 std::vector<Field> fields(Simulation& sim, RunState& plan) {
   Table table = fields(sim.world());
+  add_listed_pairs(table, sim.world());
   FieldTable::add(table, sim);
   table.insert(table.end(),
                {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2), value("plan_shaking", plan.shaking, 0, 1),

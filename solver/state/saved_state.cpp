@@ -11,6 +11,7 @@
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
+#include "solver/contact/overlap_contact.h"
 #include "solver/run/run.h"
 #include "solver/setup/setup.h"
 #include "solver/state/hash.h"
@@ -78,8 +79,7 @@ void size_search(World& w, const SavedState& from) {
   c.stale_level = 0;
   c.room = {};
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});
-  w.overlaps.pairs.clear();
-  w.overlaps.stale = true;
+  w.overlaps.pairs.assign(find(from, "listed_a").count, {});
 }
 
 template <class T>
@@ -122,6 +122,16 @@ bool is_face_of(const World& w, std::int32_t face, std::int32_t element) {
   return face >= w.elements.first_face[e] && face < w.elements.first_face[e] + w.elements.face_count[e];
 }
 
+/// Each pair once, ascending.
+template <class Pair>
+void check_pairs(const std::vector<Pair>& pairs, const std::string& field) {
+  const auto order = [](const Pair& p) { return std::pair(p.a, p.b); };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].a >= pairs[i].b || (i > 0 && order(pairs[i - 1]) >= order(pairs[i])))
+      throw StateError("field " + field + " has entry " + std::to_string(i) + " out of order");
+  }
+}
+
 /// What one field promises to another.
 void check_contacts(World& w) {
   const Contacts& c = w.contacts;
@@ -137,12 +147,8 @@ void check_contacts(World& w) {
     if (p.face[i] != kernels::kNoFace && (free || !is_face_of(w, p.face[i], p.partner[i])))
       throw StateError("field point_face has a face in entry " + std::to_string(i) + " that is none of the partner's");
   }
-  const auto order = [](const OverlapSpring& s) { return std::pair(s.a, s.b); };
-  const std::vector<OverlapSpring>& springs = w.overlaps.springs;
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    if (springs[i].a >= springs[i].b || (i > 0 && order(springs[i - 1]) >= order(springs[i])))
-      throw StateError("field overlap_a has entry " + std::to_string(i) + " out of order with overlap_b");
-  }
+  check_pairs(w.overlaps.springs, "overlap_a");
+  check_pairs(w.overlaps.pairs, "listed_a");
   if (w.travel.is_searched() && w.travel.state().poses[0]->empty())
     throw StateError("field searched_ux is empty though a search is not due");
 }
@@ -166,6 +172,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   w.multirate.cycle = sim.phase() == Phase::shaking ? w.multirate.wanted : 1;
   w.elements.store_velocity_rows();
   list_candidates(w);
+  use_restored_overlap_pairs(w);
   list_live_blocks(w);
 }
 
