@@ -5,11 +5,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <sstream>
 #include <string>
-#include <vector>
 
+#include "tests/io/commands/study_table.h"
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
@@ -18,8 +17,12 @@ namespace {
 
 using shell::code_of;
 using shell::text_of;
-
-std::string script(const char* name) { return "/usr/bin/python3 " + shell::source(std::string("scripts/study/") + name) + " "; }
+using study::collapsed_at;
+using study::kStands;
+using study::script;
+using study::Table;
+using study::walls;
+using study::with;
 
 }  // namespace
 
@@ -60,59 +63,6 @@ TEST_CASE("effort: what a measure takes more than the bare house, beside grade a
   REQUIRE(make(" --bills " + folder.path("bills")) == 0);
   CHECK(text_of(out).find("| rods | other joints alone |") != std::string::npos);
 }
-
-namespace {
-
-/// A table of runs: columns that a statement may ask for, and rows that fill some of them.
-class Table {
- public:
-  using Values = std::map<std::string, std::string>;
-
-  void add(const std::string& house, const std::string& record, Values values) {
-    values.insert({{"run", "r" + std::to_string(rows_.size())},
-                   {"case", house},
-                   {"direction", "TLV"},
-                   {"record", record},
-                   {"status", "done"},
-                   {"collapsed", "0"},
-                   {"end_time", "10.0"},
-                   {"options", ""}});
-    for (const auto& [column, value] : values) columns_.insert(column);
-    rows_.push_back(std::move(values));
-  }
-  [[nodiscard]] std::string text() const {
-    std::string out;
-    for (const std::string& column : columns_) out += (out.empty() ? "" : ",") + column;
-    for (const Values& row : rows_) {
-      std::string line;
-      for (const std::string& column : columns_) line += (line.empty() ? "\n" : ",") + (row.contains(column) ? row.at(column) : "");
-      out += line;
-    }
-    return out + "\n";
-  }
-
- private:
-  std::set<std::string> columns_;
-  std::vector<Values> rows_;
-};
-
-/// Of the front and the rear wall, and of both side walls: what has fallen of them.
-Table::Values walls(const std::string& front, const std::string& rear, const std::string& sides = "0.0") {
-  const std::string fallen = " wall: fallen_mass_fraction";
-  return {{"front" + fallen, front}, {"rear" + fallen, rear}, {"left" + fallen, sides}, {"right" + fallen, sides}};
-}
-
-Table::Values with(Table::Values values, const Table::Values& more) {
-  for (const auto& [column, value] : more) values[column] = value;
-  return values;
-}
-
-const Table::Values kStands = walls("0.0", "0.02");
-Table::Values collapsed_at(double time, double end) {
-  return with(walls("0.6", "0.9"), {{"collapsed", "1"}, {"collapse_time", std::to_string(time)}, {"end_time", std::to_string(end)}});
-}
-
-}  // namespace
 
 TEST_CASE("outcomes: statements by set of options and by what a record is a realisation of, a column each") {
   const TempFolder folder;
@@ -233,7 +183,8 @@ TEST_CASE("outcomes: one run of each house says yes, no or undecided; what is no
   const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md");
   REQUIRE(code_of(script("outcomes.py") + path + " " + folder.write("drifts.csv", drifts.text()) + " >" + out) == 0);
   const std::string text = text_of(out);
-  CHECK(text.find("| flat40n | LTV | bearing walls lean less than Flat20N's (4.1) | undecided | undecided |\n") != std::string::npos);  // no drift
+  CHECK(text.find("| flat40n | LTV | bearing walls lean less than Flat20N's (4.1) | undecided | undecided |\n") !=
+        std::string::npos);  // no drift
   CHECK(text.starts_with("| house | direction | the paper | here | directions exchanged |\n|---|---|---|---|---|\n"));
   CHECK(text.find("| flat20n | TLV | stands (4.1) | yes | yes |\n") != std::string::npos);
   CHECK(text.find("| flat40n | TLV | stands (4.3) | no | yes |\n") != std::string::npos);

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/io/commands/study_table.h"
+#include "tests/io/shell.h"
+#include "tests/io/temp_folder.h"
+
+// What scripts of scripts/study refuse to read as one table, and what a study says where it cannot begin.
+namespace {
+
+using shell::text_of;
+using study::kStands;
+using study::script;
+using study::Table;
+using study::with;
+
+/// The script ends with code 1, and this message.
+void refuses(const TempFolder& folder, const char* name, const std::string& words, const std::string& message) {
+  const std::string out = folder.path("refused");
+  CHECK(shell::code_of(script(name) + words + " >" + out + " 2>&1") == 1);
+  CHECK(text_of(out) == message);
+}
+
+}  // namespace
+
+TEST_CASE("outcomes and verdict: runs of two versions are no one table") {
+  const TempFolder folder;
+  const auto table = [&](const std::string& name, const std::string& version, const std::string& status = "done") {
+    Table t;
+    t.add("flat20n", "bam-like#1", with(kStands, {{"identity", "0a"}, {"version", version}, {"status", status}}));
+    t.add("flat20n", "bam-like#2", {{"version", ""}, {"status", "to be done"}});
+    return folder.write(name, t.text());
+  };
+  const std::string old = table("old.csv", "0.1.0 (physics 12)"), now = table("now.csv", "0.1.0 (physics 13)");
+  const std::string message = ": a run of version 0.1.0 (physics 13), and one of " + old +
+                              " is of 0.1.0 (physics 12): their results may differ; allowed: runs of one version\n";
+  refuses(folder, "outcomes.py", old + " " + now, now + message);
+  refuses(folder, "outcomes.py", old + " " + now + " --by options", now + message);
+  refuses(folder, "verdict.py", old + " " + now, now + message);
+  refuses(folder, "verdict.py", old + " --model " + now, now + message);
+  refuses(folder, "verdict.py", old + " --motion " + now, now + message);
+  // What is not done is of no version; a table without the column is not asked.
+  const std::string failed = table("failed.csv", "0.1.0 (physics 12)", "numerical failure");
+  CHECK(shell::code_of(script("outcomes.py") + failed + " " + now + " >/dev/null") == 0);
+  Table without;
+  without.add("flat40n", "bam-like#1", kStands);
+  CHECK(shell::code_of(script("outcomes.py") + now + " " + folder.write("without.csv", without.text()) + " >/dev/null") == 0);
+}
