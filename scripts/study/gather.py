@@ -4,7 +4,7 @@
 
 A row a run, in the order of the study file: its place in the study, its status, what `voussoir summary` says of it under the same names and
 in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions. Of a run
-made elsewhere: the row that is known of it.
+made elsewhere: the row that is known of it. A run whose results cannot be read is to be done, with a warning on standard error.
 """
 import csv
 import json
@@ -34,13 +34,20 @@ def flat(summary):
     return {name: "" if value is None else value for name, value in out.items()}
 
 
+class Unreadable(Exception):
+    """A run's results, and why."""
+
+
 def results(voussoir, folder):
     """What came out of a run, measured afresh, and which program made it. Figures keep all digits."""
     said = subprocess.run([voussoir, "summary", str(folder), "--format", "json"], capture_output=True, text=True, check=False)
     if said.returncode != 0:
-        sys.exit(f"{folder}: {said.stderr.strip()}")
-    with h5py.File(folder / "run.h5") as file:
-        return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
+        raise Unreadable(said.stderr.strip())
+    try:
+        with h5py.File(folder / "run.h5") as file:
+            return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
+    except (OSError, KeyError) as error:
+        raise Unreadable(str(error)) from error
 
 
 def costs(folder):
@@ -57,11 +64,20 @@ def place(run, status):
     return {"run": run["name"]} | axes | {"identity": run["identity"], "status": status}
 
 
+def outcome(voussoir, folder):
+    """Status of a run, and its results."""
+    done = folder / "done.json"
+    try:
+        if done.exists():
+            return json.loads(done.read_text())["status"], results(voussoir, folder)
+    except Unreadable as error:
+        print(f"warning: {folder}: {error}; its row is left empty; remove {folder} to run it anew", file=sys.stderr)
+    return "to be done", {}
+
+
 def row(voussoir, run):
     folder = pathlib.Path("runs") / run["name"]
-    done = folder / "done.json"
-    status = json.loads(done.read_text())["status"] if done.exists() else "to be done"
-    found = results(voussoir, folder) if done.exists() else {}
+    status, found = outcome(voussoir, folder)
     return place(run, status), found, costs(folder)
 
 
