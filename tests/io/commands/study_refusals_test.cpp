@@ -49,3 +49,15 @@ TEST_CASE("outcomes and verdict: runs of two versions are no one table") {
   without.add("flat40n", "bam-like#1", kStands);
   CHECK(shell::code_of(script("outcomes.py") + now + " " + folder.write("without.csv", without.text()) + " >/dev/null") == 0);
 }
+
+TEST_CASE("a study without a program says what to do") {
+  const TempFolder folder;
+  const std::string file = folder.write("study.toml", "cases = [\"flat20n\"]\n"), log = folder.path("log");
+  CHECK(shell::code_of("VOUSSOIR=/nowhere/voussoir " + script("run") + file + " --check -o " + folder.path("study") + " >" + log +
+                       " 2>&1") == 2);
+  CHECK(text_of(log) == "study: /nowhere/voussoir: No such file or directory; build it, or name the program by VOUSSOIR=...\n");
+  const std::string other = folder.path("study.toml");  // is there, and is no program
+  CHECK(shell::code_of("VOUSSOIR=" + other + " " + script("run") + file + " --check -o " + folder.path("study") + " >" + log + " 2>&1") ==
+        2);
+  CHECK(text_of(log) == "study: " + other + ": Permission denied; build it, or name the program by VOUSSOIR=...\n");
+}
