@@ -72,17 +72,21 @@ def rows_of(path):
     return rows
 
 
+def tables_of(paths):
+    return {path: rows_of(path) for path in paths}
+
+
 def all_rows(paths):
-    return [row for path in paths for row in rows_of(path)]
+    return [row for rows in tables_of(paths).values() for row in rows]
 
 
 def done(rows):
     return [row for row in rows if row["status"] == "done"]
 
 
-def one_version(paths):
-    """Refuses tables whose runs are of several versions: these are no runs of one kind."""
-    found = [(row["version"], path) for path in paths for row in done(rows_of(path)) if row.get("version")]
+def one_version(tables):
+    """Refuses tables, rows by path, whose runs are of several versions: these are no runs of one kind."""
+    found = [(row["version"], path) for path, rows in tables.items() for row in done(rows) if row.get("version")]
     for version, path in found:
         if version != found[0][0]:
             sys.exit(f"{path}: a run of version {version}, and one of {found[0][1]} is of {found[0][0]}: their results may differ; "
@@ -180,7 +184,7 @@ def main():
     paths = words[:-1] if by else words
     if not paths or any(path.startswith("-") for path in paths) or (by and by not in LABELS):
         sys.exit(__doc__)
-    one_version(paths)
+    one_version(tables_of(paths))
     rows = all_rows(paths)
     if by:
         print_groups(rows, LABELS[by])

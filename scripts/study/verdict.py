@@ -35,7 +35,7 @@ import collections
 import re
 import sys
 
-from outcomes import LABELS, all_rows, answers, by_record, count, done, one_version, wilson
+from outcomes import LABELS, all_rows, answers, by_record, count, done, one_version, tables_of, wilson
 from statements import STATEMENTS
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}
@@ -149,7 +149,7 @@ def split(words):
 
 def main():
     paths = split(sys.argv[1:])
-    one_version([path for of_word in paths.values() for path in of_word])
+    one_version(tables_of([path for of_word in paths.values() for path in of_word]))
     ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
     motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)

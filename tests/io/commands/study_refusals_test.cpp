@@ -61,3 +61,27 @@ TEST_CASE("a study without a program says what to do") {
         2);
   CHECK(text_of(log) == "study: " + other + ": Permission denied; build it, or name the program by VOUSSOIR=...\n");
 }
+
+TEST_CASE("effort: two runs of one house, direction, motion and scale are refused; one that is in two tables counts once") {
+  const TempFolder folder;
+  const std::string file = folder.write("study.toml", "cases = [\"bare.toml\"]\n");
+  const auto table = [&](const std::string& name, const std::string& run, const std::string& more) {
+    return " " +
+           folder.write(name, "run,case,direction,record,scale,options,seed,identity,version,status,damage_grade,fallen_mass_fraction\n" +
+                                  run + ",bare,TLV,bam-like,0.5," + more + ",done,2,0.1\n");
+  };
+  const std::string first = table("first.csv", "a", ",1,0a,0.1.0"),
+                    clash = "b: the same house, direction, motion and scale as a; they differ in ";
+  refuses(folder, "effort.py", file + first + table("other.csv", "b", ",2,0b,0.1.0"), clash + "seed (1, 2); allowed: one run of each\n");
+  refuses(folder, "effort.py", file + first + table("other.csv", "b", "stiff,1,0b,0.1.0"),
+          clash + "options (, stiff); allowed: one run of each\n");
+  refuses(folder, "effort.py", file + first + table("other.csv", "a", ",1,0a,0.2.0"),
+          folder.path("other.csv") + ": a run of version 0.2.0, and one of " + folder.path("first.csv") +
+              " is of 0.1.0: their results may differ; allowed: runs of one version\n");
+  // The bill of the house is there already.
+  folder.write("bills/bare.txt", "bill of blocks\nadobe brick 10 1.0\n");
+  const std::string out = folder.path("table.md");
+  CHECK(shell::code_of(script("effort.py") + file + first + table("other.csv", "c", ",1,0a,0.1.0") + " --bills " + folder.path("bills") +
+                       " >" + out) == 0);
+  CHECK(text_of(out).find("| bare | none | G2 10.0 | – |\n") != std::string::npos);
+}
