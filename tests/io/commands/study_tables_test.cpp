@@ -270,6 +270,26 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   refuses(folder.write("twice.csv", twice.text()), "r1: a second run of realisation 1 beside r0; allowed: one of each\n");
 }
 
+TEST_CASE("compare_options: what sets of the same seeds have is exchanged within each seed, of other seeds all is divided") {
+  const TempFolder folder;
+  std::string rows = "run,case,seed,options,status,fallen_mass_fraction,peak_drift\n";
+  for (int seed = 1; seed <= 6; ++seed) {
+    const auto row = [&](const std::string& options, int of_seed, int fallen) {
+      const std::string drift = seed == 3 && options == "one" ? "" : std::to_string(fallen);  // a value that one run lacks
+      rows += "r,hut," + std::to_string(of_seed) + "," + options + ",done," + std::to_string(fallen / 100.0) + "," + drift + "\n";
+    };
+    row("one", seed, seed), row("two", 7 - seed, seed + 9), row("other", seed + 1, seed + 9);
+  }
+  const std::string table = folder.write("table.csv", rows), out = folder.path("table.md");
+  REQUIRE(code_of(script("compare_options.py") + table + " one two other >" + out) == 0);
+  // All of one set lie below all of the other: D = 1. So they do in 2 of 2^6 exchanges, and in 2 of 924 divisions of 12.
+  const std::string text = text_of(out);
+  CAPTURE(text);
+  CHECK(text.starts_with("| | one, 6 runs | two, 6 runs | other, 6 runs | two: D, p (by seed) | other: D, p (divided) |\n"));
+  CHECK(text.find("\n| fallen mass, % | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
+  CHECK(text.find("\n| peak drift | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
+}
+
 TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {
   if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
     MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
