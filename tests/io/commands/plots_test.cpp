@@ -13,7 +13,7 @@ namespace {
 
 using shell::text_of;
 
-constexpr const char* kCase = R"(title = "two bonded blocks"
+const std::string kCase = R"(title = "two bonded blocks"
 [gravity]
 settle = false
 [time]
@@ -109,4 +109,38 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   CHECK(code_of(py + script("plot_histories.py") + folder.path("nowhere")) == 1);
   CHECK(code_of(py + script("plot_histories.py") + run + " --show lower:x") == 1);
   CHECK(code_of(py + script("plot_spectra.py") + folder.path("case.toml")) == 1);
+}
+
+TEST_CASE("a picture and a plan show stones of any shape, by faces that look outward") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string shapes = R"([[block]]
+name = "pyramid"
+material = "stone"
+vertices = [[1, 0, 0], [1.2, 0, 0], [1.2, 0.2, 0], [1, 0.2, 0], [1.1, 0.1, 0.2]]
+faces = [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+[[block]]
+name = "wedge"
+material = "stone"
+polygon = [[2, 0], [2.2, 0], [2, 0.2]]
+extrude = [0, 0.2]
+)";
+  const std::string run = folder.path("run");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase + shapes) + " -j 1 --duration 0.01 -o " + run) == 0);
+  CHECK(has(figure(py, folder, "plot_debris.py", run), "run, 0.01 s"));
+  CHECK(has(figure(py, folder, "render.py", run + " --time 0"), "0.00 s"));
+  const std::string outward = folder.write("outward.py", R"(import sys
+sys.path.insert(0, sys.argv[1])
+import numpy
+import render
+run = render.Run(sys.argv[2])
+assert set(run.kinds) == {10, 12, 13}
+for cell, kind in zip(run.cells, run.kinds):
+    corners = run.reference[cell[cell >= 0]]
+    for face in render.FACES[int(kind)]:
+        c = corners[list(face)]
+        assert numpy.cross(c[1] - c[0], c[2] - c[0]) @ (c.mean(axis=0) - corners.mean(axis=0)) > 0, (kind, face)
+)");
+  CHECK(code_of(py + " " + outward + script("") + run) == 0);
 }
