@@ -144,3 +144,14 @@ for cell, kind in zip(run.cells, run.kinds):
 )");
   CHECK(code_of(py + " " + outward + script("") + run) == 0);
 }
+
+TEST_CASE("a path that is there is no LABEL=DIR, though it has an = in it") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string run = folder.path("height=2,mortar=weak");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase) + " -j 1 --duration 0.01 -o " + run) == 0);
+  CHECK(has(figure(py, folder, "plot_energy.py", run), "height=2,mortar=weak"));
+  CHECK(has(figure(py, folder, "plot_energy.py", "Weak=" + run), "Weak"));
+  CHECK(code_of("cd " + folder.path() + " && " + py + script("plot_energy.py") + "height=2,mortar=weak -o energy.svg") == 0);
+}
