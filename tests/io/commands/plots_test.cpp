@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/io/shell.h"
@@ -154,4 +155,30 @@ TEST_CASE("a path that is there is no LABEL=DIR, though it has an = in it") {
   CHECK(has(figure(py, folder, "plot_energy.py", run), "height=2,mortar=weak"));
   CHECK(has(figure(py, folder, "plot_energy.py", "Weak=" + run), "Weak"));
   CHECK(code_of("cd " + folder.path() + " && " + py + script("plot_energy.py") + "height=2,mortar=weak -o energy.svg") == 0);
+}
+
+TEST_CASE("a sheet of runs in folders of one name shows each run's own pictures, and makes them once") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string first = folder.path("a/run"), other = folder.path("b/run"), drawn = folder.path("drawn");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase) + " -j 1 --duration 0.01 -o " + first) == 0);
+  std::filesystem::create_directory(folder.path("b"));
+  std::filesystem::copy(first, other, std::filesystem::copy_options::recursive);
+  // In place of the program, which needs a Chromium: it notes of which run a picture is wanted, and makes an empty one.
+  const std::string stills = folder.write("stills.py", R"(import os, sys
+from PIL import Image
+kept = sys.argv[sys.argv.index("--output") + 1]
+os.makedirs(kept, exist_ok=True)
+Image.new("RGB", (40, 30)).save(os.path.join(kept, "corner-0.01s.png"))
+open(")" + drawn + R"(", "a").write(sys.argv[2] + "\n")
+)");
+  const std::string program = folder.write("program", "#!/bin/sh\nexec " + py + " " + stills + " \"$@\"\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string sheet = py + script("contact_sheet.py") + first + " " + other + " --times 0.01 --voussoir " + program + " --stills " +
+                            folder.path("kept") + " -o " + folder.path("sheet.png");
+  for (int time = 0; time < 2; ++time) {
+    REQUIRE(code_of(sheet) == 0);
+    CHECK(text_of(drawn) == first + "\n" + other + "\n");
+  }
 }
