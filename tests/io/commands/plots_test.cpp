@@ -182,3 +182,15 @@ open(")" + drawn + R"(", "a").write(sys.argv[2] + "\n")
     CHECK(text_of(drawn) == first + "\n" + other + "\n");
   }
 }
+
+TEST_CASE("capacity: runs of a case file lie in the folder that was named, and nowhere else") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string house = folder.write("house.toml", kCase), log = folder.path("log");
+  // In place of the program: it notes where results go, and fails.
+  const std::string program = folder.write("program", "#!/bin/sh\necho \"$5\" >" + log + "\nexit 3\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  CHECK(code_of("VOUSSOIR=" + program + " " + py + script("capacity") + house + " " + folder.path("runs") + " +x") == 1);
+  CHECK(text_of(log) == folder.path("runs") + "/house+x-pushover\n");
+}
