@@ -194,3 +194,30 @@ TEST_CASE("capacity: runs of a case file lie in the folder that was named, and n
   CHECK(code_of("VOUSSOIR=" + program + " " + py + script("capacity") + house + " " + folder.path("runs") + " +x") == 1);
   CHECK(text_of(log) == folder.path("runs") + "/house+x-pushover\n");
 }
+
+TEST_CASE("a line through means over seeds has a gap where the thing came in some of them alone") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  std::string table = "run,case,direction,record,scale,options,seed,status,first_crack_time\n";
+  const auto row = [&](const std::string& scale, const std::string& status, const std::string& time) {
+    table += "r,house,LTV,,";
+    table += scale + ",,0," + status + "," + time + "\n";
+  };
+  row("0.5", "done", "4.0"), row("0.5", "done", "-1.0");
+  row("1.0", "done", "2.0"), row("1.0", "done", "3.0"), row("1.0", "to be done", "");
+  row("2.0", "done", "1.0"), row("2.0", "done", "1.0");
+  const std::string means = folder.write("means.py", R"(import csv, math, pathlib, sys
+sys.path.insert(0, sys.argv[1] + "study")
+import plot
+figures = []
+plot.run_file.save = lambda figure, path: figures.append(figure)
+plot.draw(list(csv.DictReader(open(sys.argv[2]))), pathlib.Path(sys.argv[3]) / "first_crack_time.svg")
+line, points = figures[0].axes[0].lines
+assert list(line.get_xdata()) == [0.5, 1.0, 2.0]
+assert math.isnan(line.get_ydata()[0]) and list(line.get_ydata()[1:]) == [2.5, 1.0], line.get_ydata()
+assert list(points.get_ydata()) == [4.0, 2.0, 3.0, 1.0, 1.0]
+)");
+  const std::string words = " " + shell::source("scripts/") + " " + folder.write("table.csv", table) + " " + folder.path();
+  CHECK(code_of(py + " " + means + words) == 0);
+}
