@@ -8,6 +8,7 @@ made elsewhere: the row that is known of it. A run whose results cannot be read 
 """
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -95,11 +96,12 @@ def main():
     names = [dict.fromkeys(name for r in rows for name in r[part]) for part in range(3)]
     columns = [name for part in names for name in part]
     path = pathlib.Path(sys.argv[2])
-    with open(path.with_name(path.name + ".tmp"), "w", newline="") as file:
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")  # of this process: `run --table` may make a table beside the study's own
+    with open(temporary, "w", newline="") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(a | b | c for a, b, c in rows)
-    path.with_name(path.name + ".tmp").replace(path)
+    temporary.replace(path)
 
 
 if __name__ == "__main__":

@@ -215,6 +215,18 @@ TEST_CASE("a study: what ends before it has results is no numerical failure; res
   CHECK(column(folder.path("table.csv"), "status") == std::vector<std::string>{"to be done", "to be done"});
 }
 
+TEST_CASE("a study: a table that is made beside another leaves the other's alone") {
+  if (!can_study()) return;
+  const TempFolder folder;
+  write_plan(folder);
+  const std::string other = folder.write("table.csv.tmp", "half of a tab");
+  CHECK(code_of("cd " + folder.path() + " && " + script("gather.py") + "plan.json table.csv") == 0);
+  CHECK(text_of(other) == "half of a tab");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
+  CHECK(files == 4);  // the program, the plan, the table, and the other's
+}
+
 TEST_CASE("a table in Markdown has the runs that are done, in figures for people") {
   const TempFolder folder;
   const std::string head =
