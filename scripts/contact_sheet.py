@@ -11,6 +11,7 @@ the run are used as they are. Their titles are cut off: the sheet has its own. N
 """
 
 import argparse
+import hashlib
 import os
 import pathlib
 import subprocess
@@ -61,6 +62,12 @@ def stills(folder, view, times, program, kept=None):
     return paths
 
 
+def name_of_its_own(folder):
+    """Of a run, among runs in folders of the same name."""
+    path = os.path.realpath(folder)
+    return f"{os.path.basename(path)}-{hashlib.sha256(path.encode()).hexdigest()[:8]}"
+
+
 def sheet(rows, names, times, output, dpi=150, width=WIDTH):
     """Draws the pictures of `rows`, each a list of paths in the order of `times`, `width` inches wide."""
     with Image.open(max(rows, key=len)[0]) as first:
@@ -82,7 +89,7 @@ def main():
     p.add_argument("folders", nargs="+", metavar="DIR")
     p.add_argument("--times", type=float, nargs="+", help="s (default: four moments of the longest run)")
     p.add_argument("--view", default="corner", choices=["corner", "rearcorner", "front", "rear", "left", "side", "top", "plan"])
-    p.add_argument("--stills", metavar="FOLDER", help="keep the pictures in FOLDER/NAME of each run and not in DIR/stills")
+    p.add_argument("--stills", metavar="FOLDER", help="keep the pictures in FOLDER/NAME-HASH of each run (a hash of its path) and not in DIR/stills")
     p.add_argument("--width", type=float, default=WIDTH, help="of a picture, inches")
     p.add_argument("--dpi", type=int, default=150)
     p.add_argument("-o", "--output", default="sheet.png")
@@ -94,7 +101,7 @@ def main():
     if times[0] > last + 1e-6:
         sys.exit(f"--times {times[0]:g}: no run goes so far; the longest ends at {last:g} s")
     names = [os.path.basename(os.path.normpath(f)) for f in folders]
-    rows = [stills(f, a.view, times, a.voussoir, a.stills and os.path.join(a.stills, name)) for f, name in zip(folders, names)]
+    rows = [stills(f, a.view, times, a.voussoir, a.stills and os.path.join(a.stills, name_of_its_own(f))) for f in folders]
     sheet(rows, names, times, a.output, a.dpi, a.width)
 
 

@@ -16,8 +16,9 @@ import run_file
 from run_file import plt
 from voussoir.results import rotation_matrices
 
-# Faces of VTK's hexahedron (12) and wedge (13), outward.
+# Faces of VTK's tetrahedron (10), hexahedron (12) and wedge (13), outward.
 FACES = {
+    10: [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
     12: [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
     13: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
 }

@@ -8,6 +8,7 @@ Needs python3-h5py, python3-numpy, python3-matplotlib.
 
 import argparse
 import contextlib
+import os
 import pathlib
 import sys
 
@@ -52,8 +53,8 @@ class Run(voussoir.Run):
     """A run with a name for figures, of a finished run or of one that goes on."""
 
     def __init__(self, argument):
-        """argument: DIR, DIR/run.h5, or either behind "LABEL="."""
-        label, found, path = argument.partition("=")
+        """argument: DIR, DIR/run.h5, or either behind "LABEL=". A path that is there has no label, even with an = in it."""
+        label, found, path = ("", "", argument) if os.path.exists(argument) else argument.partition("=")
         super().__init__(path if found else argument)
         self.label = label if found else plots.label_of(self)
         with or_exit():

@@ -9,7 +9,8 @@ The first case of the study is the bare house; effort is what the bills of `vous
 program, default build/release/io/voussoir, else the one on the PATH). Bills are kept in FOLDER, if one is given, and not made again.
 Writes a table in Markdown on standard output: damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have
 a dash, columns without any are left out. A last column has the means over the runs that are done for both the measure and the bare house:
-grade and fallen mass, with the measure and (without), and of how many runs. --record: only the runs of this motion.
+grade and fallen mass, with the measure and (without), and of how many runs. --record: only the runs of this motion. The tables are of one
+version, with one set of options and one seed; a run that is in two of them counts once.
 """
 import argparse
 import csv
@@ -21,6 +22,7 @@ import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
 import program
+from outcomes import difference, one_version, same_run
 
 COLUMNS = {"bill of blocks": ("count", "m3"), "bill of ties": ("count", "rod", "mesh", "anchors")}
 LEAST = 5e-3  # below it a difference is round-off of what is printed
@@ -118,15 +120,25 @@ def gain(runs, bare):
     return f"G{grades[0]} (G{grades[1]}), {fallen[0]} ({fallen[1]}), {len(both)} of {len(bare)}"
 
 
-def read(tables, record):
+def add(runs, run):
+    """One more of a case's runs."""
+    first = runs.setdefault(key(run), run)
+    if first is not run and not same_run(first, run):
+        sys.exit(f"{run['run']}: the same house, direction, motion and scale as {first['run']}; they differ in {difference(first, run)}; "
+                 "allowed: one run of each")
+
+
+def read(paths, record):
     """Runs that are done, of that record if one is given, by case, then by direction, motion and scale; and in their order those of the latter that some case has done."""
-    done, keys = {}, {}
-    for path in tables:
+    done, keys, tables = {}, {}, {}
+    for path in paths:
         with open(path, newline="", encoding="utf-8") as file:
-            for run in csv.DictReader(file):
-                if run["status"] == "done" and record in (None, run["record"]):
-                    keys.setdefault(key(run), len(keys))
-                    done.setdefault(run["case"], {})[key(run)] = run
+            tables[path] = list(csv.DictReader(file))
+    one_version(tables)
+    for run in (run for rows in tables.values() for run in rows):
+        if run["status"] == "done" and record in (None, run["record"]):
+            keys.setdefault(key(run), len(keys))
+            add(done.setdefault(run["case"], {}), run)
     return done, list(keys)
 
 

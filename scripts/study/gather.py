@@ -4,10 +4,11 @@
 
 A row a run, in the order of the study file: its place in the study, its status, what `voussoir summary` says of it under the same names and
 in the same units (io/MEASURES.md), the version of the program that made it; then what it cost, which alone depends on interruptions. Of a run
-made elsewhere: the row that is known of it.
+made elsewhere: the row that is known of it. A run whose results cannot be read is to be done, with a warning on standard error.
 """
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -34,13 +35,20 @@ def flat(summary):
     return {name: "" if value is None else value for name, value in out.items()}
 
 
+class Unreadable(Exception):
+    """A run's results, and why."""
+
+
 def results(voussoir, folder):
     """What came out of a run, measured afresh, and which program made it. Figures keep all digits."""
     said = subprocess.run([voussoir, "summary", str(folder), "--format", "json"], capture_output=True, text=True, check=False)
     if said.returncode != 0:
-        sys.exit(f"{folder}: {said.stderr.strip()}")
-    with h5py.File(folder / "run.h5") as file:
-        return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
+        raise Unreadable(said.stderr.strip())
+    try:
+        with h5py.File(folder / "run.h5") as file:
+            return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
+    except (OSError, KeyError) as error:
+        raise Unreadable(str(error)) from error
 
 
 def costs(folder):
@@ -57,11 +65,20 @@ def place(run, status):
     return {"run": run["name"]} | axes | {"identity": run["identity"], "status": status}
 
 
+def outcome(voussoir, folder):
+    """Status of a run, and its results."""
+    done = folder / "done.json"
+    try:
+        if done.exists():
+            return json.loads(done.read_text())["status"], results(voussoir, folder)
+    except Unreadable as error:
+        print(f"warning: {folder}: {error}; its row is left empty; remove {folder} to run it anew", file=sys.stderr)
+    return "to be done", {}
+
+
 def row(voussoir, run):
     folder = pathlib.Path("runs") / run["name"]
-    done = folder / "done.json"
-    status = json.loads(done.read_text())["status"] if done.exists() else "to be done"
-    found = results(voussoir, folder) if done.exists() else {}
+    status, found = outcome(voussoir, folder)
     return place(run, status), found, costs(folder)
 
 
@@ -79,11 +96,12 @@ def main():
     names = [dict.fromkeys(name for r in rows for name in r[part]) for part in range(3)]
     columns = [name for part in names for name in part]
     path = pathlib.Path(sys.argv[2])
-    with open(path.with_name(path.name + ".tmp"), "w", newline="") as file:
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")  # of this process: `run --table` may make a table beside the study's own
+    with open(temporary, "w", newline="") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(a | b | c for a, b, c in rows)
-    path.with_name(path.name + ".tmp").replace(path)
+    temporary.replace(path)
 
 
 if __name__ == "__main__":

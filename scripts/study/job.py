@@ -102,6 +102,13 @@ def draw(plan, folder):
         subprocess.run([plan["voussoir"], "report", str(folder), "--overwrite"], stdout=subprocess.DEVNULL, check=False)
 
 
+def status_of(code, folder):
+    """How a run has ended; None: it has not. Without results, a fault stood in the way of the run, and not its own numbers."""
+    if code == NUMERICAL_FAILURE and (folder / "run.h5").exists():
+        return "numerical failure"
+    return "done" if code == DONE else None
+
+
 def main():
     plan = json.loads(pathlib.Path(sys.argv[1]).read_text())
     run = next(r for r in plan["runs"] if r["name"] == sys.argv[2])
@@ -114,14 +121,14 @@ def main():
     write(folder / "version", plan["version"] + "\n")
     sessions = Sessions(folder)
     code = DONE if finished(folder) else go_on(command(plan, run, folder), folder, sessions, plan["threads"], lock)
-    if code not in (DONE, NUMERICAL_FAILURE):
+    status = status_of(code, folder)
+    if status is None:
         log = (folder / "program.log").read_text().splitlines()
         print(f"{run['name']}: {log[-1] if log else 'no message'} (exit code {code}; {folder}/program.log)", file=sys.stderr)
         return code if code > 0 else 128 - code
     sessions.close_killed()
     if code == DONE:
         draw(plan, folder)
-    status = "done" if code == DONE else "numerical failure"
     write(folder / "done.json", json.dumps({"status": status}) + "\n")
     print(f"{run['name']}: {status}", file=sys.stderr)
     return DONE

@@ -9,7 +9,7 @@ Writes a table in Markdown: the statement (statements.py), the runs in which it 
 share (Wilson's score interval; it holds for motions drawn like those of the ensemble). Undecided runs do not tell: the question does not
 arise, the run ended too early, or the table lacks a column. If there is one run of each house and direction: yes, no or undecided. A statement
 that compares two runs pairs them by record, and is left out where one of the two is not in the table. Runs that are not finished, and
-numerical failures, do not count. The tables have one scale and one seed. A run that is in two tables counts once.
+numerical failures, do not count. The tables have one scale, one seed and one version. A run that is in two tables counts once.
 
 The last column asks the same of the runs of the other direction, LTV for TLV and TLV for LTV: section 4.4 (1) of the paper, against 4.1, has
 its houses collapse in TLV.
@@ -72,12 +72,25 @@ def rows_of(path):
     return rows
 
 
+def tables_of(paths):
+    return {path: rows_of(path) for path in paths}
+
+
 def all_rows(paths):
-    return [row for path in paths for row in rows_of(path)]
+    return [row for rows in tables_of(paths).values() for row in rows]
 
 
 def done(rows):
     return [row for row in rows if row["status"] == "done"]
+
+
+def one_version(tables):
+    """Refuses tables, rows by path, whose runs are of several versions: these are no runs of one kind."""
+    found = [(row["version"], path) for path, rows in tables.items() for row in done(rows) if row.get("version")]
+    for version, path in found:
+        if version != found[0][0]:
+            sys.exit(f"{path}: a run of version {version}, and one of {found[0][1]} is of {found[0][0]}: their results may differ; "
+                     "allowed: runs of one version")
 
 
 def difference(a, b):
@@ -171,6 +184,7 @@ def main():
     paths = words[:-1] if by else words
     if not paths or any(path.startswith("-") for path in paths) or (by and by not in LABELS):
         sys.exit(__doc__)
+    one_version(tables_of(paths))
     rows = all_rows(paths)
     if by:
         print_groups(rows, LABELS[by])

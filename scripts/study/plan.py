@@ -247,6 +247,14 @@ def expand(study, path):
     return runs
 
 
+def call(words):
+    """Runs the program, elsewhere, as when it runs a study."""
+    try:
+        return subprocess.run(words, capture_output=True, text=True, check=False, cwd="/")
+    except OSError as error:
+        raise StudyError(f"{words[0]}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
+
+
 def check_cases(path, runs, voussoir):
     """Asks the program whether it can build each case, with each set of options and each record."""
     seen = set()
@@ -256,10 +264,7 @@ def check_cases(path, runs, voussoir):
             continue
         seen.add(key)
         words = [voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)]
-        try:
-            done = subprocess.run(words, capture_output=True, text=True, check=False, cwd="/")  # elsewhere, as when it runs
-        except OSError as error:
-            raise StudyError(f"{voussoir}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
+        done = call(words)
         if done.returncode != 0:
             raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
 
@@ -279,8 +284,7 @@ def check_folder(folder, runs, version):
 
 def version_of(voussoir):
     """As the program's results say it: "0.1.0 (physics 8)"."""
-    done = subprocess.run([voussoir, "--version"], capture_output=True, text=True, check=False)
-    return done.stdout.strip().removeprefix("voussoir ")
+    return call([voussoir, "--version"]).stdout.strip().removeprefix("voussoir ")
 
 
 def finished_rows(table):

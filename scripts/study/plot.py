@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Quantities of a study's table: over the scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY.svg ...
 
-Over the scale: a point a run, a line through the means over seeds, one for each case, direction, record and set of options.
+Over the scale: a point a run, a line through the means over seeds, one for each case, direction, record and set of options. Where something,
+as a crack, never came in some of the seeds, they have no mean, and the line has a gap.
 """
 import csv
+import math
 import pathlib
 import sys
 
@@ -25,7 +27,13 @@ def is_number(text):
 
 
 def value_of(row, quantity):
-    return SHOWN.get(quantity, 1) * float(row[quantity])
+    """None: never, which a time below zero stands for."""
+    value = float(row[quantity])
+    return None if UNITS.get(quantity) == "s" and value < 0 else SHOWN.get(quantity, 1) * value
+
+
+def mean(values):
+    return math.nan if None in values else sum(values) / len(values)
 
 
 def over_scale(axes, rows, quantity):
@@ -36,8 +44,9 @@ def over_scale(axes, rows, quantity):
     for number, (label, points) in enumerate(groups.items()):
         look = run_file.style(number)
         scales = sorted(points)
-        axes.plot(scales, [sum(points[s]) / len(points[s]) for s in scales], label=label, **look)
-        axes.plot([s for s in scales for _ in points[s]], [v for s in scales for v in points[s]], ".", color=look["color"])
+        axes.plot(scales, [mean(points[s]) for s in scales], label=label, **look)
+        shown = [(s, v) for s in scales for v in points[s] if v is not None]
+        axes.plot([s for s, _ in shown], [v for _, v in shown], ".", color=look["color"])
     axes.set(xlabel="scale of the motion", ylabel=label_of(quantity))
     axes.legend()
 
@@ -53,18 +62,21 @@ def label_of(quantity):
 
 
 def has(row, quantity):
-    """Of a run that has ended well; a time below zero stands for never."""
-    value = row.get(quantity) or ""
-    return row["status"] == "done" and is_number(value) and not (UNITS.get(quantity) == "s" and float(value) < 0)
+    """Of a run that has ended well."""
+    return row["status"] == "done" and is_number(row.get(quantity) or "")
 
 
 def draw(rows, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     quantity = path.stem
-    shown = [row for row in rows if has(row, quantity)]
-    scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in shown)
+    there = [row for row in rows if has(row, quantity)]
+    shown = [row for row in there if value_of(row, quantity) is not None]
+    scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in there)
     figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(shown)) / 2.54))
-    (over_scale if scaled else bars)(axes, shown, quantity)
+    if scaled:
+        over_scale(axes, there, quantity)
+    else:
+        bars(axes, shown, quantity)
     run_file.save(figure, path)
 
 

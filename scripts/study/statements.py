@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the paper's sections 4.1 to 4.3 say of its houses, as questions that a row of a study's table answers.
+"""What the paper's sections 4.1 to 4.4 say of its houses, as questions that a row of a study's table answers.
 
 A question is answered by true or false, or by raising Unknown: the table has no such column, the run ended before the paper's 10 s
 (`time.after_collapse`) and what is asked might still have come, or the question does not arise ("after 6 s, if it falls" of a house that
@@ -136,6 +136,11 @@ def cracks(run):
     return happened(run.time("first_crack_time") < math.inf, run)
 
 
+def whole_at_first(run):
+    """Nothing has opened under its own weight when the shaking begins."""
+    return run.number("settling_cracks") == 0
+
+
 def cracks_while_l_rules(run):
     """Unknown: it does not crack."""
     if not cracks(run):
@@ -193,6 +198,15 @@ def collapse_alike(mine, other):
     return roof_falls(mine) and roof_falls(other) and abs(mine.collapse_time - other.collapse_time) <= ALIKE + ROUNDING
 
 
+def debris_covers_more(mine, other):
+    """Unknown: one of them stands, or one ended early: what has fallen may still slide together."""
+    if not (mine.collapsed and other.collapsed):
+        raise Unknown
+    for run in (mine, other):
+        run.needs_its_whole_time()
+    return mine.number("debris_area") > other.number("debris_area")
+
+
 Statement = collections.namedtuple("Statement", (
     "case", "direction",
     "text",   # what the paper says, and its section
@@ -206,6 +220,7 @@ def in_both(case, text, holds, other_case=None):
     return [Statement(case, d, text, holds, (other_case, d) if other_case else None) for d in ("TLV", "LTV")]
 
 
+# Directions are those of 4.1: 4.4 (1) calls LTV what 4.1 calls TLV, and TLV what it calls LTV.
 FLAT = [
     *in_both("flat20w", "cracks first in a bearing wall (4.1)", bearing_walls_crack_first),
     Statement("flat20w", "TLV", "stands (4.1)", stands),
@@ -214,6 +229,7 @@ FLAT = [
     Statement("flat20w", "LTV", "both bearing walls fall (4.1)", walls_fall(BEARING)),
     Statement("flat20w", "LTV", "if the roof falls, after 4.8 s (4.1)", collapses_after(4.8)),
     Statement("flat20w", "LTV", "falls, and under TLV it stands (4.1)", falls_where_other_stands, ("flat20w", "TLV")),
+    Statement("flat20w", "LTV", "if both roofs fall, debris covers more than Flat20N's (4.4)", debris_covers_more, ("flat20n", "LTV")),
     Statement("flat20n", "TLV", "stands (4.1)", stands),
     Statement("flat20n", "LTV", "the roof falls (4.1)", roof_falls),
     Statement("flat20n", "LTV", "both bearing walls fall (4.1)", walls_fall(BEARING)),
@@ -235,7 +251,9 @@ FLAT = [
 VAULTS = [
     *in_both("vault20w", "collapses as soon as the motion begins (4.2)", collapses_before(AT_ONCE)),
     *in_both("vault20w", "a bearing wall falls before a side wall (4.2)", bearing_walls_fall_first),
+    *in_both("vault20w", "both bearing walls fall (4.2)", walls_fall(BEARING)),
     *in_both("vault20w", "both side walls fall (4.2)", walls_fall(SIDE)),
+    *in_both("vault20n", "nothing cracks before the motion begins (4.2)", whole_at_first),
     *in_both("vault20n", "the roof falls (4.2)", roof_falls),
     *in_both("vault20n", "both bearing walls fall (4.2)", walls_fall(BEARING)),
     *in_both("vault20n", "the roof falls before the strong motion (4.2)", collapses_before(STRONG)),
@@ -249,10 +267,12 @@ VAULTS = [
     Statement("vault40n", "TLV", "both bearing walls stay (4.2)", walls_stay(BEARING)),
     Statement("vault40n", "LTV", "the front wall loses bricks (4.2)", walls_lose_bricks(["front wall"])),
     Statement("vault40n", "LTV", "the rear wall stays (4.2)", walls_stay(["rear wall"])),
+    *in_both("vault40n", "a side wall loses bricks (implied, 4.2)", walls_lose_bricks(SIDE)),  # element 1 falls, a brick of it
     *in_both("vault20r", "the roof falls (4.2)", roof_falls),
     *in_both("vault20r", "if both roofs fall, later than Vault40N's (4.2)", roof_falls_later, "vault40n"),
     *in_both("vault20r", "the side walls stay (4.2)", walls_stay(SIDE)),
     *in_both("vault20r", "the rear wall stays (4.2)", walls_stay(["rear wall"])),
+    *in_both("vault20r", "the front wall loses bricks (4.2)", walls_lose_bricks(["front wall"])),
 ]
 # Vault40N is not here: of it the paper excludes failure in compression, and not in shear.
 MODES = [statement for case in ("flat20w", "flat20n", "flat20s", "flat40n", "flat20r", "vault20w", "vault20n", "vault20s", "vault20r")

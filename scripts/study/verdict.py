@@ -11,6 +11,7 @@ ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all 
   `as_it_is` have none. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
   is a changed bam-like#2. The table also holds the unchanged bam-like#2.
+All tables are of one version.
 
 The statements are those of statements.py. Runs that do not tell are left out. A statement that compares two houses pairs them by realisation:
 a house with a changed model with the other house of the ensemble, a house under a changed motion with the other house under that motion. A
@@ -34,7 +35,7 @@ import collections
 import re
 import sys
 
-from outcomes import LABELS, all_rows, answers, by_record, count, done, wilson
+from outcomes import LABELS, all_rows, answers, by_record, count, done, one_version, tables_of, wilson
 from statements import STATEMENTS
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}
@@ -148,6 +149,7 @@ def split(words):
 
 def main():
     paths = split(sys.argv[1:])
+    one_version(tables_of([path for of_word in paths.values() for path in of_word]))
     ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
     motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)

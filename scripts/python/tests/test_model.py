@@ -99,19 +99,43 @@ class Models(InAFolder):
         with self.assertRaises(KeyError):
             model["time.duration"]
 
-    def test_files_are_named_from_anywhere(self):
-        (self.folder / "x.csv").write_text("t [s],a [m/s2]\n0,0\n0.05,1\n0.1,0\n")
+    def files_of(self, change):
+        """The case that a model writes after a change, made where the files x.csv and "#1.csv" are."""
+        for name in ("x.csv", "#1.csv"):
+            (self.folder / name).write_text("t [s],a [m/s2]\n0,0\n0.05,1\n0.1,0\n")
         here = os.getcwd()
         os.chdir(self.folder)
         try:
             model = blocks()
-            model.motion(x="x.csv")
-            path = model.write("case.toml")
-            self.assertTrue(os.path.isabs(tomllib.loads(path.read_text())["motion"]["x"]))
-            with self.assertRaisesRegex(voussoir.FileError, "exists"):
-                model.write("case.toml")
+            change(model)
+            return tomllib.loads(model.write("case.toml", overwrite=True).read_text())
         finally:
             os.chdir(here)
+
+    def test_files_are_named_from_anywhere(self):
+        there = str((self.folder / "x.csv").resolve())
+        self.assertEqual(self.files_of(lambda m: m.motion(x="x.csv"))["motion"]["x"], there)
+        self.assertEqual(self.files_of(lambda m: m.motion("x.csv"))["motion"]["record"], there)
+        self.assertEqual(self.files_of(lambda m: m.load("upper", history="x.csv"))["load"][0]["history"], there)
+        moved = self.files_of(lambda m: m.box("b", [0, 0, 0], [1, 1, 1], material="stone", fixed=True, motion={"file": "x.csv"}))
+        self.assertEqual(moved["block"][2]["motion"]["file"], there)
+        with self.assertRaisesRegex(voussoir.FileError, "exists"):
+            voussoir.Model().write(self.folder / "case.toml")
+
+    def test_files_of_any_key_are_named_from_anywhere(self):
+        there = str((self.folder / "x.csv").resolve())
+
+        def sinks(model):
+            model["base.part"] = [{"x": [0.0, 1.0], "y": [0.0, 1.0], "level": 0.2, "motion": {"file": "x.csv"}}]
+        self.assertEqual(self.files_of(sinks)["base"]["part"][0]["motion"]["file"], there)
+        self.assertEqual(self.files_of(lambda m: m.__setitem__("motion.x", "x.csv"))["motion"]["x"], there)
+        self.assertEqual(self.files_of(lambda m: m.__setitem__("title", "x.csv"))["title"], "x.csv")  # no key of a file
+
+    def test_a_component_of_a_file_is_named_from_anywhere(self):
+        there = self.folder.resolve()
+        self.assertEqual(self.files_of(lambda m: m.motion(x="x.csv#90 DEG"))["motion"]["x"], f"{there}/x.csv#90 DEG")
+        self.assertEqual(self.files_of(lambda m: m.motion(x="#1.csv"))["motion"]["x"], f"{there}/#1.csv")  # a name of its own
+        self.assertEqual(self.files_of(lambda m: m.motion("bam-like#7"))["motion"]["record"], "bam-like#7")
 
 
 class Program(unittest.TestCase):

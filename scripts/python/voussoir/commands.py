@@ -194,5 +194,11 @@ def _drain(terminal: int) -> None:
 
 
 def absolute_if_file(path: str | os.PathLike[str]) -> str:
-    """A path as seen from anywhere, if it leads to something; else the text as it is, which may be a name that the program knows."""
-    return str(pathlib.Path(path).resolve()) if pathlib.Path(path).exists() else str(path)
+    """A path as seen from anywhere, if it leads to something; else the text as it is, which may be a name that the program knows.
+
+    FILE#COMPONENT, of a motion, leads to FILE.
+    """
+    if pathlib.Path(path).exists():
+        return str(pathlib.Path(path).resolve())
+    file, mark, component = str(path).rpartition("#")
+    return f"{pathlib.Path(file).resolve()}#{component}" if mark and pathlib.Path(file).is_file() else str(path)

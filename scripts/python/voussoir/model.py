@@ -21,6 +21,10 @@ from .shapes import shape_of
 Path = str | os.PathLike[str]
 T = TypeVar("T")
 
+# Keys whose text is the path of a file, or the name of something ready.
+FILES = ("include", *(f"motion.{key}" for key in ("record", "x", "y", "z", "L", "T", "V")), "block.motion.file", "base.part.motion.file",
+         "stones.file", "load.history")
+
 
 class Model:
     """A case file in the making.
@@ -36,7 +40,7 @@ class Model:
         names = [include] if isinstance(include, (str, os.PathLike)) else list(include)
         self.case: dict[str, Any] = {"title": title} if title else {}
         if names:
-            self.case["include"] = [absolute_if_file(name) for name in names]
+            self.case["include"] = _from_anywhere("include", names)
 
     # Any key
 
@@ -51,7 +55,7 @@ class Model:
         if value is None:
             table.pop(key, None)
         else:
-            table[key] = value
+            table[key] = _from_anywhere(path, value)
 
     def __getitem__(self, path: str) -> Any:
         """What this model itself says of a key; KeyError if it says nothing."""
@@ -105,7 +109,7 @@ class Model:
 
         keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, warped, supports). `place` in m, `turn` in degrees about z or a dict.
         """
-        self.case.setdefault("stones", []).append({"file": absolute_if_file(file), "unit": unit, **keys})
+        self.case.setdefault("stones", []).append(_from_anywhere("stones", {"file": file, "unit": unit, **keys}))
 
     def box(self, name: str, low: ArrayLike, high: ArrayLike, *, material: str, **keys: Any) -> None:
         """A block between two opposite corners, m. keys: as for `block`."""
@@ -117,21 +121,18 @@ class Model:
 
     def _add_block(self, name: str, material: str, shape: Mapping[str, Any], keys: Mapping[str, Any]) -> None:
         block = {"name": name, "material": material, **shape, **keys}
-        motion = block.get("motion")
-        if isinstance(motion, Mapping) and "file" in motion:
-            block["motion"] = {**motion, "file": absolute_if_file(motion["file"])}
-        self.case.setdefault("block", []).append(block)
+        self.case.setdefault("block", []).append(_from_anywhere("block", block))
 
     def load(self, block: str, *, force: ArrayLike = (0.0, 0.0, 0.0), moment: ArrayLike = (0.0, 0.0, 0.0), **keys: Any) -> None:
-        """On a block: force in N, moment in N m. keys: at (m), ramp (s, s)."""
-        self.case.setdefault("load", []).append({"block": block, "force": _row(force), "moment": _row(moment), **keys})
+        """On a block: force in N, moment in N m. keys: at (m), ramp (s, s), history (a file), follows, grows."""
+        load = {"block": block, "force": _row(force), "moment": _row(moment), **keys}
+        self.case.setdefault("load", []).append(_from_anywhere("load", load))
 
     # What happens to it, what is followed
 
     def motion(self, record: Path | None = None, **keys: Any) -> None:
         """Ground motion, in place of an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, unit."""
-        files = {key: absolute_if_file(keys[key]) for key in ("x", "y", "z", "L", "T", "V") if key in keys}
-        self.case["motion"] = {**({"record": absolute_if_file(record)} if record is not None else {}), **keys, **files}
+        self.case["motion"] = _from_anywhere("motion", {**({"record": record} if record is not None else {}), **keys})
 
     def follow(self, name: str, point: ArrayLike) -> None:
         """The element nearest to a point, m, gets a history. The first call takes the place of what an included case follows."""
@@ -207,6 +208,15 @@ def opening(wall: str, *, start: float, width: float, height: float, sill: float
     if lintel is not None:
         keys["lintel"] = dict(lintel) if isinstance(lintel, Mapping) else {"length": lintel}
     return keys
+
+
+def _from_anywhere(path: str, value: Any) -> Any:
+    """The value of a key with its files, and those of the tables in it, named by absolute paths."""
+    if isinstance(value, Mapping):
+        return {key: _from_anywhere(f"{path}.{key}", v) for key, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_from_anywhere(path, v) for v in value]
+    return absolute_if_file(value) if path in FILES and isinstance(value, (str, os.PathLike)) else value
 
 
 def _row(values: ArrayLike) -> list[float]:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/io/shell.h"
@@ -13,7 +14,7 @@ namespace {
 
 using shell::text_of;
 
-constexpr const char* kCase = R"(title = "two bonded blocks"
+const std::string kCase = R"(title = "two bonded blocks"
 [gravity]
 settle = false
 [time]
@@ -109,4 +110,114 @@ TEST_CASE("the scripts draw what a run and a table of spectra hold") {
   CHECK(code_of(py + script("plot_histories.py") + folder.path("nowhere")) == 1);
   CHECK(code_of(py + script("plot_histories.py") + run + " --show lower:x") == 1);
   CHECK(code_of(py + script("plot_spectra.py") + folder.path("case.toml")) == 1);
+}
+
+TEST_CASE("a picture and a plan show stones of any shape, by faces that look outward") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string shapes = R"([[block]]
+name = "pyramid"
+material = "stone"
+vertices = [[1, 0, 0], [1.2, 0, 0], [1.2, 0.2, 0], [1, 0.2, 0], [1.1, 0.1, 0.2]]
+faces = [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+[[block]]
+name = "wedge"
+material = "stone"
+polygon = [[2, 0], [2.2, 0], [2, 0.2]]
+extrude = [0, 0.2]
+)";
+  const std::string run = folder.path("run");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase + shapes) + " -j 1 --duration 0.01 -o " + run) == 0);
+  CHECK(has(figure(py, folder, "plot_debris.py", run), "run, 0.01 s"));
+  CHECK(has(figure(py, folder, "render.py", run + " --time 0"), "0.00 s"));
+  const std::string outward = folder.write("outward.py", R"(import sys
+sys.path.insert(0, sys.argv[1])
+import numpy
+import render
+run = render.Run(sys.argv[2])
+assert set(run.kinds) == {10, 12, 13}
+for cell, kind in zip(run.cells, run.kinds):
+    corners = run.reference[cell[cell >= 0]]
+    for face in render.FACES[int(kind)]:
+        c = corners[list(face)]
+        assert numpy.cross(c[1] - c[0], c[2] - c[0]) @ (c.mean(axis=0) - corners.mean(axis=0)) > 0, (kind, face)
+)");
+  CHECK(code_of(py + " " + outward + script("") + run) == 0);
+}
+
+TEST_CASE("a path that is there is no LABEL=DIR, though it has an = in it") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string run = folder.path("height=2,mortar=weak");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase) + " -j 1 --duration 0.01 -o " + run) == 0);
+  CHECK(has(figure(py, folder, "plot_energy.py", run), "height=2,mortar=weak"));
+  CHECK(has(figure(py, folder, "plot_energy.py", "Weak=" + run), "Weak"));
+  CHECK(code_of("cd " + folder.path() + " && " + py + script("plot_energy.py") + "height=2,mortar=weak -o energy.svg") == 0);
+}
+
+TEST_CASE("a sheet of runs in folders of one name shows each run's own pictures, and makes them once") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string first = folder.path("a/run"), other = folder.path("b/run"), drawn = folder.path("drawn");
+  REQUIRE(code_of(shell::kProgram + " run " + folder.write("case.toml", kCase) + " -j 1 --duration 0.01 -o " + first) == 0);
+  std::filesystem::create_directory(folder.path("b"));
+  std::filesystem::copy(first, other, std::filesystem::copy_options::recursive);
+  // In place of the program, which needs a Chromium: it notes of which run a picture is wanted, and makes an empty one.
+  const std::string stills = folder.write("stills.py", R"(import os, sys
+from PIL import Image
+kept = sys.argv[sys.argv.index("--output") + 1]
+os.makedirs(kept, exist_ok=True)
+Image.new("RGB", (40, 30)).save(os.path.join(kept, "corner-0.01s.png"))
+open(")" + drawn + R"(", "a").write(sys.argv[2] + "\n")
+)");
+  const std::string program = folder.write("program", "#!/bin/sh\nexec " + py + " " + stills + " \"$@\"\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string sheet = py + script("contact_sheet.py") + first + " " + other + " --times 0.01 --voussoir " + program + " --stills " +
+                            folder.path("kept") + " -o " + folder.path("sheet.png");
+  for (int time = 0; time < 2; ++time) {
+    REQUIRE(code_of(sheet) == 0);
+    CHECK(text_of(drawn) == first + "\n" + other + "\n");
+  }
+}
+
+TEST_CASE("capacity: runs of a case file lie in the folder that was named, and nowhere else") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  const std::string house = folder.write("house.toml", kCase), log = folder.path("log");
+  // In place of the program: it notes where results go, and fails.
+  const std::string program = folder.write("program", "#!/bin/sh\necho \"$5\" >" + log + "\nexit 3\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  CHECK(code_of("VOUSSOIR=" + program + " " + py + script("capacity") + house + " " + folder.path("runs") + " +x") == 1);
+  CHECK(text_of(log) == folder.path("runs") + "/house+x-pushover\n");
+}
+
+TEST_CASE("a line through means over seeds has a gap where the thing came in some of them alone") {
+  const std::string py = python();
+  if (py.empty()) return;
+  const TempFolder folder;
+  std::string table = "run,case,direction,record,scale,options,seed,status,first_crack_time\n";
+  const auto row = [&](const std::string& scale, const std::string& status, const std::string& time) {
+    table += "r,house,LTV,,";
+    table += scale + ",,0," + status + "," + time + "\n";
+  };
+  row("0.5", "done", "4.0"), row("0.5", "done", "-1.0");
+  row("1.0", "done", "2.0"), row("1.0", "done", "3.0"), row("1.0", "to be done", "");
+  row("2.0", "done", "1.0"), row("2.0", "done", "1.0");
+  const std::string means = folder.write("means.py", R"(import csv, math, pathlib, sys
+sys.path.insert(0, sys.argv[1] + "study")
+import plot
+figures = []
+plot.run_file.save = lambda figure, path: figures.append(figure)
+plot.draw(list(csv.DictReader(open(sys.argv[2]))), pathlib.Path(sys.argv[3]) / "first_crack_time.svg")
+line, points = figures[0].axes[0].lines
+assert list(line.get_xdata()) == [0.5, 1.0, 2.0]
+assert math.isnan(line.get_ydata()[0]) and list(line.get_ydata()[1:]) == [2.5, 1.0], line.get_ydata()
+assert list(points.get_ydata()) == [4.0, 2.0, 3.0, 1.0, 1.0]
+)");
+  const std::string words = " " + shell::source("scripts/") + " " + folder.write("table.csv", table) + " " + folder.path();
+  CHECK(code_of(py + " " + means + words) == 0);
 }

@@ -5,11 +5,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <sstream>
 #include <string>
-#include <vector>
 
+#include "tests/io/commands/study_table.h"
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
@@ -18,8 +17,12 @@ namespace {
 
 using shell::code_of;
 using shell::text_of;
-
-std::string script(const char* name) { return "/usr/bin/python3 " + shell::source(std::string("scripts/study/") + name) + " "; }
+using study::collapsed_at;
+using study::kStands;
+using study::script;
+using study::Table;
+using study::walls;
+using study::with;
 
 }  // namespace
 
@@ -60,59 +63,6 @@ TEST_CASE("effort: what a measure takes more than the bare house, beside grade a
   REQUIRE(make(" --bills " + folder.path("bills")) == 0);
   CHECK(text_of(out).find("| rods | other joints alone |") != std::string::npos);
 }
-
-namespace {
-
-/// A table of runs: columns that a statement may ask for, and rows that fill some of them.
-class Table {
- public:
-  using Values = std::map<std::string, std::string>;
-
-  void add(const std::string& house, const std::string& record, Values values) {
-    values.insert({{"run", "r" + std::to_string(rows_.size())},
-                   {"case", house},
-                   {"direction", "TLV"},
-                   {"record", record},
-                   {"status", "done"},
-                   {"collapsed", "0"},
-                   {"end_time", "10.0"},
-                   {"options", ""}});
-    for (const auto& [column, value] : values) columns_.insert(column);
-    rows_.push_back(std::move(values));
-  }
-  [[nodiscard]] std::string text() const {
-    std::string out;
-    for (const std::string& column : columns_) out += (out.empty() ? "" : ",") + column;
-    for (const Values& row : rows_) {
-      std::string line;
-      for (const std::string& column : columns_) line += (line.empty() ? "\n" : ",") + (row.contains(column) ? row.at(column) : "");
-      out += line;
-    }
-    return out + "\n";
-  }
-
- private:
-  std::set<std::string> columns_;
-  std::vector<Values> rows_;
-};
-
-/// Of the front and the rear wall, and of both side walls: what has fallen of them.
-Table::Values walls(const std::string& front, const std::string& rear, const std::string& sides = "0.0") {
-  const std::string fallen = " wall: fallen_mass_fraction";
-  return {{"front" + fallen, front}, {"rear" + fallen, rear}, {"left" + fallen, sides}, {"right" + fallen, sides}};
-}
-
-Table::Values with(Table::Values values, const Table::Values& more) {
-  for (const auto& [column, value] : more) values[column] = value;
-  return values;
-}
-
-const Table::Values kStands = walls("0.0", "0.02");
-Table::Values collapsed_at(double time, double end) {
-  return with(walls("0.6", "0.9"), {{"collapsed", "1"}, {"collapse_time", std::to_string(time)}, {"end_time", std::to_string(end)}});
-}
-
-}  // namespace
 
 TEST_CASE("outcomes: statements by set of options and by what a record is a realisation of, a column each") {
   const TempFolder folder;
@@ -233,7 +183,8 @@ TEST_CASE("outcomes: one run of each house says yes, no or undecided; what is no
   const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md");
   REQUIRE(code_of(script("outcomes.py") + path + " " + folder.write("drifts.csv", drifts.text()) + " >" + out) == 0);
   const std::string text = text_of(out);
-  CHECK(text.find("| flat40n | LTV | bearing walls lean less than Flat20N's (4.1) | undecided | undecided |\n") != std::string::npos);  // no drift
+  CHECK(text.find("| flat40n | LTV | bearing walls lean less than Flat20N's (4.1) | undecided | undecided |\n") !=
+        std::string::npos);  // no drift
   CHECK(text.starts_with("| house | direction | the paper | here | directions exchanged |\n|---|---|---|---|---|\n"));
   CHECK(text.find("| flat20n | TLV | stands (4.1) | yes | yes |\n") != std::string::npos);
   CHECK(text.find("| flat40n | TLV | stands (4.3) | no | yes |\n") != std::string::npos);
@@ -317,6 +268,26 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   Table twice;
   twice.add("flat20n", "bam-like#1", kStands), twice.add("flat20n", "here/weak-1", kStands);
   refuses(folder.write("twice.csv", twice.text()), "r1: a second run of realisation 1 beside r0; allowed: one of each\n");
+}
+
+TEST_CASE("compare_options: what sets of the same seeds have is exchanged within each seed, of other seeds all is divided") {
+  const TempFolder folder;
+  std::string rows = "run,case,seed,options,status,fallen_mass_fraction,peak_drift\n";
+  for (int seed = 1; seed <= 6; ++seed) {
+    const auto row = [&](const std::string& options, int of_seed, int fallen) {
+      const std::string drift = seed == 3 && options == "one" ? "" : std::to_string(fallen);  // a value that one run lacks
+      rows += "r,hut," + std::to_string(of_seed) + "," + options + ",done," + std::to_string(fallen / 100.0) + "," + drift + "\n";
+    };
+    row("one", seed, seed), row("two", 7 - seed, seed + 9), row("other", seed + 1, seed + 9);
+  }
+  const std::string table = folder.write("table.csv", rows), out = folder.path("table.md");
+  REQUIRE(code_of(script("compare_options.py") + table + " one two other >" + out) == 0);
+  // All of one set lie below all of the other: D = 1. So they do in 2 of 2^6 exchanges, and in 2 of 924 divisions of 12.
+  const std::string text = text_of(out);
+  CAPTURE(text);
+  CHECK(text.starts_with("| | one, 6 runs | two, 6 runs | other, 6 runs | two: D, p (by seed) | other: D, p (divided) |\n"));
+  CHECK(text.find("\n| fallen mass, % | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
+  CHECK(text.find("\n| peak drift | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
 }
 
 TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {

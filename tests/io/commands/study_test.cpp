@@ -179,6 +179,54 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(text_of(folder.path("log")).find("wall-x0: holds a run of the same name") != std::string::npos);
 }
 
+namespace {
+
+/// The plan of a study of two runs, which a program of the test's own makes. The program begins no results of "bad"; those of "broken" are
+/// no HDF5 file.
+void write_plan(const TempFolder& folder) {
+  const std::string program = folder.write("program",
+                                           "#!/bin/sh\n[ \"$1\" = summary ] && { echo \"cannot be read\" >&2; exit 3; }\n"
+                                           "[ \"$2\" = broken ] && echo none >runs/broken/run.h5\necho 'numerical failure'; exit 1\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const auto run = [](const std::string& name) {
+    return R"({"name": ")" + name + R"(", "case": ")" + name + R"(", "axes": {"case": ")" + name + R"("}, "set": [], "identity": "0a"})";
+  };
+  folder.write("plan.json", R"({"voussoir": ")" + program + R"(", "version": "0.1.0", "threads": 1, "checkpoint_every": 300, "stills": [],
+    "report": false, "known": {}, "runs": [)" +
+                                run("bad") + ", " + run("broken") + "]}");
+}
+
+}  // namespace
+
+TEST_CASE("a study: what ends before it has results is no numerical failure; results that cannot be read leave their row empty") {
+  if (!can_study()) return;
+  const TempFolder folder;
+  write_plan(folder);
+  const auto here = [&](const std::string& words) { return code_of("cd " + folder.path() + " && " + words + " >log 2>&1"); };
+  CHECK(here(script("job.py") + "plan.json bad") == 1);
+  CHECK(text_of(folder.path("log")) == "bad: numerical failure (exit code 1; runs/bad/program.log)\n");
+  CHECK_FALSE(std::filesystem::exists(folder.path("runs/bad/done.json")));
+  CHECK(here(script("job.py") + "plan.json broken") == 0);
+  CHECK(text_of(folder.path("runs/broken/done.json")) == "{\"status\": \"numerical failure\"}\n");
+  // The rest of the table is there all the same.
+  CHECK(here(script("gather.py") + "plan.json table.csv") == 0);
+  CHECK(text_of(folder.path("log")) == "warning: runs/broken: cannot be read; its row is left empty; remove runs/broken to run it anew\n");
+  CHECK(column(folder.path("table.csv"), "run") == std::vector<std::string>{"bad", "broken"});
+  CHECK(column(folder.path("table.csv"), "status") == std::vector<std::string>{"to be done", "to be done"});
+}
+
+TEST_CASE("a study: a table that is made beside another leaves the other's alone") {
+  if (!can_study()) return;
+  const TempFolder folder;
+  write_plan(folder);
+  const std::string other = folder.write("table.csv.tmp", "half of a tab");
+  CHECK(code_of("cd " + folder.path() + " && " + script("gather.py") + "plan.json table.csv") == 0);
+  CHECK(text_of(other) == "half of a tab");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
+  CHECK(files == 4);  // the program, the plan, the table, and the other's
+}
+
 TEST_CASE("a table in Markdown has the runs that are done, in figures for people") {
   const TempFolder folder;
   const std::string head =

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/io/commands/study_table.h"
+#include "tests/io/shell.h"
+#include "tests/io/temp_folder.h"
+
+// What scripts of scripts/study refuse to read as one table, and what a study says where it cannot begin.
+namespace {
+
+using shell::text_of;
+using study::kStands;
+using study::script;
+using study::Table;
+using study::with;
+
+/// The script ends with code 1, and this message.
+void refuses(const TempFolder& folder, const char* name, const std::string& words, const std::string& message) {
+  const std::string out = folder.path("refused");
+  CHECK(shell::code_of(script(name) + words + " >" + out + " 2>&1") == 1);
+  CHECK(text_of(out) == message);
+}
+
+}  // namespace
+
+TEST_CASE("outcomes and verdict: runs of two versions are no one table") {
+  const TempFolder folder;
+  const auto table = [&](const std::string& name, const std::string& version, const std::string& status = "done") {
+    Table t;
+    t.add("flat20n", "bam-like#1", with(kStands, {{"identity", "0a"}, {"version", version}, {"status", status}}));
+    t.add("flat20n", "bam-like#2", {{"version", ""}, {"status", "to be done"}});
+    return folder.write(name, t.text());
+  };
+  const std::string old = table("old.csv", "0.1.0 (physics 12)"), now = table("now.csv", "0.1.0 (physics 13)");
+  const std::string message = ": a run of version 0.1.0 (physics 13), and one of " + old +
+                              " is of 0.1.0 (physics 12): their results may differ; allowed: runs of one version\n";
+  refuses(folder, "outcomes.py", old + " " + now, now + message);
+  refuses(folder, "outcomes.py", old + " " + now + " --by options", now + message);
+  refuses(folder, "verdict.py", old + " " + now, now + message);
+  refuses(folder, "verdict.py", old + " --model " + now, now + message);
+  refuses(folder, "verdict.py", old + " --motion " + now, now + message);
+  // What is not done is of no version; a table without the column is not asked.
+  const std::string failed = table("failed.csv", "0.1.0 (physics 12)", "numerical failure");
+  CHECK(shell::code_of(script("outcomes.py") + failed + " " + now + " >/dev/null") == 0);
+  Table without;
+  without.add("flat40n", "bam-like#1", kStands);
+  CHECK(shell::code_of(script("outcomes.py") + now + " " + folder.write("without.csv", without.text()) + " >/dev/null") == 0);
+}
+
+TEST_CASE("a study without a program says what to do") {
+  const TempFolder folder;
+  const std::string file = folder.write("study.toml", "cases = [\"flat20n\"]\n"), log = folder.path("log");
+  CHECK(shell::code_of("VOUSSOIR=/nowhere/voussoir " + script("run") + file + " --check -o " + folder.path("study") + " >" + log +
+                       " 2>&1") == 2);
+  CHECK(text_of(log) == "study: /nowhere/voussoir: No such file or directory; build it, or name the program by VOUSSOIR=...\n");
+  const std::string other = folder.path("study.toml");  // is there, and is no program
+  CHECK(shell::code_of("VOUSSOIR=" + other + " " + script("run") + file + " --check -o " + folder.path("study") + " >" + log + " 2>&1") ==
+        2);
+  CHECK(text_of(log) == "study: " + other + ": Permission denied; build it, or name the program by VOUSSOIR=...\n");
+}
+
+TEST_CASE("effort: two runs of one house, direction, motion and scale are refused; one that is in two tables counts once") {
+  const TempFolder folder;
+  const std::string file = folder.write("study.toml", "cases = [\"bare.toml\"]\n");
+  const auto table = [&](const std::string& name, const std::string& run, const std::string& more) {
+    return " " +
+           folder.write(name, "run,case,direction,record,scale,options,seed,identity,version,status,damage_grade,fallen_mass_fraction\n" +
+                                  run + ",bare,TLV,bam-like,0.5," + more + ",done,2,0.1\n");
+  };
+  const std::string first = table("first.csv", "a", ",1,0a,0.1.0"),
+                    clash = "b: the same house, direction, motion and scale as a; they differ in ";
+  refuses(folder, "effort.py", file + first + table("other.csv", "b", ",2,0b,0.1.0"), clash + "seed (1, 2); allowed: one run of each\n");
+  refuses(folder, "effort.py", file + first + table("other.csv", "b", "stiff,1,0b,0.1.0"),
+          clash + "options (, stiff); allowed: one run of each\n");
+  refuses(folder, "effort.py", file + first + table("other.csv", "a", ",1,0a,0.2.0"),
+          folder.path("other.csv") + ": a run of version 0.2.0, and one of " + folder.path("first.csv") +
+              " is of 0.1.0: their results may differ; allowed: runs of one version\n");
+  // The bill of the house is there already.
+  folder.write("bills/bare.txt", "bill of blocks\nadobe brick 10 1.0\n");
+  const std::string out = folder.path("table.md");
+  CHECK(shell::code_of(script("effort.py") + file + first + table("other.csv", "c", ",1,0a,0.1.0") + " --bills " + folder.path("bills") +
+                       " >" + out) == 0);
+  CHECK(text_of(out).find("| bare | none | G2 10.0 | – |\n") != std::string::npos);
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+
+#include "tests/io/commands/study_table.h"
+#include "tests/io/shell.h"
+#include "tests/io/temp_folder.h"
+
+// Statements of the paper that one row or two answer (scripts/study/statements.py), by outcomes.py.
+namespace {
+
+using study::collapsed_at;
+using study::kStands;
+using study::Table;
+using study::walls;
+using study::with;
+
+/// What outcomes.py says of the tables' statements.
+std::string outcomes(const TempFolder& folder, const Table& table) {
+  const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md");
+  REQUIRE(shell::code_of(study::script("outcomes.py") + path + " >" + out) == 0);
+  return shell::text_of(out);
+}
+
+void says(const std::string& text, const std::string& row) {
+  CAPTURE(row);
+  CAPTURE(text);
+  CHECK(text.find("\n| " + row + " |") != std::string::npos);
+}
+
+Table::Values ends_at(const char* time, Table::Values values) { return with(std::move(values), {{"end_time", time}}); }
+
+}  // namespace
+
+TEST_CASE("statements: walls of the vaults that fall or lose bricks; undecided where a run ended before they could") {
+  const TempFolder folder;
+  Table table;
+  table.add("vault20w", "bam-like#1", walls("0.6", "0.3"));
+  table.add("vault20w", "bam-like#2", walls("0.6", "0.2"));
+  table.add("vault20w", "bam-like#3", ends_at("3.0", walls("0.6", "0.2")));
+  table.add("vault20r", "bam-like#1", walls("0.06", "0.0"));
+  table.add("vault20r", "bam-like#2", walls("0.04", "0.2"));
+  table.add("vault20r", "bam-like#3", ends_at("3.0", walls("0.04", "0.2")));
+  table.add("vault40n", "bam-like#1", with(kStands, {{"right wall: fallen_mass_fraction", "0.05"}}));
+  table.add("vault40n", "bam-like#2", kStands);
+  table.add("vault40n", "bam-like#3", ends_at("3.0", kStands));
+  const std::string text = outcomes(folder, table);
+  says(text, "vault20w | TLV | both bearing walls fall (4.2) | 1 of 2 | 50 | 9 to 91 | 1");
+  says(text, "vault20r | TLV | the front wall loses bricks (4.2) | 1 of 2 | 50 | 9 to 91 | 1");
+  says(text, "vault40n | TLV | a side wall loses bricks (implied, 4.2) | 1 of 2 | 50 | 9 to 91 | 1");
+}
+
+TEST_CASE("statements: what opens before anything shakes is there however early a run ends") {
+  const TempFolder folder;
+  Table table;
+  table.add("vault20n", "bam-like#1", with(collapsed_at(2.0, 3.0), {{"settling_cracks", "0"}}));
+  table.add("vault20n", "bam-like#2", with(collapsed_at(2.0, 3.0), {{"settling_cracks", "4"}}));
+  table.add("vault20n", "bam-like#3", collapsed_at(2.0, 10.0));  // of a version that does not count them
+  says(outcomes(folder, table), "vault20n | TLV | nothing cracks before the motion begins (4.2) | 1 of 2 | 50 | 9 to 91 | 1");
+}
+
+TEST_CASE("statements: debris is compared where both houses collapsed, and both runs went to their end") {
+  const TempFolder folder;
+  Table table;
+  const auto add = [&](const char* record, const Table::Values& mine, const char* area, const Table::Values& other,
+                       const char* other_area) {
+    table.add("flat20w", record, with(mine, {{"direction", "LTV"}, {"debris_area", area}}));
+    table.add("flat20n", record, with(other, {{"direction", "LTV"}, {"debris_area", other_area}}));
+  };
+  const Table::Values whole = collapsed_at(5.0, 10.0), early = collapsed_at(5.0, 6.0);
+  add("bam-like#1", whole, "30.0", whole, "20.0");
+  add("bam-like#2", whole, "20.0", whole, "30.0");
+  add("bam-like#3", early, "30.0", whole, "20.0");
+  add("bam-like#4", whole, "30.0", early, "20.0");
+  add("bam-like#5", kStands, "3.0", whole, "20.0");
+  add("bam-like#6", whole, "30.0", kStands, "0.0");
+  add("bam-like#7", whole, "30.0", whole, "");
+  says(outcomes(folder, table), "flat20w | LTV | if both roofs fall, debris covers more than Flat20N's (4.4) | 1 of 2 | 50 | 9 to 91 | 5");
+}
