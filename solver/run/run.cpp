@@ -69,14 +69,14 @@ class Reporter {
   }
 
   void cracks() {
-    std::vector<CrackRow>& rows = sim_.cracks();
-    if (rows.empty()) return;
-    for (const CrackRow& r : rows) {
+    if (sim_.cracks().empty()) return;
+    cracks_.clear();
+    cracks_.swap(sim_.cracks());  // before they are told: a recorder that fails has them, and is not told them again
+    for (const CrackRow& r : cracks_) {
       if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
       if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
     }
-    out_.cracks(rows);
-    rows.clear();
+    out_.cracks(cracks_);
   }
 
  private:
@@ -93,6 +93,7 @@ class Reporter {
   RunState& state_;
   Recorder& out_;
   std::vector<TieSample> ties_;
+  std::vector<CrackRow> cracks_;
   std::vector<float> position_, quaternion_, broken_;
 };
 
@@ -253,7 +254,10 @@ RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end
     }
     if (!stopped) stopped = !plan.shake();
   } catch (...) {
-    plan.tell_cracks();
+    try {
+      plan.tell_cracks();
+    } catch (...) {  // what stopped the run is what its caller must hear of
+    }
     out.summary(summarise(sim, state));
     throw;
   }
