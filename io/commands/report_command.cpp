@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "cases/case.h"
-#include "io/assess/case_of_run.h"
 #include "io/report/stills.h"
+#include "io/results/case_of_run.h"
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
 #include "io/session/views.h"

@@ -9,10 +9,10 @@
 #include <system_error>
 
 #include "io/assess/assess_words.h"
-#include "io/assess/case_of_run.h"
 #include "io/assess/crack_map.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/results/case_of_run.h"
 #include "io/session/exit_code.h"
 #include "io/session/session.h"
 
