@@ -9,10 +9,10 @@
 #include <system_error>
 #include <utility>
 
+#include "io/case_file/case_paths.h"
 #include "io/case_file/catalogue.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
-#include "io/motion/motion_files.h"
 #include "io/motion/motion_keys.h"
 
 namespace voussoir::io {
@@ -85,24 +85,7 @@ class Reader {
 
   /// Files that an included case names lie beside it, not beside the one that includes it.
   static void find_files_from(Node& document, const std::string& folder) {
-    const auto anchor = [&](Node& table, std::string_view key) {
-      auto* entries = table.as<Node::Table>();
-      Entry* entry = entries == nullptr ? nullptr : find_entry(*entries, key);
-      auto* path = entry == nullptr ? nullptr : entry->node.as<std::string>();
-      if (path == nullptr || path->empty() || is_built_in_record(*path)) return;
-      *path = fs::absolute(fs::path(folder) / *path).lexically_normal().string();
-    };
-    auto* tables = document.as<Node::Table>();
-    if (Entry* motion = find_entry(*tables, "motion")) {
-      for (const std::string_view key : kMotionPaths) anchor(motion->node, key);
-    }
-    Entry* blocks = find_entry(*tables, "block");
-    auto* all = blocks == nullptr ? nullptr : blocks->node.as<Node::Array>();
-    if (all == nullptr) return;
-    for (Node& block : *all) {
-      auto* table = block.as<Node::Table>();
-      if (Entry* motion = table == nullptr ? nullptr : find_entry(*table, "motion")) anchor(motion->node, "file");
-    }
+    for_each_path(document, [&](std::string& path) { path = fs::absolute(fs::path(folder) / path).lexically_normal().string(); });
   }
 
   /// Takes `include` out of a document and reads what it names.

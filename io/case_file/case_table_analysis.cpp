@@ -52,7 +52,8 @@ Table<Analysis> analysis_table() {
             {"settlement", AnalysisKind::settlement},
             {"cyclic", AnalysisKind::cyclic}},
            "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
-           "[block.motion]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave [motion] out"),
+           "[block.motion] or that of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave "
+           "[motion] out"),
        choice<S, LoadPattern S::*, LoadPattern>(
            "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
@@ -82,6 +83,16 @@ Table<Analysis> analysis_table() {
       check_own_keys};
 }
 
+namespace {
+
+/// A fixed block or a part of the base has a motion.
+bool a_support_moves(const Case& c) {
+  const auto moves = [](const auto& support) { return support.motion.has_value(); };
+  return std::ranges::any_of(c.blocks, moves) || (c.base && std::ranges::any_of(c.base->parts, moves));
+}
+
+}  // namespace
+
 void check_analysis(const Case& c, const RuleCheck& check) {
   const Analysis& a = c.analysis;
   if (!is_assessment(a)) {
@@ -95,8 +106,8 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   const bool given = a.kind == AnalysisKind::cyclic || (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::given);
   if (given && !grow) check.fault("analysis.kind", "needs a [[load]] with grows = true");
   if (!given && grow) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
-  if (a.kind == AnalysisKind::settlement && std::ranges::none_of(c.blocks, [](const BlockSpec& b) { return b.motion.has_value(); }))
-    check.fault("analysis.kind", "needs a fixed block with [block.motion], whose support moves");
+  if (a.kind == AnalysisKind::settlement && !a_support_moves(c))
+    check.fault("analysis.kind", "needs a fixed block with [block.motion] or a [[base.part]] with motion, which moves");
   const bool by_weight = a.kind == AnalysisKind::tilt || (a.kind == AnalysisKind::pushover && !given);
   if (by_weight && norm(c.gravity.acceleration) == 0.0)
     check.fault("analysis.kind", "needs gravity: its load factor is a share of the weight");

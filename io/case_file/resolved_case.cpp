@@ -3,38 +3,14 @@
 #include <filesystem>
 
 #include "io/case_file/case_file.h"
+#include "io/case_file/case_paths.h"
 #include "io/case_file/case_tables.h"
 #include "io/document/case_tree.h"
 #include "io/files/run_folder.h"
-#include "io/motion/motion_files.h"
 
 namespace voussoir::io {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Calls `change` with each path to a file or folder that the case names.
-template <class Change>
-void for_each_path(cases::Case& value, Change change) {
-  if (value.motion) {
-    for (auto* files : {&value.motion->xyz, &value.motion->ltv}) {
-      for (std::optional<std::string>& file : *files) {
-        if (file) change(*file);
-      }
-    }
-    if (value.motion->record && !is_built_in_record(*value.motion->record)) change(*value.motion->record);
-  }
-  for (cases::StonesSpec& spec : value.stones) change(spec.file);
-  for (cases::BlockSpec& block : value.blocks) {
-    if (block.motion && block.motion->file) change(*block.motion->file);
-  }
-  for (cases::Load& load : value.loads) {
-    if (load.history) change(*load.history);
-  }
-}
-
-}  // namespace
 
 cases::Case anchored(cases::Case value) {
   for_each_path(value, [&](std::string& path) {

@@ -6,11 +6,13 @@
 #include <charconv>
 
 #include "cases/case.h"
-#include "io/assess/case_of_run.h"
+#include "io/files/errors.h"
 #include "io/report/stills.h"
+#include "io/results/case_of_run.h"
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
 #include "io/session/views.h"
+#include "io/stones/stones.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 
@@ -37,8 +39,13 @@ std::vector<double> numbers(const char* key, const std::vector<std::string>& wor
 /// Modes of the structure that the run was made of, before anything of it was damaged.
 std::vector<solver::Mode> modes_of(const std::string& run, int count) {
   if (count == 0) return {};
-  cases::Case c = case_of_run(Hdf5File::open(run));
+  const Hdf5File file = Hdf5File::open(run);
+  cases::Case c = case_of_run(file);
+  load_stones(c);
   const cases::Model model = prepared_model(c);
+  if (const Shape elements = file.shape("/model/element/tag"); elements.at(0) != model.blocks.size())
+    throw FileError(run, "has " + std::to_string(elements[0]) + " elements, its case now " + std::to_string(model.blocks.size()) +
+                             ": its files have changed; no mode shapes");
   return solver::natural_modes(*solver::build_world(c, model, {}), count);
 }
 

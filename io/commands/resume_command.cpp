@@ -121,7 +121,7 @@ int resume_command(const ResumeOptions& o) {
   ResultsOptions keep;
   keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
-  keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt());
+  keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt(), r->sim->cycle());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);

@@ -36,7 +36,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(used);
   ResultsOptions kept;
-  kept.motion = motion_datasets(c.value, motion, sim.dt());
+  kept.motion = motion_datasets(c.value, motion, sim.dt(), sim.cycle());
   kept.cuts = cut_names(c.value);
   std::optional<ResultsWriter> results;
   try {

@@ -26,23 +26,34 @@ bool digits_only(const std::string& s) {
   return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-bool is_part(const std::string& name) {
-  const std::string stem = name.substr(0, name.find('.'));
-  return digits_only(stem) && (name == stem + ".h5" || name == stem + ".h5.tmp");
+/// The name that a temporary file, NAME.tmp or NAME.PROCESS.tmp, would have had in the end; of other files their own.
+std::string final_name(std::string name) {
+  if (!name.ends_with(".tmp")) return name;
+  name.resize(name.size() - 4);
+  const std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos && digits_only(name.substr(dot + 1))) name.resize(dot);
+  return name;
+}
+
+bool is_part(const std::string& found) {
+  const std::string name = final_name(found), stem = name.substr(0, name.find('.'));
+  return digits_only(stem) && name == stem + ".h5";
 }
 
 /// VIEW-TIMEs.png, as stills.cpp names them.
-bool is_still(const std::string& name) {
+bool is_still(const std::string& found) {
+  const std::string name = final_name(found);
   const std::size_t dash = name.find('-');
   if (dash == std::string::npos || !name.ends_with("s.png")) return false;
   const std::string time = name.substr(dash + 1, name.size() - dash - 6);
   return !time.empty() && time.find_first_not_of("0123456789.") == std::string::npos;
 }
 
-bool is_result(const std::string& name) {
+bool is_result(const std::string& found) {
+  const std::string name = final_name(found);
   for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "limit.json"})
-    if (name == own || name == std::string(own) + ".tmp") return true;
-  return name.starts_with("checkpoint-") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
+    if (name == own) return true;
+  return name.starts_with("checkpoint-") && name.ends_with(".h5");
 }
 
 std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(const std::string&)) {

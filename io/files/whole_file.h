@@ -10,6 +10,9 @@
 /// Files that are whole and on disk under their name, or not there at all.
 namespace voussoir::io {
 
+/// The name of a temporary file for `path`, PATH.PROCESS.tmp, where several processes may write `path` at once. Files of such names that
+/// have not been written to for an hour are of killed processes, and are removed.
+std::string own_temporary(const std::string& path);
 /// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
 /// file or the new one, never a part. \throw FileError; then `temporary` is gone
 void replace_file(const std::string& temporary, const std::string& path);

@@ -8,9 +8,6 @@
 
 namespace voussoir::io {
 
-/// Keys of [motion] that name files or folders.
-inline constexpr std::array<std::string_view, 7> kMotionPaths{"record", "x", "y", "z", "L", "T", "V"};
-
 /// Keys of [motion] that give way to `key` where it comes later, over an included case or on the command line: a motion has one source,
 /// and `unit`, `dt`, `from` and `to` are of its files.
 inline std::span<const std::string_view> give_way_to(std::string_view key) {

@@ -57,6 +57,12 @@ bool holds(std::string_view text, std::string_view word) { return upper(text).fi
 
 bool begins(std::string_view text, std::string_view word) { return upper(text.substr(0, word.size())) == word; }
 
+std::string_view bracketed(std::string_view column) {
+  const std::size_t open = column.find_first_of("[("), close = column.find_first_of("])");
+  if (open == std::string_view::npos || close == std::string_view::npos || close < open) return {};
+  return trimmed(column.substr(open + 1, close - open - 1));
+}
+
 std::uint64_t stated_count(const Place& at, const std::string& key, std::optional<double> value) {
   constexpr double kMost = 1e15;
   if (!value || *value < 2.0 || *value > kMost || *value != std::floor(*value)) {

@@ -59,6 +59,9 @@ std::optional<double> number_after(std::string_view line, std::string_view key);
 bool holds(std::string_view text, std::string_view word);
 bool begins(std::string_view text, std::string_view word);
 
+/// "m/s2" of a column "a [m/s2]" or "a (m/s2)"; empty without brackets.
+std::string_view bracketed(std::string_view column);
+
 /// A number of values stated by a header; not to be trusted with memory. \throw FileError unless it is a whole number from 2 to 10^15.
 std::uint64_t stated_count(const Place& at, const std::string& key, std::optional<double> value);
 /// A step, s. \throw FileError unless it is from 1e-6 to 10.

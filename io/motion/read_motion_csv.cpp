@@ -35,13 +35,6 @@ Fields fields_of(std::string_view line) {
   return fields;
 }
 
-/// "m/s2" of "a [m/s2]" or "a (m/s2)"; empty without brackets.
-std::string_view bracketed(std::string_view field) {
-  const std::size_t open = field.find_first_of("[("), close = field.find_first_of("])");
-  if (open == std::string_view::npos || close == std::string_view::npos || close < open) return {};
-  return trimmed(field.substr(open + 1, close - open - 1));
-}
-
 /// The header line: the unit it states, if any. One column has a header without a comma, "a [m/s2]".
 std::optional<double> unit_of_header(const std::string& path, long line, std::string_view text) {
   const std::size_t mark = text.find_first_of(",;");

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/motion/support_motion.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/motion/motion_text.h"
 
 namespace voussoir::io {
 
@@ -38,7 +41,21 @@ bool is_header(std::string_view line) {
   }
 }
 
-void read_history(const std::string& path, cases::SupportHistory& history) {
+/// Units that the columns of a header state, if they state any. \param unit  of x, y, z
+void check_units(const std::string& path, long line, std::string_view header, std::string_view unit) {
+  for (std::size_t column = 0;; ++column) {
+    const std::size_t comma = header.find(',');
+    const std::string_view name = trimmed(header.substr(0, comma)), stated = bracketed(name), wanted = column == 0 ? "s" : unit;
+    if (!stated.empty() && stated != wanted)
+      throw FileError(path, line, "unit of column " + shown(name) + " is " + shown(stated) + "; allowed: " + std::string(wanted));
+    if (comma == std::string_view::npos) return;
+    header.remove_prefix(comma + 1);
+  }
+}
+
+/// \param unit  of x, y, z: "m", of a load "N"
+void read_history(const std::string& path, std::string_view unit, cases::SupportHistory& history) {
+  const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]";
   const std::string text = read_text_file(path, kLargestFile);
   LineReader lines(text);
   bool header_allowed = true;
@@ -47,29 +64,31 @@ void read_history(const std::string& path, cases::SupportHistory& history) {
     if (line.empty() || line.front() == '#') continue;
     const auto row = row_of(line);
     if (!row && header_allowed && is_header(line)) {
+      check_units(path, lines.line(), line, unit);
       header_allowed = false;
       continue;
     }
     header_allowed = false;
-    if (!row)
-      throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; wanted: t [s], x, y, z [m; of a load N]");
+    if (!row) throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; " + wanted);
     if (!history.time.empty() && (*row)[0] <= history.time.back()) {
       throw FileError(path, lines.line(), "time " + std::to_string((*row)[0]) + " s does not rise");
     }
     history.time.push_back((*row)[0]);
     history.displacement.push_back({(*row)[1], (*row)[2], (*row)[3]});
   }
-  if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; wanted: t [s], x, y, z [m; of a load N]");
+  if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; " + wanted);
 }
 
 }  // namespace
 
 void load_support_motions(cases::Model& model, const std::string& folder) {
-  for (cases::SupportHistory& h : model.support_motions) {
+  for (std::size_t i = 0; i < model.support_motions.size(); ++i) {
+    cases::SupportHistory& h = model.support_motions[i];
     if (h.file.empty()) continue;
+    const bool of_load = std::ranges::find(model.load_history, static_cast<std::int32_t>(i)) != model.load_history.end();
     const std::filesystem::path path(h.file);
     try {
-      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), h);
+      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), of_load ? "N" : "m", h);
     } catch (const FileError& e) {
       throw NamedFileError(e, h.key);
     }

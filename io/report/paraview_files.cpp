@@ -171,12 +171,13 @@ void write_paraview(const std::string& folder, bool overwrite) {
   if (frames.frames() == 0) throw FileError(run.path(), "holds no frames");
   const Still still = read_still(run, frames.elements());
   std::string text;
-  write_file(data, [&](Hdf5File& file) {
+  const auto fill = [&](Hdf5File& file) {
     ParaviewWriter out(file, frames, still);
     out.write_still();
     for (std::uint64_t f = 0; f < frames.frames(); ++f) out.write_frame(f);
     text = out.xdmf();
-  });
+  };
+  write_file(data, fill, own_temporary(data));
   write_text_file(xdmf, text);
 }
 

@@ -39,8 +39,9 @@ void add_point(std::vector<Point>& points, const std::string& name, double x, do
 
 Plot base_shear_plot(const Capacity& c, double left) {
   const CapacityCurve& r = c.curve;
-  Plot p{"Base shear over displacement", "kN", thinned(r.time), columns(r.base_shear, {"capacity curve"}, 1e-3)};
-  p.x = over("control point", "mm", thinned(r.displacement, 0, 1, 1e3));
+  const std::vector<std::size_t> rows = shown_rows(r.base_shear);
+  Plot p{"Base shear over displacement", "kN", picked(r.time, rows), {{"capacity curve", picked(r.base_shear, rows, 1e-3)}}};
+  p.x = over("control point", "mm", picked(r.displacement, rows, 1e3));
   add_bilinear(p.lines, "bilinear, EC 8", c.ec8, c.peak_displacement);
   add_bilinear(p.lines, "bilinear, NTC 2018", c.ntc, c.peak_displacement);
   add_point(p.points, "peak", 1e3 * c.peak_displacement, 1e-3 * c.peak_shear);
@@ -50,8 +51,9 @@ Plot base_shear_plot(const Capacity& c, double left) {
 
 Plot factor_plot(const Capacity& c) {
   const CapacityCurve& r = c.curve;
-  Plot p{"Load factor over drift", "", thinned(r.time), columns(r.factor, {"load factor"})};
-  p.x = over("drift of the control point", "%", thinned(r.drift, 0, 1, 100));
+  const std::vector<std::size_t> rows = shown_rows(r.factor);
+  Plot p{"Load factor over drift", "", picked(r.time, rows), {{"load factor", picked(r.factor, rows)}}};
+  p.x = over("drift of the control point", "%", picked(r.drift, rows, 100));
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(r.time, c.multiplier_time) - r.time.begin());
   if (at < r.drift.size()) add_point(p.points, "at rest", 100 * r.drift[at], c.multiplier_at_rest);
   return p;
@@ -59,8 +61,9 @@ Plot factor_plot(const Capacity& c) {
 
 Plot loop_plot(const Capacity& c) {
   const CapacityCurve& r = c.curve;
-  Plot p{"Load factor over displacement", "", thinned(r.time), columns(r.factor, {"loops"})};
-  p.x = over("displacement of the forces", "mm", thinned(r.moved, 0, 1, 1e3));
+  const std::vector<std::size_t> rows = shown_rows(r.factor);
+  Plot p{"Load factor over displacement", "", picked(r.time, rows), {{"loops", picked(r.factor, rows)}}};
+  p.x = over("displacement of the forces", "mm", picked(r.moved, rows, 1e3));
   return p;
 }
 

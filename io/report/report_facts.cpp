@@ -21,6 +21,7 @@
 #include "io/replay/frame_reader.h"
 #include "io/report/report_capacity.h"
 #include "io/report/report_plots.h"
+#include "io/results/case_of_run.h"
 
 namespace voussoir::io {
 namespace {
@@ -167,7 +168,34 @@ std::string record_name(const cases::Motion& m) {
   return names;
 }
 
-/// What shook the run. Its records may be gone: then the page has neither peaks nor the curves.
+/// Whether this motion shook the run: rows of /motion are its values, but for another compiler's last digits.
+bool shook(const cases::GroundMotion& motion, const Hdf5File& file) {
+  const auto time = file.read<double>("/motion/time"), a = file.read<double>("/motion/acceleration");
+  double most = 0, off = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const Vec3 now = cases::acceleration_at(motion, time[i]);
+    most = std::max({most, std::abs(now.x), std::abs(now.y), std::abs(now.z)});
+    off = std::max({off, std::abs(now.x - a[3 * i]), std::abs(now.y - a[3 * i + 1]), std::abs(now.z - a[3 * i + 2])});
+  }
+  return off <= 1e-9 * most;
+}
+
+/// What shook the run: by the samples of its records, or, if these have changed or are gone, as the run holds it.
+cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
+  const cases::Motion& m = *c.value.motion;
+  if (!file.exists("/motion/acceleration") || file.shape("/motion/time").at(0) < 2) return load_motion(m, c.value.folder);
+  cases::GroundMotion applied = base_of_run(file, c.value);
+  try {
+    cases::GroundMotion records = load_motion(m, c.value.folder);
+    if (shook(records, file)) return records;
+    std::fprintf(stderr, "warning: the records of the motion have changed since the run; the page shows the motion that the run holds\n");
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "warning: %s; the page shows the motion that the run holds\n", e.what());
+  }
+  return applied;
+}
+
+/// What shook the run. Of runs that do not hold it, whose records are gone, the page has neither peaks nor the curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;
@@ -175,7 +203,7 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
   const bool turned = m.record || std::ranges::any_of(m.ltv, [](const auto& f) { return f.has_value(); });
   facts["motion"] = {{"record", record_name(m)}, {"direction", turned ? m.direction : ""}, {"scale", m.scale}};
   try {
-    const cases::GroundMotion motion = load_motion(m, c.value.folder);
+    const cases::GroundMotion motion = motion_of(c, file);
     Json peak = Json::array();
     for (const cases::Accelerogram& a : motion.axis) peak.push_back(cases::figures(a).peak_acceleration);
     facts["motion"]["peak"] = peak;

@@ -40,7 +40,12 @@ struct Plot {
   std::optional<double> clip{};  // no value beyond it is shown
 };
 
-/// Component `first` of rows of `width` times a factor, thinned to what a page shows, to six digits.
+/// Rows of a curve that a page shows: all, or of each stretch of a long one the two with its least and its largest value, so that no peak
+/// is lost. Of times these are the first and the last of the same stretches.
+std::vector<std::size_t> shown_rows(const Values& values);
+/// These rows times a factor, to six digits.
+Values picked(const Values& values, const std::vector<std::size_t>& rows, double factor = 1);
+/// Component `first` of rows of `width` times a factor, thinned to what a page shows (shown_rows), to six digits.
 Values thinned(const Values& values, std::size_t first = 0, std::size_t width = 1, double factor = 1);
 /// Rows with a column a name, as curves.
 std::vector<Curve> columns(const Values& values, const std::vector<std::string>& names, double factor = 1);

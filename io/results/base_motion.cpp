@@ -72,10 +72,10 @@ BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_
   return out;
 }
 
-std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt) {
+std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt, std::int64_t cycle) {
   if (!c.motion) return {};
-  const std::int64_t every = solver::in_steps(c.output.history_interval, dt);
-  const BaseMotion m = base_motion(motion, dt, every, std::llround(c.time.duration / dt));
+  const std::int64_t every = solver::in_cycles(c.output.history_interval, dt, cycle);
+  const BaseMotion m = base_motion(motion, dt, every, solver::last_step(c.time.duration, dt, cycle));
   const std::string done = cases::described(c.motion->treatment);
   const Shape rows{m.time.size()}, vectors{m.time.size(), 3};
   return {dataset("/motion/time", m.time, rows, "s", "time of the rows: those of /history, up to the case's duration"),

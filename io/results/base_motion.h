@@ -23,8 +23,8 @@ struct BaseMotion {
 /// and displacement are their exact integrals from rest at time zero. Rows at every `every`-th step of `dt` [s], from 0 to `last`.
 BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_t every, std::int64_t last);
 
-/// The datasets of /motion: rows at `output.history_interval` to the whole steps that it takes, up to the case's duration.
-/// \param dt  the step of the run, s. \return nothing for a case without motion
-std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt);
+/// The datasets of /motion: rows at the times of /history, up to the case's duration.
+/// \param dt  the step of the run, s \param cycle  Simulation::cycle of the run \return nothing for a case without motion
+std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt, std::int64_t cycle);
 
 }  // namespace voussoir::io

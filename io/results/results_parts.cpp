@@ -92,8 +92,8 @@ RowCounts rows_of(std::span<const Part> parts) noexcept {
   return sum;
 }
 
-void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill) {
-  const std::string temporary = path + ".tmp";
+void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary) {
+  if (temporary.empty()) temporary = path + ".tmp";
   try {
     Hdf5File file = Hdf5File::create(temporary);
     fill(file);

@@ -30,8 +30,9 @@ struct Part {
 [[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
 
 /// Makes a file under a temporary name by `fill`, and gives it its name once it is complete and on disk (see replace_file).
+/// \param temporary  none: PATH.tmp, which is of one process alone in the folder of a run that it has locked
 /// \throw FileError, or what `fill` throws; then the file under this name is as it was
-void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill);
+void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
 
 /// Writes the buffered rows as the file `folder`/`part.file`. \throw FileError
 Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,

@@ -83,6 +83,18 @@ void take_measures(ResultsWriter& results) {
   }
 }
 
+/// Writes what a failed run leaves; if that fails, warns of what is lost. \return whether it was written
+template <class Write>
+bool try_to(const Write& write, const char* lost) {
+  try {
+    write();
+    return true;
+  } catch (const FileError& e) {
+    std::fprintf(stderr, "voussoir: warning: %s; %s\n", e.what(), lost);
+    return false;
+  }
+}
+
 /// The observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
@@ -216,9 +228,10 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     watch.finish();
-    results.flush();
-    checkpoints.save_failed(sim, plan, results.rows());
-    std::fprintf(stderr, "voussoir: numerical failure: %s\nvoussoir: the state is in %s/checkpoint-failed.h5\n", e.what(), folder.c_str());
+    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    try_to([&] { results.flush(); }, "the last rows are not in the results");
+    if (try_to([&] { checkpoints.save_failed(sim, plan, results.rows()); }, "the state is not saved"))
+      std::fprintf(stderr, "voussoir: the state is in %s/checkpoint-failed.h5\n", folder.c_str());
     return kNumericalFailure;
   } catch (const FileError&) {
     watch.finish();

@@ -15,17 +15,21 @@
 
 namespace voussoir::solver {
 
+namespace {
+
+/// Whole steps of dt [s] in an interval [s].
 std::int64_t in_steps(double interval, double dt) { return std::max<std::int64_t>(1, std::llround(interval / dt)); }
+
+}  // namespace
+
+std::int64_t in_cycles(double interval, double dt, std::int64_t cycle) { return (in_steps(interval, dt) + cycle - 1) / cycle * cycle; }
 
 namespace {
 
 constexpr std::int64_t kTickInterval = 20;  // steps
 constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
 
-/// The steps between two rows: whole cycles of multi-rate stepping.
-std::int64_t in_cycles(double interval, const Simulation& sim) {
-  return (in_steps(interval, sim.dt()) + sim.cycle() - 1) / sim.cycle() * sim.cycle();
-}
+std::int64_t steps_between_rows(double interval, const Simulation& sim) { return in_cycles(interval, sim.dt(), sim.cycle()); }
 
 /// Keeps the buffers and the running figures of one run.
 class Reporter {
@@ -65,14 +69,14 @@ class Reporter {
   }
 
   void cracks() {
-    std::vector<CrackRow>& rows = sim_.cracks();
-    if (rows.empty()) return;
-    for (const CrackRow& r : rows) {
+    if (sim_.cracks().empty()) return;
+    cracks_.clear();
+    cracks_.swap(sim_.cracks());  // before they are told: a recorder that fails has them, and is not told them again
+    for (const CrackRow& r : cracks_) {
       if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
       if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
     }
-    out_.cracks(rows);
-    rows.clear();
+    out_.cracks(cracks_);
   }
 
  private:
@@ -89,6 +93,7 @@ class Reporter {
   RunState& state_;
   Recorder& out_;
   std::vector<TieSample> ties_;
+  std::vector<CrackRow> cracks_;
   std::vector<float> position_, quaternion_, broken_;
 };
 
@@ -124,9 +129,9 @@ class Plan {
         report_(sim, state, out),
         end_(end),
         after_collapse_(cases::is_assessment(c.analysis) ? 0.0 : c.time.after_collapse),
-        history_(in_cycles(c.output.history_interval, sim)),
-        frame_(in_cycles(cases::frame_interval(c, sim.world().model.blocks.size()), sim)),
-        ledger_(in_cycles(c.output.ledger_interval, sim)),
+        history_(steps_between_rows(c.output.history_interval, sim)),
+        frame_(steps_between_rows(cases::frame_interval(c, sim.world().model.blocks.size()), sim)),
+        ledger_(steps_between_rows(c.output.ledger_interval, sim)),
         last_(last_step(sim, end)) {
     end_after_collapse();
     end_with_program();
@@ -213,10 +218,9 @@ class Plan {
 
 }  // namespace
 
-std::int64_t last_step(const Simulation& sim, double end) {
-  const auto cycle = static_cast<double>(sim.cycle());
-  return std::llround(end / (cycle * sim.dt())) * sim.cycle();
-}
+std::int64_t last_step(double end, double dt, std::int64_t cycle) { return std::llround(end / (static_cast<double>(cycle) * dt)) * cycle; }
+
+std::int64_t last_step(const Simulation& sim, double end) { return last_step(end, sim.dt(), sim.cycle()); }
 
 Summary summarise(const Simulation& sim, const RunState& state) {
   const FallenMass fallen = fallen_mass(sim.world());
@@ -250,7 +254,10 @@ RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end
     }
     if (!stopped) stopped = !plan.shake();
   } catch (...) {
-    plan.tell_cracks();
+    try {
+      plan.tell_cracks();
+    } catch (...) {  // what stopped the run is what its caller must hear of
+    }
     out.summary(summarise(sim, state));
     throw;
   }

@@ -10,8 +10,8 @@
 /// The run plan: settle, shake, and tell a Recorder at the intervals the case asks for.
 namespace voussoir::solver {
 
-/// Whole steps of dt [s] between two rows that an interval [s] asks for.
-std::int64_t in_steps(double interval, double dt);
+/// Steps of dt [s] between two rows that an interval [s] asks for: whole cycles of multi-rate stepping (Simulation::cycle).
+std::int64_t in_cycles(double interval, double dt, std::int64_t cycle);
 
 /// What a run carries from step to step beside the simulation.
 struct RunState {
@@ -54,6 +54,7 @@ inline constexpr double kResidualLimit = 1e-2;
 RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end, Recorder& out, const Tick& tick);
 
 /// The step that a run until `end` [s] ends with; it has a row of the ledger.
+std::int64_t last_step(double end, double dt, std::int64_t cycle);
 std::int64_t last_step(const Simulation& sim, double end);
 
 /// What the run has come to, so far.

@@ -8,10 +8,10 @@
 
 #include "io/assess/assess_words.h"
 #include "io/assess/assessment.h"
-#include "io/assess/case_of_run.h"
 #include "io/assess/crack_map.h"
 #include "io/assess/floor_spectra.h"
 #include "io/case_file/case_file.h"
+#include "io/results/case_of_run.h"
 #include "tests/cases/paper_house.h"
 #include "tests/io/results_fixture.h"
 

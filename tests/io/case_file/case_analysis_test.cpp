@@ -86,6 +86,8 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"\namplitudes = [0.001, 0.0]")).find("must all be > 0 (m)") != std::string::npos);
   CHECK(refusal(analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("needs a [[load]] with grows = true") != std::string::npos);
   CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a fixed block with [block.motion]") != std::string::npos);
+  CHECK(refusal("[[base.part]]\nwall = \"rear\"\nlevel = 0.2\nmotion = { velocity = [0, 0, -0.1] }\n" +
+                analysis("kind = \"settlement\"")) == "accepted");
   CHECK(refusal(kPushed).find("load[0].grows") != std::string::npos);
   CHECK(refusal(kPushed + analysis("kind = \"tilt\"")).find("has no use for a [[load]] with grows = true") != std::string::npos);
   CHECK(refusal(kPushed + "ramp = [0.0, 1.0]\n" + analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("load[0].ramp") !=

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <filesystem>
+
 #include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 #include "tests/io/temp_folder.h"
 
 using namespace voussoir;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -18,6 +21,32 @@ std::string refusal(const std::string& path) {
   }
   return "nothing was refused";
 }
+
+/// A case that names a file of each kind, for reading alone.
+constexpr const char* kAllPaths = R"([motion]
+V = "v.csv"
+[[stones]]
+file = "sub.obj"
+unit = "m"
+material = "adobe"
+[[stones]]
+file = "more.obj"
+unit = "m"
+material = "adobe"
+[[block]]
+name = "a"
+material = "adobe"
+box = [[0, 0, 0], [1, 1, 1]]
+fixed = true
+motion = { file = "m.csv" }
+[[load]]
+block = "a"
+history = "push.csv"
+[[base.part]]
+wall = "rear"
+level = 0.2
+motion = { file = "sinks.csv" }
+)";
 
 }  // namespace
 
@@ -100,6 +129,31 @@ TEST_CASE("files that an included case names lie beside it") {
   CHECK(c.blocks.at(0).motion->file == folder.path("m.csv"));
   folder.write("parts/record.toml", "[motion]\nrecord = \"bam-like\"\n");
   CHECK(io::load_case(folder.write("mine/other.toml", "include = \"../parts/record.toml\"\n")).value.motion->record == "bam-like");
+}
+
+TEST_CASE("every kind of file that an included case names lies beside it") {
+  const TempFolder folder;
+  folder.write("parts/part.toml", kAllPaths);
+  const cases::Case c = io::load_case(folder.write("mine/case.toml", "include = \"../parts/part.toml\"\n")).value;
+  CHECK(c.stones.at(0).file == folder.path("parts/sub.obj"));
+  CHECK(c.stones.at(1).file == folder.path("parts/more.obj"));
+  CHECK(c.loads.at(0).history == folder.path("parts/push.csv"));
+  CHECK(c.base->parts.at(0).motion->file == folder.path("parts/sinks.csv"));
+  CHECK(c.blocks.at(0).motion->file == folder.path("parts/m.csv"));
+  CHECK(c.motion->ltv[2] == folder.path("parts/v.csv"));
+}
+
+TEST_CASE("a case with absolute paths, or with the names of files alone, has all of them so") {
+  const TempFolder folder;
+  const std::string path = folder.write("case.toml", kAllPaths);
+  const std::string whole = io::resolved_toml(io::anchored(io::load_case(path).value));
+  const std::string bare = io::resolved_toml(io::without_folders(io::anchored(io::load_case(path).value)));
+  const std::string place = fs::canonical(folder.path()).string() + "/";
+  for (const std::string name : {"sub.obj", "more.obj", "push.csv", "sinks.csv", "m.csv", "v.csv"}) {
+    CAPTURE(name);
+    CHECK(whole.find('"' + place + name + '"') != std::string::npos);
+    CHECK(bare.find('"' + name + '"') != std::string::npos);
+  }
 }
 
 TEST_CASE("a case may include one of the catalogue") {

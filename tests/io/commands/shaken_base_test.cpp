@@ -68,6 +68,16 @@ TEST_CASE("three files of one station in one option, a window of them, and the m
   CHECK(says(o, "allowed: from 0 to below 0.04"));
 }
 
+TEST_CASE("several rates: the motion of the base has the times of the histories") {
+  const TempFolder folder;
+  const std::string house = folder.write("case.toml", kStone), l = folder.write("l.csv", constant(1.0)), out = folder.path("out");
+  const Outcome o = voussoir_says("run " + house + " --quiet -j 1 --motion L=" + l + " -o " + out + " --dt 2e-5 --set time.multirate=8");
+  REQUIRE_MESSAGE(o.code == 0, o.text);
+  const Hdf5File run = Hdf5File::open(out + "/run.h5");
+  CHECK(run.read<double>("/history/time").at(1) == doctest::Approx(1.12e-3));  // 1 ms is no whole cycle
+  CHECK(run.read<double>("/motion/time") == run.read<double>("/history/time"));
+}
+
 TEST_CASE("a run that is sent further has the bits of one that was not stopped: motion of the base and accelerations too") {
   const TempFolder folder;
   const std::string house = folder.write("case.toml", kStone), l = folder.write("l.csv", constant(1.0));

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/run_folder.h"
 
-#include "io/files/whole_file.h"
-
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
 
 #include "io/files/errors.h"
+#include "io/files/whole_file.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
@@ -73,11 +73,12 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
     CHECK(fs::exists(dir.file(own)));
   }
   const TempFolder dir;
-  const std::set<std::string> foreign{"notes.txt",        "parts/plan.h5", "run.h5.bak",      "house.toml",
-                                      "checkpoint-x.txt", "log",           "stills/plan.png", "stills/front-s.png"};
+  const std::set<std::string> foreign{"notes.txt", "parts/plan.h5",   "run.h5.bak",         "house.toml",          "checkpoint-x.txt",
+                                      "log",       "stills/plan.png", "stills/front-s.png", "report.html.old.tmp", "plan.1.tmp"};
   for (const std::string& name : foreign) touch(dir.file(name));
   for (const char* own : {"run.h5", "run.h5.tmp", "parts/0003.h5", "parts/0004.h5.tmp", "checkpoint-12.h5", "case.toml",
-                          "stills/front-2.5s.png", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "paraview.h5.tmp"})
+                          "stills/front-2.5s.png", "stills/front-2.5s.png.77.tmp", "report.html", "report.html.1234.tmp", "comparison.html",
+                          "run.xdmf", "paraview.h5", "paraview.h5.1234.tmp", "case.toml.9.tmp"})
     leave(dir.file(own));
   const RunFolder folder = RunFolder::create(dir.path(), true);
   std::set<std::string> left = foreign;
@@ -161,10 +162,34 @@ TEST_CASE("places where nothing can be written") {
 
 TEST_CASE("a text that cannot be written leaves the old one") {
   const TempFolder dir;
-  fs::create_directory(dir.file("t.tmp"));  // in the way of the temporary file
+  fs::create_directory(own_temporary(dir.file("t")));  // in the way of the temporary file
   touch(dir.file("t"));
   CHECK_THROWS_AS(write_text_file(dir.file("t"), "new"), FileError);
   CHECK(text_of(dir.file("t")) == "x");
+}
+
+TEST_CASE("two processes that write a file at once leave it whole") {
+  const TempFolder dir;
+  CHECK(in_child([&] {
+          const pid_t other = ::fork();
+          for (int i = 0; i < 100; ++i) write_text_file(dir.file("t"), std::string(200000, other == 0 ? 'b' : 'a'));
+          int status = 0;
+          if (other != 0) ::waitpid(other, &status, 0);
+          return WEXITSTATUS(status);
+        }) == 0);
+  const std::string text = text_of(dir.file("t"));
+  CHECK(text == std::string(200000, text.at(0)));
+  CHECK(files_in(dir.path()) == std::set<std::string>{"t"});
+}
+
+TEST_CASE("what a killed process left of a file goes when the file is written an hour later") {
+  const TempFolder dir;
+  for (const char* name : {"t.1.tmp", "t.2.tmp", "t.x.tmp", "tt.1.tmp", "t..tmp"}) {
+    touch(dir.file(name));
+    if (std::string(name) != "t.2.tmp") fs::last_write_time(dir.file(name), fs::file_time_type::clock::now() - std::chrono::hours(2));
+  }
+  write_text_file(dir.file("t"), "new");
+  CHECK(files_in(dir.path()) == std::set<std::string>{"t", "t.2.tmp", "t.x.tmp", "tt.1.tmp", "t..tmp"});
 }
 
 }  // namespace voussoir::io

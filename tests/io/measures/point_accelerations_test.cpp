@@ -63,7 +63,7 @@ TEST_CASE("a followed point on a shaken base: what an accelerometer there would 
   motion.axis[0] = {"x", interval, {}};
   for (int i = 0; i <= 2000; ++i) motion.axis[0].acceleration.push_back(2.0 * std::sin(w * i * interval));
   ResultsOptions options = by_hand();
-  options.motion = motion_datasets(c, motion, 1e-4);
+  options.motion = motion_datasets(c, motion, 1e-4, 1);
   const TempFolder folder;
   {
     ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);

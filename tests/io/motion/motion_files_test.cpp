@@ -232,3 +232,23 @@ TEST_CASE("the motion of a support: a header may come first, a damaged row may n
   CHECK_THROWS_WITH_AS(load("O.0, 0, 0, 0\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
   CHECK_THROWS_WITH_AS(load("0.0, 0, 0, O\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
 }
+
+TEST_CASE("the header of a motion of a support, or of a load, states no other units than s and m, or N") {
+  const TempFolder folder;
+  const auto load = [&](const std::string& header, bool of_load) {
+    folder.write("s.csv", "# pushed\n" + header + "\n0,0,0,0\n1,0.1,0,0\n");
+    cases::Model m;
+    m.support_motions.emplace_back().file = "s.csv";
+    if (of_load) m.load_history.push_back(0);
+    io::load_support_motions(m, folder.path());
+    return m.support_motions[0].time.size();
+  };
+  CHECK(load("t [s], x [m], y [ m ], z (m)", false) == 2);
+  CHECK(load("t [s], x [N], y [N], z [N]", true) == 2);
+  CHECK_THROWS_WITH_AS(load("t [s], x [mm], y [mm], z [mm]", false),
+                       doctest::Contains("s.csv:2: unit of column 'x [mm]' is 'mm'; allowed: m"), FileError);
+  CHECK_THROWS_WITH_AS(load("t [ms], x, y, z", false), doctest::Contains("unit of column 't [ms]' is 'ms'; allowed: s"), FileError);
+  CHECK_THROWS_WITH_AS(load("t [s], x [N], y [N], z (kN)", true), doctest::Contains("unit of column 'z (kN)' is 'kN'; allowed: N"),
+                       FileError);
+  CHECK_THROWS_AS(load("t [s], x [N], y [N], z [N]", false), FileError);
+}

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "io/files/hdf5_file.h"
 #include "tests/io/results_fixture.h"
@@ -47,14 +48,14 @@ TEST_CASE("base motion: the velocity of a record is the integral of what the sol
 TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a case without motion has none") {
   const TempFolder folder;
   cases::Case c;
-  CHECK(io::motion_datasets(c, {}, 1e-3).empty());
+  CHECK(io::motion_datasets(c, {}, 1e-3, 1).empty());
   c.motion.emplace();
   c.motion->treatment.from = 2.0;
   c.time.duration = 0.5;
   cases::GroundMotion m;
   m.axis[2] = {"z", 0.5, {1.0, 1.0}};
   io::ResultsOptions options = by_hand();
-  options.motion = io::motion_datasets(c, m, 5e-4);
+  options.motion = io::motion_datasets(c, m, 5e-4, 1);
   const io::ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);
   const io::Hdf5File run = io::Hdf5File::open(folder.file("run.h5"));
   CHECK(run.shape("/motion/time") == io::Shape{501});
@@ -63,4 +64,17 @@ TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a
   CHECK(run.read<double>("/motion/displacement")[3 * 500 + 2] == doctest::Approx(0.125));
   CHECK(run.attribute_text("/motion/acceleration", "description").find("from 2 s on") != std::string::npos);
   CHECK(run.attribute_text("/motion/acceleration", "unit") == "m/s2");
+}
+
+TEST_CASE("base motion: rows are whole cycles of multi-rate stepping apart, as those of /history are") {
+  cases::Case c;
+  c.motion.emplace();
+  c.time.duration = 0.02;
+  cases::GroundMotion m;
+  m.axis[0] = {"x", 0.01, {0.0, 1.0, 0.0}};
+  const std::vector<io::StaticDataset> sets = io::motion_datasets(c, m, 5e-5, 8);  // 1 ms: 20 steps, three cycles
+  CHECK(sets.at(0).shape == io::Shape{17});                                        // to step 384 of 400
+  std::vector<double> time(17);
+  std::memcpy(time.data(), sets.at(0).bytes.data(), sizeof(double) * time.size());
+  CHECK(time[1] == doctest::Approx(1.2e-3));
 }

@@ -92,6 +92,18 @@ TEST_CASE("assess: a cut at the foot of a block at rest bears its weight") {
   CHECK(w.run("run block.toml -o other --quiet --set output.cut[0].point=[0.0,0.0,5.0]").text.find("cuts no joint") != std::string::npos);
 }
 
+TEST_CASE("assess: the map of a wall lies in its folder whatever the wall's name") {
+  const Words w;
+  w.folder.write("walls.toml", std::string(kBlock) + "part = \"../x wall\"\n[[block]]\nname = \"other\"\nmaterial = \"stone\"\n" +
+                                   "part = \"a/b wall\"\nbox = [[1.0, 0.0, 0.0], [1.4, 0.3, 1.0]]\n[[block]]\nname = \"third\"\n" +
+                                   "material = \"stone\"\npart = \"a b wall\"\nbox = [[2.0, 0.0, 0.0], [2.4, 0.3, 1.0]]\n");
+  REQUIRE(w.run("run walls.toml -o out --quiet -j 1").code == 0);
+  const shell::Outcome o = w.run("assess out --maps maps");
+  CHECK_MESSAGE(o.code == 0, o.text);
+  for (const char* name : {"maps/_.-x-wall-0.100s.svg", "maps/a-b-wall-0.100s.svg", "maps/a-b-wall_-0.100s.svg"})
+    CHECK_MESSAGE(std::filesystem::exists(w.folder.path(name)), o.text);
+}
+
 TEST_CASE("assess: the motion of the base is the run's, though its record has gone") {
   const Words w;
   w.folder.write("x.csv", "t [s],a [m/s2]\n0,0\n0.05,2\n0.1,0\n");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/assess/case_of_run.h"
+#include "io/results/case_of_run.h"
 
 #include <string>
 
