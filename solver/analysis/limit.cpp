@@ -117,12 +117,14 @@ class Problem {
       act(static_cast<std::int32_t>(b), body.centre, (body.mass * norm(g) / unit_) * live_, live_forces_);
     }
     for (const cases::Load& load : c.loads) {
-      const auto block = std::ranges::find(model.blocks, load.block, &cases::Block::name);
-      const auto e = static_cast<std::size_t>(block - model.blocks.begin());
-      const std::int32_t body = contacts_.body_of[e];
-      act(body, load.at.value_or(model.assembly.elements[e].mass.centroid), load.force / unit_, dead_);
-      for_each_row(body, {}, load.moment / (unit_ * length_), [&](std::size_t row, double value) { dead_[row] += value; });
+      for (const std::int32_t e : cases::elements_named(model, load.block)) set_load(load, model, static_cast<std::size_t>(e));
     }
+  }
+  void set_load(const cases::Load& load, const cases::Model& model, std::size_t element) {
+    const std::int32_t body = contacts_.body_of[element];
+    if (body < 0) return;  // a fixed stone, of a group
+    act(body, load.at.value_or(model.assembly.elements[element].mass.centroid), load.force / unit_, dead_);
+    for_each_row(body, {}, load.moment / (unit_ * length_), [&](std::size_t row, double value) { dead_[row] += value; });
   }
   void set_tangents(const LimitPoint& at, Point& p) const {
     const auto along = [&](Vec3 v) { return v - dot(v, at.normal) * at.normal; };
