@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "cases/gravity.h"
 #include "solver/analysis/linear_programme.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::solver {
 namespace {
@@ -67,7 +67,7 @@ class Problem {
   [[nodiscard]] double weight() const { return unit_ * static_cast<double>(contacts_.bodies.size()); }
   void associated(LimitState& out) {
     for (std::size_t i = 0; i < points_.size(); ++i) points_[i].cohesion = 0.0, points_[i].slope = contacts_.points[i].friction;
-    // The interior-point method tells itself that there is no solution.
+    // Where there is no solution the interior-point method does not converge, which is soon seen.
     if (!inside_ && !stands()) throw falls();
     if (!solve(out)) {
       if (inside_ && !stands()) throw falls();
@@ -180,12 +180,18 @@ class Problem {
       if (dead_[row] != 0.0) lp.add(row, dead_[row]);
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    return (inside_ ? lp.solve_inside(1.0) : lp.solve(false, 1.0)).outcome == LpOutcome::at_bound;
+    const LpOutcome found = (inside_ ? lp.solve_inside(1.0) : lp.solve(false, 1.0)).outcome;
+    if (found == LpOutcome::none) throw no_forces();  // no forces at all are a solution
+    return found == LpOutcome::at_bound;
   }
   static cases::InputError falls() {
     return {"", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts"};
   }
-  static std::runtime_error no_forces() { return std::runtime_error("limit analysis: no forces were found where there are some"); }
+  static NumericalError no_forces() {
+    return NumericalError(
+        "limit analysis found no forces to the accuracy needed, which says nothing of the structure; try another number of --facets or a "
+        "larger segments.size, and look for blocks that are very small, or loads that are very large, beside the others");
+  }
   /// Whether a solution was found.
   [[nodiscard]] bool solve(LimitState& out) {
     LinearProgramme lp(dead_.size() + points_.size());
@@ -196,7 +202,7 @@ class Problem {
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
     const LpSolution found = inside_ ? lp.solve_inside() : lp.solve(true);
-    if (found.outcome == LpOutcome::infeasible) return false;
+    if (found.outcome == LpOutcome::none) return false;
     if (found.outcome == LpOutcome::at_bound)
       throw cases::InputError("", "has no collapse multiplier in this direction: nothing falls, whatever the force");
     ++out.programmes;

@@ -10,6 +10,7 @@
 
 #include "solver/analysis/limit_mechanism.h"
 #include "solver/analysis/linear_programme.h"
+#include "solver/world/errors.h"
 
 // Limit analysis against closed forms: blocks on a plane, stacks, loads, a tilted base.
 namespace voussoir::testing {
@@ -242,6 +243,22 @@ TEST_CASE("limit: what cannot be answered is refused in words") {
     boxed.blocks.back().fixed = true;
   }
   CHECK(refusal(boxed).starts_with("has no collapse multiplier in this direction"));
+}
+
+TEST_CASE("limit: where the interior-point method does not converge, that is said, not that the structure falls") {
+  cases::Case c = one_block(60.0);  // pressed so hard on its base that numbers overflow
+  c.loads.push_back(force_on("block", {0.0, 0.0, -1e200}));
+  solver::LimitOptions inside;
+  inside.inside_from = 0;
+  std::string said;
+  try {
+    analysed(c, inside);
+  } catch (const solver::NumericalError& e) {
+    said = e.what();
+  }
+  INFO(said);
+  CHECK(said.find("to the accuracy needed") != std::string::npos);
+  CHECK(said.find("does not stand") == std::string::npos);
 }
 
 TEST_SUITE_END();
