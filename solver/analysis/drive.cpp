@@ -105,8 +105,12 @@ std::vector<Mode> modes_of(const World& w) {
   return all;
 }
 
+struct Shape {
+  std::vector<Vec3> displacement;  // by element
+  double frequency = 0.0;          // Hz
+};
 /// The mode with most mass along the push, so scaled that its mean by mass along it is 1: then λ is still a share of the weight.
-std::vector<Vec3> shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double mass) {
+Shape shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double mass) {
   const Mode* best = nullptr;
   double most = kLeastMassShare, mean = 0.0;
   for (const Mode& m : modes) {
@@ -116,8 +120,8 @@ std::vector<Vec3> shape_of(const std::vector<Mode>& modes, const World& w, Vec3 
     if (share > most) best = &m, most = share, mean = along / mass;
   }
   if (best == nullptr) throw cases::InputError("analysis.direction", "no mode of the structure has mass in this direction");
-  std::vector<Vec3> shape = best->displacement;
-  for (Vec3& v : shape) v *= 1.0 / mean;
+  Shape shape{best->displacement, best->frequency};
+  for (Vec3& v : shape.displacement) v *= 1.0 / mean;
   return shape;
 }
 
@@ -169,12 +173,13 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
     sim.program().set(d, {});
     return;
   }
-  std::vector<Vec3> shape;
+  Shape shape;
   double square = 0.0;  // Σ p²/m, N²/kg
   if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
     shape = shape_of(modes, w, push, all.mass);
-    for (std::size_t i = 0; i < shape.size(); ++i) square += g * g * w.elements.mass[i] * dot(shape[i], shape[i]);
-    d.compliance = square / (square_of(d.frequency) * d.weight);
+    const std::vector<Vec3>& u = shape.displacement;
+    for (std::size_t i = 0; i < u.size(); ++i) square += g * g * w.elements.mass[i] * dot(u[i], u[i]);
+    d.compliance = square / (square_of(shape.frequency) * d.weight);
   } else {
     for (const Mode& m : modes) {
       const PatternOnMode p = on_mode(c, w, m, push, g);
@@ -186,7 +191,7 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   d.stiffness = a.share.value_or(a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
   if (square > 0.0) d.stiffness = std::min(d.stiffness, kStepMargin * 4.0 / (w.dt * w.dt) * d.weight / square);
   d.first = kFirstFactor * (d.compliance + 1.0 / d.stiffness);
-  sim.program().set(d, shape);
+  sim.program().set(d, shape.displacement);
 }
 
 }  // namespace voussoir::solver
