@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "solver/analysis/modes.h"
@@ -54,28 +56,55 @@ Vec3 push_of(const cases::Analysis& a) {
   return {a.direction[0] / length, a.direction[1] / length, 0.0};
 }
 
-/// Power of the forces at a load factor of 1 with the motion of a mode; and what Σ p²/m is of them [N, N²/kg].
-struct PatternOnMode {
-  double power = 0.0, square = 0.0;
-};
-PatternOnMode on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
-  const Elements& e = w.elements;
-  PatternOnMode out;
-  if (c.analysis.kind == AnalysisKind::cyclic || c.analysis.pattern == LoadPattern::given) {
+bool pushes_by_loads(const cases::Case& c) { return c.analysis.kind == AnalysisKind::cyclic || c.analysis.pattern == LoadPattern::given; }
+
+/// About the centroid, N m.
+Vec3 torque_of(const PointLoad& l) { return l.moment + cross(l.arm, l.force); }
+
+/// Power of the forces at a load factor of 1 with the motion of a mode.
+double power_on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
+  double power = 0.0;
+  if (pushes_by_loads(c)) {
     for (const PointLoad& l : w.loads) {
       const auto i = static_cast<std::size_t>(l.element);
-      if (!l.grows) continue;
-      out.power += dot(l.force, m.displacement[i]) + dot(l.moment + cross(l.arm, l.force), m.rotation[i]);
-      out.square += dot(l.force, l.force) * e.inv_mass[i];
+      if (l.grows) power += dot(l.force, m.displacement[i]) + dot(torque_of(l), m.rotation[i]);
     }
-    return out;
+    return power;
   }
   for (std::size_t i = 0; i < m.displacement.size(); ++i) {
-    if (e.fixed[i]) continue;
-    out.power += g * e.mass[i] * dot(push, m.displacement[i]);
-    out.square += g * g * e.mass[i];
+    if (!w.elements.fixed[i]) power += g * w.elements.mass[i] * dot(push, m.displacement[i]);
   }
-  return out;
+  return power;
+}
+
+/// T·J⁻¹·T, N²/kg.
+double turning_square(const Elements& e, std::size_t i, Vec3 t) {
+  return dot(t, {e.ixx[i] * t.x + e.ixy[i] * t.y + e.ixz[i] * t.z, e.ixy[i] * t.x + e.iyy[i] * t.y + e.iyz[i] * t.z,
+                 e.ixz[i] * t.x + e.iyz[i] * t.y + e.izz[i] * t.z});
+}
+
+/// Σ p²/m + T·J⁻¹·T of the loads that grow, N²/kg; those on one element act together.
+double square_of_loads(const World& w) {
+  std::map<std::int32_t, std::pair<Vec3, Vec3>> on;  // by element: force, torque
+  for (const PointLoad& l : w.loads) {
+    if (l.grows) on[l.element].first += l.force, on[l.element].second += torque_of(l);
+  }
+  double sum = 0.0;
+  for (const auto& [element, push] : on) {
+    const auto i = static_cast<std::size_t>(element);
+    sum += dot(push.first, push.first) * w.elements.inv_mass[i] + turning_square(w.elements, i, push.second);
+  }
+  return sum;
+}
+
+/// Of a push by mass. \param shape  by element, of a mode; empty: it is the same everywhere
+double square_of_masses(const World& w, const std::vector<Vec3>& shape, double g) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
+    if (!shape.empty()) sum += g * g * w.elements.mass[i] * dot(shape[i], shape[i]);
+    if (shape.empty() && !w.elements.fixed[i]) sum += g * g * w.elements.mass[i];
+  }
+  return sum;
 }
 
 /// 2 × the kinetic energy of an element that turns at this rate; nothing of one that cannot turn.
@@ -126,7 +155,7 @@ Shape shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double
 }
 
 double weight_of(const cases::Case& c, const World& w, double gravity, double mass) {
-  if (c.analysis.kind != AnalysisKind::cyclic && c.analysis.pattern != LoadPattern::given) return gravity * mass;
+  if (!pushes_by_loads(c)) return gravity * mass;
   double sum = 0.0;
   for (const PointLoad& l : w.loads) sum += l.grows ? norm(l.force) : 0.0;
   return sum;
@@ -174,17 +203,16 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
     return;
   }
   Shape shape;
-  double square = 0.0;  // Σ p²/m, N²/kg
+  double square = 0.0;  // of the stiffness of the spring: THEORY.md, section 11
   if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
     shape = shape_of(modes, w, push, all.mass);
-    const std::vector<Vec3>& u = shape.displacement;
-    for (std::size_t i = 0; i < u.size(); ++i) square += g * g * w.elements.mass[i] * dot(u[i], u[i]);
+    square = square_of_masses(w, shape.displacement, g);
     d.compliance = square / (square_of(shape.frequency) * d.weight);
   } else {
+    square = pushes_by_loads(c) ? square_of_loads(w) : square_of_masses(w, {}, g);
     for (const Mode& m : modes) {
-      const PatternOnMode p = on_mode(c, w, m, push, g);
-      square = p.square;
-      d.compliance += p.power * p.power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
+      const double power = power_on_mode(c, w, m, push, g);
+      d.compliance += power * power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
     }
   }
   if (d.compliance <= 0.0) d.compliance = g / square_of(d.frequency);

@@ -49,6 +49,12 @@ Chosen chosen(const cases::Case& c) {
   return {sim.program().drive(), sim.world().dt};
 }
 
+cases::Load push(const std::string& block, Vec3 force, Vec3 moment = {}) {
+  cases::Load load;
+  load.block = block, load.force = force, load.moment = moment, load.grows = true;
+  return load;
+}
+
 }  // namespace
 
 TEST_CASE("drive: the compliance of a push by a mode is that of the mode whose shape it has, not of the lowest") {
@@ -64,4 +70,17 @@ TEST_CASE("drive: the compliance of a push by a mode is that of the mode whose s
   const solver::Drive d = chosen(c).drive;
   CHECK(d.frequency == doctest::Approx(modes.front().frequency));
   CHECK(d.compliance == doctest::Approx(kGravity * squares * n / (sum * sum) / (omega * omega)).epsilon(1e-6));
+}
+
+TEST_CASE("drive: the step bears the spring of loads with an arm and a moment, and of two on one block") {
+  const double mass = 1800.0 * kWide * kThin * kHigh, about_x = mass * (kThin * kThin + kHigh * kHigh) / 12.0,
+               about_y = mass * (kWide * kWide + kHigh * kHigh) / 12.0;
+  cases::Case c = pier(2, cases::LoadPattern::given);
+  c.analysis.share = 1e9;  // so stiff that the step decides
+  c.loads = {push("block1", {30.0, 0.0, 0.0}, {7.0, 0.0, 0.0}), push("block1", {10.0, 0.0, 0.0})};
+  c.loads[0].at = Vec3{0.5 * kWide, 0.5 * kThin, 2.0 * kHigh};
+  const double square = 40.0 * 40.0 / mass + 7.0 * 7.0 / about_x + std::pow(30.0 * 0.5 * kHigh, 2) / about_y;
+  const Chosen r = chosen(c);
+  CHECK(r.drive.weight == doctest::Approx(40.0));
+  CHECK(r.drive.stiffness * square / r.drive.weight == doctest::Approx(2e-3 * 4.0 / (r.dt * r.dt)).epsilon(1e-9));
 }
