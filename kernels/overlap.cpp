@@ -90,7 +90,7 @@ Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
   return 0.5 * ((a + s * ea) + (b + t * eb));
 }
 
-/// Room for the vertices of the largest shape of few faces, unset: most shapes need little of it.
+/// Room for the vertices of the largest shape that is small, unset: most shapes need little of it.
 union VertexRoom {
   VertexRoom() noexcept {}  // NOLINT(modernize-use-equals-default): would set all of it
   Vec3 at[kFewVertices];
@@ -103,7 +103,7 @@ Vec3 turned_back(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * 
 
 Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                    double enough) noexcept {
-  if (std::max(a.faces.size(), b.faces.size()) > kFewFaces) return overlap_of_many(a, pose_a, b, pose_b, from_a_to_b, enough);
+  if (!is_small(a) || !is_small(b)) return overlap_of_many(a, pose_a, b, pose_b, from_a_to_b, enough);
   VertexRoom room;
   Vec3* const vertices = room.at;
   const std::size_t count = b.vertices.size();

@@ -20,12 +20,15 @@ struct Crease {
 /// A convex polyhedron in its body axes, from its centroid.
 struct ConvexShape {
   std::span<const Vec3> vertices;  // m
-  std::span<const Vec3> edges;     // unit directions, parallel ones once; of a shape of few faces
+  std::span<const Vec3> edges;     // unit directions, parallel ones once; of a small shape
   std::span<const Face> faces;
-  std::span<const Crease> creases;  // where some shape of the model has more than few faces
+  std::span<const Crease> creases;  // where some shape of the model is not small
 };
-inline constexpr int kFewFaces = 128;
-inline constexpr int kFewVertices = 2 * kFewFaces - 4;  // at most, of a convex polyhedron with so many faces
+inline constexpr std::size_t kFewFaces = 128;
+inline constexpr std::size_t kFewVertices = 2 * kFewFaces - 4;  // at most, of so many faces, unless vertices lie within edges
+/// True if all axes may be tried, and its vertices have room.
+constexpr bool is_small(std::size_t faces, std::size_t vertices) noexcept { return faces <= kFewFaces && vertices <= kFewVertices; }
+inline bool is_small(const ConvexShape& s) noexcept { return is_small(s.faces.size(), s.vertices.size()); }
 
 /// Along the axis of least overlap, in global axes.
 struct Overlap {
@@ -36,12 +39,12 @@ struct Overlap {
 
 /// \param from_a_to_b  m, between the centroids, global axes
 /// \param enough       m; a depth at most this is not looked into any further: some axis has it, perhaps not the least one
-/// \pre where either has more than kFewFaces, both have creases
+/// \pre where either is not small, both have creases
 Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                    double enough) noexcept;
 
-/// The same for shapes of many faces, with axes left out that cannot have the least overlap. overlap_of calls it where either has more than
-/// kFewFaces: all axes would be as many as the product of their edges, and a sphere of 500 faces has 750.
+/// The same for shapes of many faces or vertices, with axes left out that cannot have the least overlap. overlap_of calls it where either
+/// is not small: all axes would be as many as the product of their edges, and a sphere of 500 faces has 750.
 Overlap overlap_of_many(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                         double enough) noexcept;
 

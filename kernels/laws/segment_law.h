@@ -24,7 +24,8 @@ constexpr Local operator*(double f, Local a) noexcept { return {f * a.n, f * a.s
 constexpr double dot(Local a, Local b) noexcept { return a.n * b.n + a.s1 * b.s1 + a.s2 * b.s2; }
 
 /// History of a segment. While bonded, slip is the plastic slip; in contact it is the elongation of the shear spring [m].
-/// closure ≤ 0 is the permanent normal shortening left by crushing [m].
+/// closure is the opening [m] at which the normal spring has no force: negative by crushing, and of a point found deep inside; positive by
+/// dilatancy (13e), in a joint that stiffens as it closes (closing.h), and of points that a tilted joint leaves to its patches.
 struct SegmentState {
   Bond bond = Bond::bonded;
   double slip1 = 0.0, slip2 = 0.0, closure = 0.0;

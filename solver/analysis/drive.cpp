@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "solver/analysis/modes.h"
@@ -54,28 +56,55 @@ Vec3 push_of(const cases::Analysis& a) {
   return {a.direction[0] / length, a.direction[1] / length, 0.0};
 }
 
-/// Power of the forces at a load factor of 1 with the motion of a mode; and what Σ p²/m is of them [N, N²/kg].
-struct PatternOnMode {
-  double power = 0.0, square = 0.0;
-};
-PatternOnMode on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
-  const Elements& e = w.elements;
-  PatternOnMode out;
-  if (c.analysis.kind == AnalysisKind::cyclic || c.analysis.pattern == LoadPattern::given) {
+bool pushes_by_loads(const cases::Case& c) { return c.analysis.kind == AnalysisKind::cyclic || c.analysis.pattern == LoadPattern::given; }
+
+/// About the centroid, N m.
+Vec3 torque_of(const PointLoad& l) { return l.moment + cross(l.arm, l.force); }
+
+/// Power of the forces at a load factor of 1 with the motion of a mode.
+double power_on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
+  double power = 0.0;
+  if (pushes_by_loads(c)) {
     for (const PointLoad& l : w.loads) {
       const auto i = static_cast<std::size_t>(l.element);
-      if (!l.grows) continue;
-      out.power += dot(l.force, m.displacement[i]) + dot(l.moment + cross(l.arm, l.force), m.rotation[i]);
-      out.square += dot(l.force, l.force) * e.inv_mass[i];
+      if (l.grows) power += dot(l.force, m.displacement[i]) + dot(torque_of(l), m.rotation[i]);
     }
-    return out;
+    return power;
   }
   for (std::size_t i = 0; i < m.displacement.size(); ++i) {
-    if (e.fixed[i]) continue;
-    out.power += g * e.mass[i] * dot(push, m.displacement[i]);
-    out.square += g * g * e.mass[i];
+    if (!w.elements.fixed[i]) power += g * w.elements.mass[i] * dot(push, m.displacement[i]);
   }
-  return out;
+  return power;
+}
+
+/// T·J⁻¹·T, N²/kg.
+double turning_square(const Elements& e, std::size_t i, Vec3 t) {
+  return dot(t, {e.ixx[i] * t.x + e.ixy[i] * t.y + e.ixz[i] * t.z, e.ixy[i] * t.x + e.iyy[i] * t.y + e.iyz[i] * t.z,
+                 e.ixz[i] * t.x + e.iyz[i] * t.y + e.izz[i] * t.z});
+}
+
+/// Σ p²/m + T·J⁻¹·T of the loads that grow, N²/kg; those on one element act together.
+double square_of_loads(const World& w) {
+  std::map<std::int32_t, std::pair<Vec3, Vec3>> on;  // by element: force, torque
+  for (const PointLoad& l : w.loads) {
+    if (l.grows) on[l.element].first += l.force, on[l.element].second += torque_of(l);
+  }
+  double sum = 0.0;
+  for (const auto& [element, push] : on) {
+    const auto i = static_cast<std::size_t>(element);
+    sum += dot(push.first, push.first) * w.elements.inv_mass[i] + turning_square(w.elements, i, push.second);
+  }
+  return sum;
+}
+
+/// Of a push by mass. \param shape  by element, of a mode; empty: it is the same everywhere
+double square_of_masses(const World& w, const std::vector<Vec3>& shape, double g) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
+    if (!shape.empty()) sum += g * g * w.elements.mass[i] * dot(shape[i], shape[i]);
+    if (shape.empty() && !w.elements.fixed[i]) sum += g * g * w.elements.mass[i];
+  }
+  return sum;
 }
 
 /// 2 × the kinetic energy of an element that turns at this rate; nothing of one that cannot turn.
@@ -105,8 +134,12 @@ std::vector<Mode> modes_of(const World& w) {
   return all;
 }
 
+struct Shape {
+  std::vector<Vec3> displacement;  // by element
+  double frequency = 0.0;          // Hz
+};
 /// The mode with most mass along the push, so scaled that its mean by mass along it is 1: then λ is still a share of the weight.
-std::vector<Vec3> shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double mass) {
+Shape shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double mass) {
   const Mode* best = nullptr;
   double most = kLeastMassShare, mean = 0.0;
   for (const Mode& m : modes) {
@@ -116,13 +149,13 @@ std::vector<Vec3> shape_of(const std::vector<Mode>& modes, const World& w, Vec3 
     if (share > most) best = &m, most = share, mean = along / mass;
   }
   if (best == nullptr) throw cases::InputError("analysis.direction", "no mode of the structure has mass in this direction");
-  std::vector<Vec3> shape = best->displacement;
-  for (Vec3& v : shape) v *= 1.0 / mean;
+  Shape shape{best->displacement, best->frequency};
+  for (Vec3& v : shape.displacement) v *= 1.0 / mean;
   return shape;
 }
 
 double weight_of(const cases::Case& c, const World& w, double gravity, double mass) {
-  if (c.analysis.kind != AnalysisKind::cyclic && c.analysis.pattern != LoadPattern::given) return gravity * mass;
+  if (!pushes_by_loads(c)) return gravity * mass;
   double sum = 0.0;
   for (const PointLoad& l : w.loads) sum += l.grows ? norm(l.force) : 0.0;
   return sum;
@@ -169,24 +202,24 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
     sim.program().set(d, {});
     return;
   }
-  std::vector<Vec3> shape;
-  double square = 0.0;  // Σ p²/m, N²/kg
+  Shape shape;
+  double square = 0.0;  // of the stiffness of the spring: THEORY.md, section 11
   if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
     shape = shape_of(modes, w, push, all.mass);
-    for (std::size_t i = 0; i < shape.size(); ++i) square += g * g * w.elements.mass[i] * dot(shape[i], shape[i]);
-    d.compliance = square / (square_of(d.frequency) * d.weight);
+    square = square_of_masses(w, shape.displacement, g);
+    d.compliance = square / (square_of(shape.frequency) * d.weight);
   } else {
+    square = pushes_by_loads(c) ? square_of_loads(w) : square_of_masses(w, {}, g);
     for (const Mode& m : modes) {
-      const PatternOnMode p = on_mode(c, w, m, push, g);
-      square = p.square;
-      d.compliance += p.power * p.power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
+      const double power = power_on_mode(c, w, m, push, g);
+      d.compliance += power * power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
     }
   }
   if (d.compliance <= 0.0) d.compliance = g / square_of(d.frequency);
   d.stiffness = a.share.value_or(a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
   if (square > 0.0) d.stiffness = std::min(d.stiffness, kStepMargin * 4.0 / (w.dt * w.dt) * d.weight / square);
   d.first = kFirstFactor * (d.compliance + 1.0 / d.stiffness);
-  sim.program().set(d, shape);
+  sim.program().set(d, shape.displacement);
 }
 
 }  // namespace voussoir::solver

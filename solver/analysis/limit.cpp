@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "cases/gravity.h"
 #include "solver/analysis/linear_programme.h"
+#include "solver/world/errors.h"
 
 namespace voussoir::solver {
 namespace {
@@ -67,7 +67,7 @@ class Problem {
   [[nodiscard]] double weight() const { return unit_ * static_cast<double>(contacts_.bodies.size()); }
   void associated(LimitState& out) {
     for (std::size_t i = 0; i < points_.size(); ++i) points_[i].cohesion = 0.0, points_[i].slope = contacts_.points[i].friction;
-    // The interior-point method tells itself that there is no solution.
+    // Where there is no solution the interior-point method does not converge, which is soon seen.
     if (!inside_ && !stands()) throw falls();
     if (!solve(out)) {
       if (inside_ && !stands()) throw falls();
@@ -117,12 +117,14 @@ class Problem {
       act(static_cast<std::int32_t>(b), body.centre, (body.mass * norm(g) / unit_) * live_, live_forces_);
     }
     for (const cases::Load& load : c.loads) {
-      const auto block = std::ranges::find(model.blocks, load.block, &cases::Block::name);
-      const auto e = static_cast<std::size_t>(block - model.blocks.begin());
-      const std::int32_t body = contacts_.body_of[e];
-      act(body, load.at.value_or(model.assembly.elements[e].mass.centroid), load.force / unit_, dead_);
-      for_each_row(body, {}, load.moment / (unit_ * length_), [&](std::size_t row, double value) { dead_[row] += value; });
+      for (const std::int32_t e : cases::elements_named(model, load.block)) set_load(load, model, static_cast<std::size_t>(e));
     }
+  }
+  void set_load(const cases::Load& load, const cases::Model& model, std::size_t element) {
+    const std::int32_t body = contacts_.body_of[element];
+    if (body < 0) return;  // a fixed stone, of a group
+    act(body, load.at.value_or(model.assembly.elements[element].mass.centroid), load.force / unit_, dead_);
+    for_each_row(body, {}, load.moment / (unit_ * length_), [&](std::size_t row, double value) { dead_[row] += value; });
   }
   void set_tangents(const LimitPoint& at, Point& p) const {
     const auto along = [&](Vec3 v) { return v - dot(v, at.normal) * at.normal; };
@@ -178,12 +180,18 @@ class Problem {
       if (dead_[row] != 0.0) lp.add(row, dead_[row]);
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
-    return (inside_ ? lp.solve_inside(1.0) : lp.solve(false, 1.0)).outcome == LpOutcome::at_bound;
+    const LpOutcome found = (inside_ ? lp.solve_inside(1.0) : lp.solve(false, 1.0)).outcome;
+    if (found == LpOutcome::none) throw no_forces();  // no forces at all are a solution
+    return found == LpOutcome::at_bound;
   }
   static cases::InputError falls() {
     return {"", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts"};
   }
-  static std::runtime_error no_forces() { return std::runtime_error("limit analysis: no forces were found where there are some"); }
+  static NumericalError no_forces() {
+    return NumericalError(
+        "limit analysis found no forces to the accuracy needed, which says nothing of the structure; try another number of --facets or a "
+        "larger segments.size, and look for blocks that are very small, or loads that are very large, beside the others");
+  }
   /// Whether a solution was found.
   [[nodiscard]] bool solve(LimitState& out) {
     LinearProgramme lp(dead_.size() + points_.size());
@@ -194,7 +202,7 @@ class Problem {
     lp.end_column();
     for (std::size_t i = 0; i < points_.size(); ++i) add_columns(lp, i);
     const LpSolution found = inside_ ? lp.solve_inside() : lp.solve(true);
-    if (found.outcome == LpOutcome::infeasible) return false;
+    if (found.outcome == LpOutcome::none) return false;
     if (found.outcome == LpOutcome::at_bound)
       throw cases::InputError("", "has no collapse multiplier in this direction: nothing falls, whatever the force");
     ++out.programmes;

@@ -55,7 +55,8 @@ struct LimitResult {
 };
 
 /// \throw cases::InputError if there is no gravity, nothing can move, the blocks do not stand under dead loads alone, or the
-/// multiplier is unbounded \throw std::logic_error without linear programmes (has_linear_programmes)
+/// multiplier is unbounded \throw NumericalError if no forces are found to the accuracy needed \throw std::logic_error without linear
+/// programmes (has_linear_programmes)
 LimitResult limit_analysis(const cases::Case& c, const cases::Model& model, const LimitOptions& options);
 
 }  // namespace voussoir::solver

@@ -50,7 +50,7 @@ LpSolution LinearProgramme::solve(bool feasible, double bound) const {
   }
   if (const int status = Clp_status(lp.get()); status != kSolved && status != kInfeasible) Clp_initialSolve(lp.get());
   const int status = Clp_status(lp.get());
-  if (status == kInfeasible) return {LpOutcome::infeasible, {}, {}};
+  if (status == kInfeasible) return {LpOutcome::none, {}, {}};
   if (status != kSolved) throw std::runtime_error("limit analysis: Clp ends with the status " + std::to_string(status));
   const double *unknowns = Clp_primalColumnSolution(lp.get()), *prices = Clp_dualRowSolution(lp.get());
   const LpOutcome outcome = unknowns[0] > (1.0 - 1e-9) * bound ? LpOutcome::at_bound : LpOutcome::solved;
@@ -81,7 +81,7 @@ LpSolution LinearProgramme::solve_inside(double bound) const {
   p.add(rows, 1.0 / bound);
   p.end_column(0.0);
   std::optional<InteriorPoint> found = interior_point(p);
-  if (!found) return {LpOutcome::infeasible, {}, {}};
+  if (!found) return {LpOutcome::none, {}, {}};
   const LpOutcome outcome = found->unknowns.front() > (1.0 - kInsideBound) * bound ? LpOutcome::at_bound : LpOutcome::solved;
   found->unknowns.pop_back();
   found->prices.pop_back();

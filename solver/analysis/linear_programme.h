@@ -10,7 +10,8 @@ namespace voussoir::solver {
 /// Whether this program was built with Clp (COIN-OR's linear programmes, EPL-2.0), which solves those of limit analysis.
 [[nodiscard]] bool has_linear_programmes() noexcept;
 
-enum class LpOutcome { solved, infeasible, at_bound };  // at_bound: the first unknown is
+/// none: it has no solution, or none was found to the accuracy needed; at_bound: the first unknown is.
+enum class LpOutcome { solved, none, at_bound };
 
 /// Upper bound of the first unknown: the dual simplex starts from it.
 inline constexpr double kLpBound = 1e3;
@@ -44,7 +45,7 @@ class LinearProgramme {
   /// \param bound     of the first unknown
   /// \throw std::logic_error if this program has no linear programmes \throw std::runtime_error if Clp gives up
   [[nodiscard]] LpSolution solve(bool feasible, double bound = kLpBound) const;
-  /// By the method of interior_point.h; infeasible also where that has not converged.
+  /// By the method of interior_point.h, which does not converge where there is no solution, and may fail to where there is one.
   [[nodiscard]] LpSolution solve_inside(double bound = kLpBound) const;
 
  private:

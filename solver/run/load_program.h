@@ -16,7 +16,8 @@
 ///   λ = κ (w − q),   q̇ = Σ p_i·v_i / N,   ẇ = min((w_0 + w) / pace, fastest)
 ///
 /// q is the displacement conjugate to the forces, so the spring has a potential: it takes energy from its moving end alone and cannot make
-/// the structure swing up. It adds a stiffness matrix of rank one, by which no squared frequency rises by more than κ Σ p_i²/m_i / N.
+/// the structure swing up. It adds a stiffness matrix of rank one, by which no squared frequency rises by more than
+/// κ Σ (p_i²/m_i + T_i·J_i⁻¹·T_i) / N, T_i the torque of p_i.
 namespace voussoir::solver {
 
 class LoadProgram {

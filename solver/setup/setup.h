@@ -27,7 +27,8 @@ void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
 /// The levels of all elements, for a case with multi-rate stepping. \pre elements
 void set_up_multirate(World& w, const cases::Case& c);
-/// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile.
+/// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile,
+/// but a small part of the skin at most (THEORY.md, section 7, "Late pairs").
 [[nodiscard]] double search_margin(const World& w, double skin);
 /// Elements that are joined.
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;

@@ -65,6 +65,8 @@ std::vector<kernels::Crease> creases(const geometry::Polyhedron& p) {
   return out;
 }
 
+bool is_small(const geometry::Polyhedron& p) { return kernels::is_small(p.faces.size(), p.vertices.size()); }
+
 /// Where what belongs to a shape begins, until all are there and lie still.
 struct Range {
   std::size_t vertices, vertex_count, edges, edge_count, creases, crease_count, first_face, face_count;
@@ -80,6 +82,7 @@ void append(std::vector<T>& to, const std::vector<T>& what) {
 void set_up_overlaps(World& w) {
   Overlaps& o = w.overlaps;
   const cases::Model& m = w.model;
+  const bool all_small = std::ranges::all_of(m.blocks, [](const cases::Block& b) { return is_small(b.shape); });
   std::map<Key, std::int32_t> known;
   std::vector<Range> ranges;
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
@@ -91,8 +94,8 @@ void set_up_overlaps(World& w) {
         known.try_emplace(key_of(vertices, std::span(w.faces).subspan(first, count)), static_cast<std::int32_t>(ranges.size()));
     o.shape_of.push_back(at->second);
     if (!is_new) continue;
-    const std::vector<Vec3> edges = count > kernels::kFewFaces ? std::vector<Vec3>{} : edge_directions(shape);
-    const std::vector<kernels::Crease> folds = w.most_faces > kernels::kFewFaces ? creases(shape) : std::vector<kernels::Crease>{};
+    const std::vector<Vec3> edges = is_small(shape) ? edge_directions(shape) : std::vector<Vec3>{};
+    const std::vector<kernels::Crease> folds = all_small ? std::vector<kernels::Crease>{} : creases(shape);
     ranges.push_back({o.vertices.size(), vertices.size(), o.edges.size(), edges.size(), o.creases.size(), folds.size(), first, count});
     append(o.vertices, vertices), append(o.edges, edges), append(o.creases, folds);
   }

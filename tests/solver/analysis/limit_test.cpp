@@ -10,6 +10,7 @@
 
 #include "solver/analysis/limit_mechanism.h"
 #include "solver/analysis/linear_programme.h"
+#include "solver/world/errors.h"
 
 // Limit analysis against closed forms: blocks on a plane, stacks, loads, a tilted base.
 namespace voussoir::testing {
@@ -56,6 +57,29 @@ std::string refusal(const cases::Case& c, const solver::LimitOptions& o = {}) {
   } catch (const cases::InputError& e) {
     return e.what();
   }
+}
+
+cases::Load force_on(const std::string& block, Vec3 force) {
+  cases::Load load;
+  load.block = block, load.force = force;
+  return load;
+}
+
+/// On a base, apart from each other: "one", "other" and a fixed one, a group; "cut", of three pieces above one another.
+cases::Case stones() {
+  cases::Case c = one_block(70.0);
+  c.blocks.clear();
+  const auto place = [](double x) { return geometry::make_box({x, 0, 0}, {x + kWidth, kDepth, kHeight}); };
+  cases::StonesSpec set;
+  set.file = "none.obj", set.material = "stone";
+  for (const auto& [name, x] : {std::pair{"one", 0.0}, std::pair{"fixed", 1.0}, std::pair{"other", 2.0}})
+    set.stones.push_back({name, {"group"}, std::string(name) == "fixed", {{place(x), {}}}, ""});
+  cases::Stone cut{"cut", {}, false, {}, ""};
+  for (const double z : {0.0, 0.4, 0.6})
+    cut.pieces.push_back({geometry::make_box({3.0, 0, z}, {3.0 + kWidth, kDepth, z == 0.0 ? 0.4 : z == 0.4 ? 0.6 : 1.0}), {}});
+  set.stones.push_back(cut);
+  c.stones.push_back(set);
+  return c;
 }
 
 bool near(Vec3 a, Vec3 b) { return norm(a - b) < 1e-6; }
@@ -142,6 +166,21 @@ TEST_CASE("limit: dead loads do not grow, and count where they act") {
   CHECK(analysed(one_block(70.0)).is_tilt);
 }
 
+TEST_CASE("limit: a load on a group acts on each of its stones that is free, one on a stone in pieces on the middle one") {
+  cases::Case c = stones();
+  const auto multiplier = [&](const std::vector<std::string>& loaded) {
+    c.loads.clear();
+    for (const std::string& name : loaded) c.loads.push_back(force_on(name, {0.0, 0.2 * kWeight, 0.0}));
+    return analysed(c, towards(90.0)).associated.multiplier;
+  };
+  const double all = multiplier({"one", "other"});
+  CHECK(multiplier({"fixed"}) == multiplier({}));
+  CHECK(all < multiplier({}) - 0.05);
+  CHECK(multiplier({"group"}) == all);
+  CHECK(multiplier({"cut"}) == multiplier({"cut/2"}));
+  CHECK(multiplier({"cut"}) < multiplier({}) - 0.05);
+}
+
 TEST_CASE("limit: a tilted base has taken its share") {
   cases::Case c = one_block(60.0);
   c.base->tilt = {0.0, 5.0};
@@ -204,6 +243,22 @@ TEST_CASE("limit: what cannot be answered is refused in words") {
     boxed.blocks.back().fixed = true;
   }
   CHECK(refusal(boxed).starts_with("has no collapse multiplier in this direction"));
+}
+
+TEST_CASE("limit: where the interior-point method does not converge, that is said, not that the structure falls") {
+  cases::Case c = one_block(60.0);  // pressed so hard on its base that numbers overflow
+  c.loads.push_back(force_on("block", {0.0, 0.0, -1e200}));
+  solver::LimitOptions inside;
+  inside.inside_from = 0;
+  std::string said;
+  try {
+    analysed(c, inside);
+  } catch (const solver::NumericalError& e) {
+    said = e.what();
+  }
+  INFO(said);
+  CHECK(said.find("to the accuracy needed") != std::string::npos);
+  CHECK(said.find("does not stand") == std::string::npos);
 }
 
 TEST_SUITE_END();

@@ -4,9 +4,12 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/simulation.h"
+#include "tests/divided_box.h"
 #include "tests/rounded_stone.h"
 #include "tests/solver/small_wall.h"
 
@@ -17,13 +20,16 @@ namespace {
 
 constexpr double kRadius = 0.1, kSize = 0.02;  // m
 
-cases::BlockSpec stone(const std::string& name, Vec3 at, Vec3 velocity) {
+cases::BlockSpec block(const std::string& name, const geometry::Polyhedron& p, Vec3 velocity) {
   cases::BlockSpec b;
   b.name = name, b.material = "adobe", b.free = true, b.velocity = velocity;
-  const geometry::Polyhedron p = geometry::moved(rounded_stone(17, 30, kRadius), at);
   b.vertices = p.vertices;
   for (const auto& loop : p.faces) b.faces.emplace_back(loop.begin(), loop.end());
   return b;
+}
+
+cases::BlockSpec stone(const std::string& name, Vec3 at, Vec3 velocity) {
+  return block(name, geometry::moved(rounded_stone(17, 30, kRadius), at), velocity);
 }
 
 /// Two stones of 510 faces: one falls upon the other beside its middle, and both come to lie on the base.
@@ -34,7 +40,43 @@ cases::Case two_stones() {
   return c;
 }
 
+/// Two boxes turned by an eighth about x and y: an edge of the upper one falls across one of the lower. Edges in so many parts.
+cases::Case two_boxes(int parts) {
+  cases::Case c = small_wall(1, 1);
+  c.segment_size = kSize;
+  const geometry::Polyhedron box = divided_box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, parts);
+  const geometry::Polyhedron lower = geometry::rotated(box, {1, 0, 0}, 0.785, {}), upper = geometry::rotated(box, {0, 1, 0}, 0.785, {});
+  c.blocks = {block("lower", geometry::moved(lower, {0, 0, 0.15}), {}), block("upper", geometry::moved(upper, {0, 0, 0.44}), {0, 0, -1.0})};
+  return c;
+}
+
+/// m, how deep the two are in each other after each of so many steps.
+std::vector<double> depths(const cases::Case& c, int steps) {
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion still;
+  solver::Simulation sim(c, m, still, {});
+  std::vector<double> out;
+  while (static_cast<int>(out.size()) < steps) {
+    sim.step({});
+    out.push_back(solver::overlap_of(sim.world(), 0, 1, 0.0).depth);
+  }
+  return out;
+}
+
 }  // namespace
+
+TEST_CASE("boxes of 6 faces with 476 vertices within their edges meet edge across edge as plain boxes do") {
+  omp_set_num_threads(1);
+  const std::vector<double> plain = depths(two_boxes(1), 400), divided = depths(two_boxes(40), 400);
+  double deepest = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    deepest = std::max(deepest, plain[i]);
+    if (std::max(plain[i], divided[i]) > 0.0) worst = std::max(worst, std::abs(plain[i] - divided[i]));
+  }
+  MESSAGE("deepest " << 1e3 * deepest << " mm, depths differ by " << worst << " m at most");
+  CHECK(deepest > 5e-3);
+  CHECK(worst < 1e-6);
+}
 
 TEST_CASE("stones of 510 faces meet, roll off and come to rest, and are never deeper in each other than is allowed") {
   const cases::Case c = two_stones();

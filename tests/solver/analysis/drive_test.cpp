@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/analysis/drive.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/analysis/modes.h"
+#include "solver/setup/setup.h"
+#include "tests/cases/paper_house.h"
+
+// What an analysis chooses for its spring, against the formulas of THEORY.md, section 11.
+
+using namespace voussoir;
+
+namespace {
+
+constexpr double kWide = 0.4, kThin = 0.1, kHigh = 0.2;  // m, of an element
+constexpr double kGravity = 9.8;
+
+/// A pier of so many blocks, weak along y.
+cases::Case pier(int elements, cases::LoadPattern pattern) {
+  cases::Case c = testing::paper_materials();
+  c.base = cases::Base{};
+  for (int i = 0; i < elements; ++i) {
+    cases::BlockSpec block;
+    block.name = "block" + std::to_string(i), block.material = "adobe";
+    block.box = {Vec3{0.0, 0.0, i * kHigh}, Vec3{kWide, kThin, (i + 1) * kHigh}};
+    c.blocks.push_back(block);
+  }
+  c.gravity.acceleration = {0.0, 0.0, -kGravity};
+  c.analysis.kind = cases::AnalysisKind::pushover;
+  c.analysis.pattern = pattern;
+  c.analysis.direction = {1.0, 0.0};
+  return c;
+}
+
+struct Chosen {
+  solver::Drive drive;
+  double dt = 0.0;  // s
+};
+Chosen chosen(const cases::Case& c) {
+  const cases::Model model = cases::build_model(c);
+  solver::Simulation sim(c, model, {}, {});
+  solver::choose_drive(sim, c);
+  return {sim.program().drive(), sim.world().dt};
+}
+
+cases::Load push(const std::string& block, Vec3 force, Vec3 moment = {}) {
+  cases::Load load;
+  load.block = block, load.force = force, load.moment = moment, load.grows = true;
+  return load;
+}
+
+}  // namespace
+
+TEST_CASE("drive: the compliance of a push by a mode is that of the mode whose shape it has, not of the lowest") {
+  const cases::Case c = pier(5, cases::LoadPattern::mode);
+  const cases::Model model = cases::build_model(c);
+  const std::vector<solver::Mode> modes = solver::natural_modes(*solver::build_world(c, model, {}), 12, solver::DryJoints::closed);
+  const solver::Mode& along = *std::ranges::max_element(modes, {}, [](const solver::Mode& m) { return m.mass_share.x; });
+  REQUIRE(along.frequency > 2.0 * modes.front().frequency);
+  // Blocks of one mass: shapes by their mean.
+  double sum = 0.0, squares = 0.0;
+  for (const Vec3& u : along.displacement) sum += u.x, squares += dot(u, u);
+  const double n = static_cast<double>(along.displacement.size()), omega = 2.0 * std::numbers::pi * along.frequency;
+  const solver::Drive d = chosen(c).drive;
+  CHECK(d.frequency == doctest::Approx(modes.front().frequency));
+  CHECK(d.compliance == doctest::Approx(kGravity * squares * n / (sum * sum) / (omega * omega)).epsilon(1e-6));
+}
+
+TEST_CASE("drive: the step bears the spring of loads with an arm and a moment, and of two on one block") {
+  const double mass = 1800.0 * kWide * kThin * kHigh, about_x = mass * (kThin * kThin + kHigh * kHigh) / 12.0,
+               about_y = mass * (kWide * kWide + kHigh * kHigh) / 12.0;
+  cases::Case c = pier(2, cases::LoadPattern::given);
+  c.analysis.share = 1e9;  // so stiff that the step decides
+  c.loads = {push("block1", {30.0, 0.0, 0.0}, {7.0, 0.0, 0.0}), push("block1", {10.0, 0.0, 0.0})};
+  c.loads[0].at = Vec3{0.5 * kWide, 0.5 * kThin, 2.0 * kHigh};
+  const double square = 40.0 * 40.0 / mass + 7.0 * 7.0 / about_x + std::pow(30.0 * 0.5 * kHigh, 2) / about_y;
+  const Chosen r = chosen(c);
+  CHECK(r.drive.weight == doctest::Approx(40.0));
+  CHECK(r.drive.stiffness * square / r.drive.weight == doctest::Approx(2e-3 * 4.0 / (r.dt * r.dt)).epsilon(1e-9));
+}
