@@ -20,9 +20,6 @@ struct Closing {
   [[nodiscard]] bool on() const noexcept { return most > 0.0; }
 };
 
-/// m, by which faces come together under the pressure p [Pa].
-inline double closing_at(double p, const Closing& a) noexcept { return p / a.blocks + a.most * p / (a.scale + p); }
-
 /// Pa, under which they have come together by x [m]; 0 where they are apart. (17b)
 inline double pressure_at(double x, const Closing& a) noexcept {
   if (x <= 0.0) return 0.0;

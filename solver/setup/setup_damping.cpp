@@ -5,12 +5,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "solver/setup/setup.h"
+#include "solver/setup/worst_dashpots.h"
 
 // Contact dashpots with h = 1 would need a step well under Eq. 19, because their velocities lag by half a step. They are taken
 // semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of
@@ -21,27 +21,11 @@ namespace voussoir::solver {
 
 namespace {
 
-struct FaceClass {
-  double compliance_n, compliance_s, mass;
-  auto operator<=>(const FaceClass&) const = default;
-};
-
 /// The distinct kinds of faces in the model: whatever a face may come to touch.
 std::vector<FaceClass> face_classes(const std::vector<kernels::Face>& faces) {
   std::set<FaceClass> classes;
   for (const kernels::Face& f : std::span(faces).first(faces.size() - 1)) classes.insert({f.compliance_n, f.compliance_s, f.mass});
   return {classes.begin(), classes.end()};
-}
-
-/// Largest dashpot constants per area that the face can meet (Eq. 9).
-std::array<double, 2> worst_dashpot(const FaceClass& face, const std::vector<FaceClass>& others, double h) {
-  double cn = 0.0, cs = 0.0;
-  for (const FaceClass& o : others) {
-    const double mass = face.mass + o.mass;
-    cn = std::max(cn, 2.0 * h * std::sqrt(mass / (face.compliance_n + o.compliance_n)));
-    cs = std::max(cs, 2.0 * h * std::sqrt(mass / (face.compliance_s + o.compliance_s)));
-  }
-  return {cn, cs};
 }
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -51,8 +35,7 @@ class DampingMatrices {
  public:
   DampingMatrices(const World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
     const std::vector<FaceClass> classes = face_classes(w.faces);
-    std::vector<std::array<double, 2>> worst;
-    for (const FaceClass& k : classes) worst.push_back(worst_dashpot(k, classes, w.contact.damping));
+    const std::vector<std::array<double, 2>> worst = worst_dashpots(classes, w.contact.damping, w.threads);
     for (const kernels::Face& f : std::span(w.faces).first(w.faces.size() - 1)) {
       const FaceClass k{f.compliance_n, f.compliance_s, f.mass};
       dashpot_.push_back(worst[static_cast<std::size_t>(std::lower_bound(classes.begin(), classes.end(), k) - classes.begin())]);

@@ -68,10 +68,6 @@ kernels::TravelView Travel::view(const Elements& e, double dt) noexcept {
           .largest_radius = largest_radius_.data()};
 }
 
-void Travel::distrust_bounds() noexcept {
-  for (Array<double>* a : {&safe_, &batch_safe_}) std::ranges::fill(*a, kLook);
-}
-
 void Travel::activate_at_next_drift(std::int32_t element) noexcept {
   if (is_active(element)) return;
   const std::size_t batch = batch_of(element);
@@ -85,8 +81,6 @@ void Travel::activate(Elements& e, std::int32_t element) noexcept {
   for (std::int32_t i = first; i < first + kernels::kBatch; ++i) e.store_velocity_row(i);
   activate_at_next_drift(element);
 }
-
-void Travel::activate_all() noexcept { std::ranges::fill(active_, std::uint8_t{1}); }
 
 void Travel::ask_for_search(std::int32_t steps) noexcept {
   if (countdown_ == 0) countdown_ = steps;

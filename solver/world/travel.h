@@ -30,7 +30,6 @@ class Travel {
 
   /// The skin [m]: a search lists the pairs that may touch before either element has moved by half of this.
   [[nodiscard]] double skin() const noexcept { return skin_; }
-  void set_skin(double skin) noexcept { skin_ = skin; }
   /// m, that an element may move before it is searched again.
   [[nodiscard]] double limit() const noexcept { return 0.5 * skin_ - margin_; }
   /// Searches that are due may have to wait: an element is searched again so much earlier [m]. Before the first step.
@@ -60,8 +59,6 @@ class Travel {
   [[nodiscard]] double bound(std::int32_t element) const noexcept { return bound_[static_cast<std::size_t>(element)]; }
   /// An element has been moved by that distance [m] without a velocity: its bound grows by it.
   void add(std::int32_t element, double distance) noexcept { bound_[static_cast<std::size_t>(element)] += distance; }
-  /// Positions have changed in a way that no velocity tells: every element has its displacement computed in the next step.
-  void distrust_bounds() noexcept;
 
   // Active batches.
   [[nodiscard]] bool is_active(std::int32_t element) const noexcept {
@@ -73,7 +70,6 @@ class Travel {
   void activate_at_next_drift(std::int32_t element) noexcept;
   /// The batch is active at once: its velocity rows are written. For use between two steps.
   void activate(Elements& e, std::int32_t element) noexcept;
-  void activate_all() noexcept;
 
   // When to search.
   /// True once all elements have been searched.

@@ -15,6 +15,9 @@ constexpr double kFirst = 1.5e10, kMost = 2e-4, kBlocks = 1.6e11;  // Pa/m, m, P
 constexpr kernels::Closing kLaw{.most = kMost, .scale = kFirst * kMost, .blocks = kBlocks};
 constexpr double kSpring = 1.0 / (1.0 / kFirst + 1.0 / kBlocks);  // Pa/m, without pressure (5a)
 
+/// m, by which faces come together under the pressure p [Pa]: (17a).
+double closing_at(double p) { return p / kLaw.blocks + kLaw.most * p / (kLaw.scale + p); }
+
 /// A point led along a path; the law of contact has a spring of kSpring from its closure on.
 struct Point {
   const kernels::Crushing* crushing = nullptr;
@@ -39,8 +42,8 @@ struct Point {
 
 TEST_CASE("the hyperbola: pressure and closing are each other's inverse, and its ends have the stiffnesses that they should") {
   for (double p = 1.0; p < 1e9; p *= 3.7) {
-    CHECK(kernels::pressure_at(kernels::closing_at(p, kLaw), kLaw) == doctest::Approx(p).epsilon(1e-10));
-    const double c = kernels::closing_at(p, kLaw) - p / kBlocks;                // of the joint alone
+    CHECK(kernels::pressure_at(closing_at(p), kLaw) == doctest::Approx(p).epsilon(1e-10));
+    const double c = closing_at(p) - p / kBlocks;                               // of the joint alone
     CHECK(kFirst * c / (1.0 - c / kMost) == doctest::Approx(p).epsilon(1e-3));  // 1 - c/V loses digits where it is small
     CHECK(c < kMost);
   }
@@ -58,7 +61,7 @@ TEST_CASE("the hyperbola: pressure and closing are each other's inverse, and its
 
 TEST_CASE("the energy of the hyperbola is the work that closes it") {
   for (const double p : {1e2, 1e4, 1.5e5, 2e5, 3e6, 1e8}) {  // z from 3e-5 to 33
-    const double end = kernels::closing_at(p, kLaw);
+    const double end = closing_at(p);
     double sum = 0.0;
     constexpr int kSteps = 20000;
     for (int i = 0; i < kSteps; ++i) sum += kernels::pressure_at((i + 0.5) / kSteps * end, kLaw) * end / kSteps;
@@ -87,22 +90,22 @@ TEST_CASE("a point that stiffens crushes where it is pressed too hard, and loses
   constexpr double kStrength = 6e6, kResidual = 1e6, kSlope = 4e9;
   constexpr kernels::Crushing kSoftens{.strength = kStrength, .residual = kResidual, .slope = kSlope, .depth = 5e-3};
   Point p{&kSoftens};
-  p.lead(-kernels::closing_at(0.99 * kStrength, kLaw), 100);
+  p.lead(-closing_at(0.99 * kStrength), 100);
   CHECK(p.crushed == 0.0);
   const double half = 0.5 * (kStrength + kResidual), by = (kStrength - half) / kSlope;
-  p.lead(-(by + kernels::closing_at(half, kLaw)), 500);
+  p.lead(-(by + closing_at(half)), 500);
   CHECK(p.pressure() == doctest::Approx(half).epsilon(1e-9));
   CHECK(p.crushed == doctest::Approx(by).epsilon(1e-9));
   p.lead(-by, 50);  // unloaded along the hyperbola, which begins where it was crushed to
   CHECK(p.pressure() == doctest::Approx(0.0).scale(1.0));
-  p.lead(-(by + kernels::closing_at(half, kLaw)), 50);
+  p.lead(-(by + closing_at(half)), 50);
   CHECK(p.pressure() == doctest::Approx(half).epsilon(1e-9));
   const double end = 2e-3 + (kStrength - kResidual) / kSlope;
-  p.lead(-(end + kernels::closing_at(kResidual, kLaw)), 2000);
+  p.lead(-(end + closing_at(kResidual)), 2000);
   CHECK(p.pressure() == doctest::Approx(kResidual).epsilon(1e-9));
   CHECK(p.lost == doctest::Approx(0.5 * (kStrength - kResidual) * (kStrength - kResidual) / kSlope + kResidual * end).epsilon(2e-3));
   CHECK(p.work == doctest::Approx(p.stored() + p.lost).epsilon(1e-9));
-  p.lead(-(5e-3 + kernels::closing_at(3e7, kLaw)), 500);
+  p.lead(-(5e-3 + closing_at(3e7)), 500);
   CHECK(p.crushed == 5e-3);
   CHECK(p.pressure() == doctest::Approx(3e7).epsilon(1e-9));  // compacted
 }

@@ -171,6 +171,7 @@ class Run {
 /// Puts an element where the test wants it, unturned, with the velocity of the half step behind: a test by imposed displacement.
 inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
   solver::Elements& e = run.sim().world().elements;
+  const double moved = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]}) + 2.0 * e.radius[i];  // at most, however far it turns back
   e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
   e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
   e.qw[i] = 1.0, e.qx[i] = e.qy[i] = e.qz[i] = 0.0;
@@ -179,7 +180,8 @@ inline void place(Run& run, std::size_t i, Vec3 u, Vec3 v) {
   // No way that bodies have gone tells of this.
   solver::World& w = run.sim().world();
   solver::list_candidates(w);
-  w.travel.distrust_bounds();
+  w.travel.activate(e, static_cast<std::int32_t>(i));
+  w.travel.add(static_cast<std::int32_t>(i), moved);
 }
 
 /// Stores of a row: what contact may take from, never add to.

@@ -2,13 +2,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "solver/setup/setup.h"
+#include "solver/setup/worst_dashpots.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;
+
+namespace {
+
+using Dashpots = std::vector<std::array<double, 2>>;
+
+/// Pair by pair.
+Dashpots plain(const std::vector<solver::FaceClass>& classes, double h) {
+  Dashpots worst;
+  for (const solver::FaceClass& a : classes) {
+    double cn = 0.0, cs = 0.0;
+    for (const solver::FaceClass& b : classes) {
+      cn = std::max(cn, 2.0 * h * std::sqrt((a.mass + b.mass) / (a.compliance_n + b.compliance_n)));
+      cs = std::max(cs, 2.0 * h * std::sqrt((a.mass + b.mass) / (a.compliance_s + b.compliance_s)));
+    }
+    worst.push_back({cn, cs});
+  }
+  return worst;
+}
+
+enum class Kind { one_material, two_materials, any };
+
+/// Of faces 0.1 to 1 m from the middles of their stones. Of one material, mass over compliance is one number but for rounding.
+std::vector<solver::FaceClass> random_classes(int count, Kind kind) {
+  std::mt19937_64 engine{2026};
+  const auto random = [&](double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; };
+  std::vector<solver::FaceClass> classes;
+  for (int i = 0; i < count; ++i) {
+    const double distance = random(0.1, 1.0);
+    const bool second = kind == Kind::two_materials && i % 3 == 0;
+    const double young = kind == Kind::any ? random(1e9, 9e9)
+                         : second          ? 1.3e9
+                                           : 5.7e9,
+                 density = kind == Kind::any ? random(600.0, 2700.0)
+                           : second          ? 700.0
+                                             : 2200.0;
+    classes.push_back({distance / (young / (1.0 - 0.2 * 0.2)), 2.0 * distance * 1.2 / young, density * distance});
+  }
+  return classes;
+}
+
+}  // namespace
+
+TEST_CASE("the largest dashpots of faces are, bit by bit, those of the plain loop over all pairs") {
+  for (const Kind kind : {Kind::one_material, Kind::two_materials, Kind::any}) {
+    for (const int count : {1, 13, 3000}) {
+      const std::vector<solver::FaceClass> classes = random_classes(count, kind);
+      const Dashpots expected = plain(classes, 0.7);
+      INFO(count << " classes, kind " << static_cast<int>(kind));
+      for (const int threads : {1, 2, 3}) CHECK(solver::worst_dashpots(classes, 0.7, threads) == expected);
+    }
+  }
+  CHECK(solver::worst_dashpots(random_classes(20, Kind::any), 0.0, 1).front() == std::array{0.0, 0.0});
+  CHECK(solver::worst_dashpots({}, 1.0, 2).empty());
+}
 
 TEST_CASE("the bounds of damping rates are the same bit by bit, however many threads set up the model") {
   const cases::Case c = testing::small_wall(6, 6);

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/worst_dashpots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::size_t kBlock = 512;        // partners that are looked at together
+constexpr double kRoundOff = 1.0 - 1e-14;  // of the comparison of a block
+
+/// The other faces, side by side.
+struct Partners {
+  std::vector<double> compliance, mass;
+};
+
+/// Those than which no other is both stiffer and heavier. Sums and quotients never fall as a mass rises or a compliance falls, rounded ones
+/// neither, so the others are the worst partner of no face, or only as bad as one of these.
+Partners worst_partners(const std::vector<FaceClass>& classes, double FaceClass::*compliance) {
+  std::vector<FaceClass> all = classes;
+  std::ranges::sort(all, [&](const FaceClass& a, const FaceClass& b) {
+    return a.*compliance != b.*compliance ? a.*compliance < b.*compliance : a.mass > b.mass;
+  });
+  Partners worst;
+  for (const FaceClass& k : all) {
+    if (!worst.mass.empty() && k.mass <= worst.mass.back()) continue;
+    worst.compliance.push_back(k.*compliance), worst.mass.push_back(k.mass);
+  }
+  return worst;
+}
+
+/// A face, one sort of dashpot.
+struct Own {
+  double compliance = 0.0, mass = 0.0;
+};
+
+/// False if none of these partners has a quotient that rounds to more than `most`: then mass - most x compliance would have to reach half
+/// of the way to the next number, which takes no division. In models of one material all quotients are equal but for rounding.
+bool may_be_more(const Own& own, const double* compliance, const double* mass, std::size_t count, double most) {
+  const double half = 0.5 * kRoundOff * (std::nextafter(most, HUGE_VAL) - most);
+  int more = 0;
+#pragma omp simd reduction(| : more)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sum = own.compliance + compliance[i];
+    more |= std::fma(-most, sum, own.mass + mass[i]) >= half * sum ? 1 : 0;
+  }
+  return more != 0;
+}
+
+double largest_quotient(const Own& own, const Partners& partners) {
+  double most = 0.0;
+  for (std::size_t first = 0; first < partners.mass.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, partners.mass.size() - first);
+    const double *compliance = &partners.compliance[first], *mass = &partners.mass[first];
+    if (!may_be_more(own, compliance, mass, count, most)) continue;
+    for (std::size_t i = 0; i < count; ++i) most = std::max(most, (own.mass + mass[i]) / (own.compliance + compliance[i]));
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& classes, double h, int threads) {
+  const Partners normal = worst_partners(classes, &FaceClass::compliance_n), shear = worst_partners(classes, &FaceClass::compliance_s);
+  std::vector<std::array<double, 2>> worst(classes.size());
+  const auto count = static_cast<std::int64_t>(classes.size());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const FaceClass& k = classes[static_cast<std::size_t>(i)];
+    worst[static_cast<std::size_t>(i)] = {2.0 * h * std::sqrt(largest_quotient({k.compliance_n, k.mass}, normal)),
+                                          2.0 * h * std::sqrt(largest_quotient({k.compliance_s, k.mass}, shear))};
+  }
+  return worst;
+}
+
+}  // namespace voussoir::solver
