@@ -290,7 +290,7 @@ TEST_CASE("compare_options: what sets of the same seeds have is exchanged within
   CHECK(text.find("\n| peak drift | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
 }
 
-TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest") {
+TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest, L can lie below T") {
   if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
     MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
     return;
@@ -306,13 +306,17 @@ TEST_CASE("changed motions: half of the pulse is half of the displacement, what 
     std::array<double, 3> p{};
     if (words >> bar >> name >> bar >> letter >> bar >> p[0] >> bar >> p[1] >> bar >> p[2]) peaks[name + " " + letter] = p;
   }
-  REQUIRE(peaks.size() == 8);
+  REQUIRE(peaks.size() == 9);
   const auto displacement = [&](const char* motion) { return peaks.at(motion)[2] / peaks.at("bam-like#4 L")[2]; };
   CHECK(displacement("pulse50-4 L") == doctest::Approx(0.5).epsilon(0.03));
   CHECK(displacement("pulse25-4 L") == doctest::Approx(0.25).epsilon(0.06));
   CHECK(displacement("pulse0-4 L") < 0.15);  // of the short waves
   CHECK(peaks.at("strongT200-4 T")[0] == doctest::Approx(2.0 * peaks.at("bam-like#4 T")[0]).epsilon(0.01));
   CHECK(peaks.at("strongT200-4 T")[1] > 1.7 * peaks.at("bam-like#4 T")[1]);
+  // L of the paper's Fig. 9 (b): the peak acceleration is kept, and the velocity lies between those with and without the pulse.
+  CHECK(peaks.at("fig9-4 L")[0] == doctest::Approx(peaks.at("bam-like#4 L")[0]).epsilon(1e-3));
+  CHECK(peaks.at("fig9-4 L")[1] > peaks.at("pulse0-4 L")[1]);
+  CHECK(peaks.at("fig9-4 L")[1] < 0.7 * peaks.at("bam-like#4 L")[1]);
   // The program reads them: figures of its own agree.
   const std::string figures = folder.path("figures");
   REQUIRE(code_of(shell::kProgram + " motion " + folder.path("motions/pulse50-4") + " >" + figures) == 0);
