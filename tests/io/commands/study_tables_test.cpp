@@ -290,7 +290,8 @@ TEST_CASE("compare_options: what sets of the same seeds have is exchanged within
   CHECK(text.find("\n| peak drift | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
 }
 
-TEST_CASE("changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest, L can lie below T") {
+TEST_CASE(
+    "changed motions: half of the pulse is half of the displacement, what is left without it is small, T ends at rest, L can lie below T") {
   if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
     MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
     return;
