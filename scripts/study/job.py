@@ -35,11 +35,17 @@ def take_turn(folder):
     return lock
 
 
+def attributes(folder, group):
+    """Of a run's results; empty if they are not there, or cannot be read."""
+    try:
+        with h5py.File(folder / "run.h5") as file:
+            return dict(file[group].attrs)
+    except (OSError, KeyError):
+        return {}
+
+
 def finished(folder):
-    if not (folder / "run.h5").exists():
-        return False
-    with h5py.File(folder / "run.h5") as file:
-        return bool(file["summary"].attrs["finished"])
+    return bool(attributes(folder, "summary").get("finished"))
 
 
 class Sessions:
@@ -59,11 +65,8 @@ class Sessions:
             self.close(self.known_time(self.all[-1]["started"]), None)
 
     def known_time(self, started):
-        if not (self.folder / "run.h5").exists():
-            return 0.0
-        with h5py.File(self.folder / "run.h5") as file:
-            there = file["provenance"].attrs
-            return float(there["wall_clock"]) if there["started"] >= started else 0.0
+        there = attributes(self.folder, "provenance")
+        return float(there["wall_clock"]) if there.get("started", "") >= started else 0.0
 
     def open(self, threads):
         started = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")  # as in /provenance
