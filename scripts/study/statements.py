@@ -23,7 +23,7 @@ STRONG = 2.4     # s, assumed, for the end of the "small initial ground motion":
 ALIKE = 0.5      # s, assumed, for collapses with "no clear difference"
 ROUNDING = 1e-3  # s
 LEGEND = ("A roof falls if more than half of its mass has fallen; a wall if 25 % of its mass or more; it loses bricks if 5 % or more, and "
-          "stays if less.")
+          "stays if less. A house stands if its roof does not fall and both bearing walls stay, whatever its side walls do.")
 
 
 class Unknown(Exception):
