@@ -26,7 +26,7 @@ struct ConvexShape {
 };
 inline constexpr std::size_t kFewFaces = 128;
 inline constexpr std::size_t kFewVertices = 2 * kFewFaces - 4;  // at most, of so many faces, unless vertices lie within edges
-/// True if all axes may be tried, and its vertices have room.
+/// Whether a shape has so few faces and vertices that all axes are tried, in room of a fixed size.
 constexpr bool is_small(std::size_t faces, std::size_t vertices) noexcept { return faces <= kFewFaces && vertices <= kFewVertices; }
 inline bool is_small(const ConvexShape& s) noexcept { return is_small(s.faces.size(), s.vertices.size()); }
 

@@ -27,7 +27,7 @@ void of_motion(Case& c, Files files, std::size_t axis, const Change& change) {
   if (c.motion) change_if(std::invoke(files, *c.motion)[axis], change);
 }
 
-/// One kind of path: its key, where an array of tables stands for each of them, and the same place in a case.
+/// A key that holds a path: its name in a document (in an array of tables, of each of them), and its place in a case.
 struct PathKey {
   std::string_view key;
   void (*in_case)(Case&, const PathChange&);

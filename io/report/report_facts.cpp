@@ -195,7 +195,7 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
   return applied;
 }
 
-/// What shook the run. Of runs that do not hold it, whose records are gone, the page has neither peaks nor the curves.
+/// What shook the run. If the run does not hold its motion, and the records are gone, the page has neither peaks nor the curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;

@@ -35,7 +35,7 @@ void list_overlaps_of(const World& w, std::int32_t element, std::span<const std:
 /// Puts those that a search has listed (SearchRoom) in the place of those of the elements that it searched again. Others keep theirs.
 void replace_overlap_pairs(World& w);
 
-/// After a state has been read: whatever follows from its pairs.
+/// After a state has been read: activates the batches of its pairs and, at several rates, sorts the pairs by level.
 void use_restored_overlap_pairs(World& w);
 
 /// Of multi-rate stepping: sorts pairs by level. Call when they, or levels, are others.

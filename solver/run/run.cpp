@@ -71,7 +71,7 @@ class Reporter {
   void cracks() {
     if (sim_.cracks().empty()) return;
     cracks_.clear();
-    cracks_.swap(sim_.cracks());  // before they are told: a recorder that fails has them, and is not told them again
+    cracks_.swap(sim_.cracks());  // taken out first, so that a recorder that throws is not told them twice
     for (const CrackRow& r : cracks_) {
       if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
       if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
@@ -256,7 +256,7 @@ RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end
   } catch (...) {
     try {
       plan.tell_cracks();
-    } catch (...) {  // what stopped the run is what its caller must hear of
+    } catch (...) {  // the caller must hear of what stopped the run, not of this
     }
     out.summary(summarise(sim, state));
     throw;

@@ -14,13 +14,13 @@ namespace {
 constexpr std::size_t kBlock = 512;        // partners that are looked at together
 constexpr double kRoundOff = 1.0 - 1e-14;  // of the comparison of a block
 
-/// The other faces, side by side.
+/// Faces that a face may meet.
 struct Partners {
   std::vector<double> compliance, mass;
 };
 
-/// Those than which no other is both stiffer and heavier. Sums and quotients never fall as a mass rises or a compliance falls, rounded ones
-/// neither, so the others are the worst partner of no face, or only as bad as one of these.
+/// Classes than which no other is both stiffer and heavier. Only these can be the worst partner: one that is stiffer and heavier gives a
+/// quotient at least as large, also after rounding.
 Partners worst_partners(const std::vector<FaceClass>& classes, double FaceClass::*compliance) {
   std::vector<FaceClass> all = classes;
   std::ranges::sort(all, [&](const FaceClass& a, const FaceClass& b) {
@@ -39,8 +39,9 @@ struct Own {
   double compliance = 0.0, mass = 0.0;
 };
 
-/// False if none of these partners has a quotient that rounds to more than `most`: then mass - most x compliance would have to reach half
-/// of the way to the next number, which takes no division. In models of one material all quotients are equal but for rounding.
+/// Whether a quotient mass / compliance with one of these partners may round to more than `most`. It can only if mass - most x compliance
+/// is at least compliance times half the gap to the next larger number: a test without a division. In models of one material all quotients
+/// are equal but for rounding, so it rules out nearly all.
 bool may_be_more(const Own& own, const double* compliance, const double* mass, std::size_t count, double most) {
   const double half = 0.5 * kRoundOff * (std::nextafter(most, HUGE_VAL) - most);
   int more = 0;

@@ -137,7 +137,8 @@ void add_overlaps(Table& t, World& w) {
   t.insert(t.end(), {value("overlap_friction", "J", o.friction), value("overlap_impact", "J", o.impact)});
 }
 
-// Beyond what touches they decide nothing but, at several rates, how an element is moved on; the hash of a state leaves them out.
+// The pairs that searches have listed. Forces do not depend on them; at several rates they decide how often an element is moved. The hash
+// of a state leaves them out.
 void add_listed_pairs(Table& t, World& w) {
   std::vector<OverlapPair>& pairs = w.overlaps.pairs;
   OverlapPair none;

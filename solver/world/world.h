@@ -204,7 +204,7 @@ struct Overlaps {
   std::vector<double> stiffness_n, stiffness_s;  // N/m, by element; the base is rigid: 0
   std::vector<double> allowed;                   // m, by element
   // Derived.
-  std::vector<OverlapPair> pairs;  // ascending (a, b); which there are is state: several rates go by them
+  std::vector<OverlapPair> pairs;  // ascending (a, b); state, since at several rates elements are moved by them
   ByLevel by_level;                // of pairs; empty unless multi-rate
   // State.
   std::vector<OverlapSpring> springs;       // ascending (a, b)

@@ -38,6 +38,19 @@ inline cases::Case paper_materials() {
   return c;
 }
 
+/// These materials, and a stack of adobe blocks of one size [m] on the base: "block0" at the bottom, "block1" on it, ...
+inline cases::Case stack_of_blocks(int count, Vec3 size) {
+  cases::Case c = paper_materials();
+  c.base = cases::Base{};
+  for (int i = 0; i < count; ++i) {
+    cases::BlockSpec block;
+    block.name = "block" + std::to_string(i), block.material = "adobe";
+    block.box = {Vec3{0.0, 0.0, i * size.z}, Vec3{size.x, size.y, (i + 1) * size.z}};
+    c.blocks.push_back(block);
+  }
+  return c;
+}
+
 inline cases::Opening opening(std::string wall, double from, double width, double sill, double height, double lintel = 0.0) {
   cases::Opening o{std::move(wall), from, width, sill, height, {}, {}};
   if (lintel > 0.0) o.lintel = cases::Lintel{lintel, 0.1, 0.2};

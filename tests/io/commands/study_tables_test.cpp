@@ -314,9 +314,9 @@ TEST_CASE(
   CHECK(displacement("pulse0-4 L") < 0.15);  // of the short waves
   CHECK(peaks.at("strongT200-4 T")[0] == doctest::Approx(2.0 * peaks.at("bam-like#4 T")[0]).epsilon(0.01));
   CHECK(peaks.at("strongT200-4 T")[1] > 1.7 * peaks.at("bam-like#4 T")[1]);
-  // L of the paper's Fig. 9 (b): the peak acceleration is kept, and the velocity lies between those with and without the pulse.
+  // L of the paper's Fig. 9 (b): the peak acceleration is kept, the velocity is not.
   CHECK(peaks.at("fig9-4 L")[0] == doctest::Approx(peaks.at("bam-like#4 L")[0]).epsilon(1e-3));
-  CHECK(peaks.at("fig9-4 L")[1] > peaks.at("pulse0-4 L")[1]);
+  CHECK(peaks.at("fig9-4 L")[2] > 2.0 * peaks.at("pulse0-4 L")[2]);  // as much of the pulse as may be, not none
   CHECK(peaks.at("fig9-4 L")[1] < 0.7 * peaks.at("bam-like#4 L")[1]);
   // The program reads them: figures of its own agree.
   const std::string figures = folder.path("figures");

@@ -23,14 +23,7 @@ constexpr double kGravity = 9.8;
 
 /// A pier of so many blocks, weak along y.
 cases::Case pier(int elements, cases::LoadPattern pattern) {
-  cases::Case c = testing::paper_materials();
-  c.base = cases::Base{};
-  for (int i = 0; i < elements; ++i) {
-    cases::BlockSpec block;
-    block.name = "block" + std::to_string(i), block.material = "adobe";
-    block.box = {Vec3{0.0, 0.0, i * kHigh}, Vec3{kWide, kThin, (i + 1) * kHigh}};
-    c.blocks.push_back(block);
-  }
+  cases::Case c = testing::stack_of_blocks(elements, {kWide, kThin, kHigh});
   c.gravity.acceleration = {0.0, 0.0, -kGravity};
   c.analysis.kind = cases::AnalysisKind::pushover;
   c.analysis.pattern = pattern;

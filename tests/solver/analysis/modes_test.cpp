@@ -19,17 +19,7 @@ namespace {
 constexpr double kSide = 0.2, kHeight = 0.2;  // m, of an element
 
 /// A column of adobe cubes on the base.
-cases::Case column(int elements) {
-  cases::Case c = testing::paper_materials();
-  c.base = cases::Base{};
-  for (int i = 0; i < elements; ++i) {
-    cases::BlockSpec block;
-    block.name = "cube " + std::to_string(i), block.material = "adobe";
-    block.box = {Vec3{0.0, 0.0, i * kHeight}, Vec3{kSide, kSide, (i + 1) * kHeight}};
-    c.blocks.push_back(block);
-  }
-  return c;
-}
+cases::Case column(int elements) { return testing::stack_of_blocks(elements, {kSide, kSide, kHeight}); }
 
 std::vector<solver::Mode> modes_of(const cases::Case& c, int count, solver::DryJoints dry = solver::DryJoints::open) {
   const cases::Model model = cases::build_model(c);

@@ -39,6 +39,10 @@ TEST_CASE("a state restored where a search is due keeps the springs of bodies th
     solver::Simulation restored(c, m, {}, {});
     solver::RunState again;
     solver::restore(restored, again, before);
+    for (const solver::OverlapPair& pair : restored.world().overlaps.pairs) {
+      CHECK(restored.world().travel.is_active(pair.a));
+      CHECK(restored.world().travel.is_active(pair.b));
+    }
     restored.step({});
     const solver::SavedState a = solver::save(straight, plan), b = solver::save(restored, again);
     for (const auto& [name, field] : a) {
