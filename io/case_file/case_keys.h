@@ -337,7 +337,7 @@ Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::stri
 /// A word out of a few, each with the value it stands for; the words of a number are the number itself, without quotes.
 template <class S, class Get, class T>
 Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair<std::string, T>> words, std::string sentence) {
-  const auto toml = [](const std::string& word) { return std::is_same_v<T, double> ? word : toml_string(word); };
+  const auto toml = [](const std::string& word) { return std::is_same_v<T, double> || std::is_same_v<T, int> ? word : toml_string(word); };
   std::vector<std::string> texts;
   for (const auto& word : words) texts.push_back(toml(word.first));
   KeyInfo info{std::move(name), std::move(unit), std::move(sentence), any(), joined(texts, " | "), false};

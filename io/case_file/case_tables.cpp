@@ -25,10 +25,10 @@ Table<Time> time_table() {
            value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
-           value<S>("multirate", &S::multirate, "", within(1.0, 8.0),
-                    "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are evaluated once in so "
-                    "many steps, in "
-                    "half as many, ...; 1: all in every step, as in the paper; of time histories alone")},
+           choice<S, int S::*, int>("multirate", &S::multirate, "", {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
+                                    "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are "
+                                    "evaluated once in so many steps, in half as many, ...; 1: all in every step, as in the paper; of time "
+                                    "histories alone")},
           nullptr};
 }
 

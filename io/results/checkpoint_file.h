@@ -20,7 +20,7 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 6;
+inline constexpr std::int64_t kCheckpointSchema = 7;
 
 /// Everything but the state.
 struct CheckpointFacts {

@@ -47,11 +47,17 @@ void start_cycles(World& w) {
 }
 
 void renew_contact_levels(World& w) {
-  Pairs joined;
-  each_live_side(w, [&](std::int32_t a, std::int32_t b) {
-    if (b != w.elements.base) joined.emplace_back(a, b);
-  });
-  w.multirate.of_contacts = with_rings(w.multirate.own, joined);
+  Multirate& m = w.multirate;
+  const Contacts& c = w.contacts;
+  for (std::size_t i = 0; i < m.own.size(); ++i) m.of_contacts[i] = w.elements.bonds[i] > 0 ? m.of_joints[i] : m.own[i];
+  Pairs near;
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
+      const std::int32_t other = c.element[static_cast<std::size_t>(slot)];
+      if (other != w.elements.base) near.emplace_back(w.patches.element[static_cast<std::size_t>(c.active[a])], other);
+    }
+  }
+  grade(m.of_contacts, near);
   list_overlap_levels(w);
 }
 

@@ -30,10 +30,10 @@ void set_up_multirate(World& w, const cases::Case& c);
 /// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile,
 /// but a small part of the skin at most (THEORY.md, section 7, "Late pairs").
 [[nodiscard]] double search_margin(const World& w, double skin);
-/// Elements that are joined.
+/// Elements next to each other.
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
-/// By element, the lowest level of itself, its neighbours and their neighbours. \param own  its own, see Multirate::own
-std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const Pairs& joined);
+/// Lowers levels of elements until those of neighbours differ by one at most.
+void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_overlaps(World& w);

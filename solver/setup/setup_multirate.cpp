@@ -14,12 +14,10 @@ namespace {
 constexpr int kRings = 2;
 constexpr double kFlies = 20.0;  // m/s, of what has fallen from a height of 20 m
 
-/// By level: a cycle halved as long as that gives whole steps, and one step.
+/// By level. Another ratio than two from one level to the next would add energy (THEORY.md, section 7, "Several rates").
 std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
   std::vector<std::int32_t> every;
-  for (std::int32_t steps = cycle; steps > 1; steps = steps % 2 == 0 ? steps / 2 : 1) every.push_back(steps);
-  every.push_back(1);
-  std::ranges::reverse(every);
+  for (std::int32_t steps = 1; steps <= cycle; steps *= 2) every.push_back(steps);
   return every;
 }
 
@@ -43,9 +41,8 @@ Pairs joined_pairs(const World& w) {
   return pairs;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const Pairs& joined) {
+/// With two rings of neighbours, and graded.
+std::vector<std::uint8_t> levels_of_joints(const std::vector<std::uint8_t>& own, const Pairs& joined) {
   std::vector<std::uint8_t> level = own;
   for (int ring = 0; ring < kRings; ++ring) {
     const std::vector<std::uint8_t> inside = level;
@@ -55,7 +52,23 @@ std::vector<std::uint8_t> with_rings(const std::vector<std::uint8_t>& own, const
       level[j] = std::min(level[j], inside[i]);
     }
   }
+  grade(level, joined);
   return level;
+}
+
+}  // namespace
+
+void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours) {
+  for (bool lowered = true; lowered;) {
+    lowered = false;
+    for (const auto& [a, b] : neighbours) {
+      auto &i = level[static_cast<std::size_t>(a)], &j = level[static_cast<std::size_t>(b)];
+      const auto most = static_cast<std::uint8_t>(std::min(i, j) + 1);
+      if (std::max(i, j) <= most) continue;
+      i = std::min(i, most), j = std::min(j, most);
+      lowered = true;
+    }
+  }
 }
 
 double search_margin(const World& w, double skin) { return std::min(0.1 * skin, (w.multirate.wanted - 1) * w.dt * kFlies); }
@@ -70,7 +83,7 @@ void set_up_multirate(World& w, const cases::Case& c) {
                             "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
   m.every = steps_by_level(m.wanted);
   m.own = own_levels(w);
-  m.of_joints = with_rings(m.own, joined_pairs(w));
+  m.of_joints = levels_of_joints(m.own, joined_pairs(w));
   m.of_contacts = m.of_joints;
   const auto rows = static_cast<std::size_t>(w.elements.rows);
   m.rows.resize(m.every.size() - 1);

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "solver/run/multirate.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -25,8 +28,8 @@ namespace {
 constexpr double kStep = 5e-5;  // s; bricks alone could take 2.07e-4, the timber of a mixed wall 3.7e-5 and more with bricks beside it
 
 /// A wall with timber in and on it, too strong to break.
-cases::Case elastic_wall() {
-  cases::Case c = mixed_wall(4, 14);
+cases::Case elastic_wall(int courses = 14) {
+  cases::Case c = mixed_wall(4, courses);
   for (auto& [name, law] : c.joint_laws) law.tension = law.cohesion = law.compression = 1e12;
   c.damping.alpha = 0.0;
   c.gravity.acceleration = {};
@@ -98,6 +101,22 @@ cases::Case block_on_slope(double along) {
   return c;
 }
 
+/// No contact of an element is evaluated less often than a joint that holds it, and levels of elements near each other differ by one at
+/// most.
+void check_contact_levels(const solver::World& w) {
+  const std::vector<std::uint8_t>& level = w.multirate.of_contacts;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
+    if (w.elements.bonds[i] > 0) CHECK(level[i] <= w.multirate.of_joints[i]);
+  }
+  const solver::Contacts& c = w.contacts;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(c.searched); ++a) {
+    for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
+      const int of_master = level[static_cast<std::size_t>(c.master[a])], of_other = level[static_cast<std::size_t>(c.element[slot])];
+      if (c.element[slot] != w.elements.base) CHECK(std::abs(of_master - of_other) <= 1);
+    }
+  }
+}
+
 double slid(cases::Case c, int cycle, double end) {
   c.time.multirate = cycle;
   const cases::Model m = cases::build_model(c);
@@ -109,8 +128,10 @@ double slid(cases::Case c, int cycle, double end) {
 
 }  // namespace
 
-TEST_CASE("multi-rate: an element and two rings round it take the step that it allows, and sides of one level stand in blocks of their own") {
-  cases::Case c = elastic_wall();
+TEST_CASE(
+    "multi-rate: an element and two rings round it take the step that it allows, the next ring twice that step at most, and sides of one "
+    "level stand in blocks of their own") {
+  cases::Case c = elastic_wall(22);
   c.materials["cork"] = {600.0, 6e7, 0.3};  // allows twice the step, 1.5e-4 s
   for (cases::BlockSpec& b : c.blocks) {
     if (b.name.starts_with("c10_")) b.material = "cork";
@@ -139,7 +160,17 @@ TEST_CASE("multi-rate: an element and two rings round it take the step that it a
       expected[a] = std::min(expected[a], inside[b]), expected[b] = std::min(expected[b], inside[a]);
     }
   }
+  for (int k = 0; k < 2; ++k) {
+    for (const geometry::Joint& j : m.assembly.joints) {
+      if (j.element_b < 0) continue;
+      const auto a = static_cast<std::size_t>(j.element_a), b = static_cast<std::size_t>(j.element_b);
+      expected[a] = std::min<std::uint8_t>(expected[a], expected[b] + 1),
+      expected[b] = std::min<std::uint8_t>(expected[b], expected[a] + 1);
+    }
+  }
   CHECK(std::equal(expected.begin(), expected.end(), w.multirate.of_joints.begin()));
+  solver::renew_contact_levels(sim.world());
+  CHECK(w.multirate.of_contacts == w.multirate.of_joints);  // all bonds hold
   std::array<int, 3> found{};
   const std::size_t levels = w.multirate.every.size();
   for (std::size_t i = 0; i + 1 < w.sides.live_level.size(); ++i) {
@@ -162,7 +193,7 @@ TEST_CASE("multi-rate: an elastic wall sways as by the single step, and neither 
   const std::vector<double> one = sway(elastic_wall(), 1, steps);
   const double most = *std::ranges::max_element(one);
   const double frequency = frequency_near(one, rough_frequency(one));
-  for (const int cycle : {2, 3, 4}) {
+  for (const int cycle : {2, 4}) {
     CAPTURE(cycle);
     const std::vector<double> several = sway(elastic_wall(), cycle, steps);
     // Elements with fast and slow pairs go to and fro between two impulses, and slow pairs see the ends of that way, not its middle: their
@@ -191,7 +222,7 @@ TEST_CASE("multi-rate: a block slides down a slope as by hand, and one that fric
 TEST_CASE("multi-rate: a wall that falls keeps the ledger, and has the same bits with any number of threads") {
   cases::Case c = mixed_wall(4, 12);
   c.time.step = kStep;
-  c.time.multirate = 3;
+  c.time.multirate = 4;
   c.output.frame_interval = 0.01;
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
@@ -205,8 +236,31 @@ TEST_CASE("multi-rate: a wall that falls keeps the ledger, and has the same bits
     CHECK(r.summary.worst_residual < 2e-3);
     const solver::Contacts& contacts = sim.world().contacts;
     for (const int level : {0, 1}) CHECK(std::ranges::count(contacts.level, level) > 5);
+    check_contact_levels(sim.world());
     if (threads == 1) first = rows;
     CHECK(rows.values() == first.values());
+  }
+}
+
+TEST_CASE("multi-rate: a wall of loose bricks and timber at rest loses no energy to its dashpots") {
+  for (const int cycle : {4, 8}) {
+    CAPTURE(cycle);
+    cases::Case c = mixed_wall(4, 12);
+    c.joints.default_law = "dry", c.joints.between.clear();
+    c.damping.alpha = 0.0;
+    c.time.step = 0.5 * kStep;
+    c.time.multirate = cycle;
+    const cases::Model m = cases::build_model(c);
+    const cases::GroundMotion g;
+    solver::Simulation sim = simulate(c, m, g);
+    const auto lost_by = [&](double time) {
+      while (sim.time() < time) sim.step({});
+      sim.step({.ledger = true});
+      return sim.energy().dashpot + sim.energy().friction;
+    };
+    const double while_it_settles = lost_by(0.4);
+    CHECK(while_it_settles > 0.05);  // J
+    CHECK(lost_by(0.6) - while_it_settles < 1e-3 * while_it_settles);
   }
 }
 

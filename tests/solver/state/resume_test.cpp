@@ -162,7 +162,7 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
   }
   SUBCASE("at two rates, stopped within cycles") {
     cases::Case two = everything(14);
-    two.time.step = 6.25e-5, two.time.multirate = 3;
+    two.time.step = 5e-5, two.time.multirate = 4;
     const Outcome whole = run_with_stops(two, {}, {1}, {}, 0.45);
     CHECK(whole.retired > 5);
     check_same(whole, run_with_stops(two, {40, 1300, 2000, 3020, 4040, 5060, 6080}, {2, 1, 3}, {}, 0.45));
