@@ -47,10 +47,10 @@ class JointTasks {
 
   /// The queues of a team whose shares end there (ShareBorders::ends).
   struct Plan {
-    std::vector<std::size_t> owner;     // by task: whose queue it is in
-    std::vector<std::uint8_t> inside;   // by task: 1 if it waits for no task of another thread, and none for it
-    std::vector<std::int32_t> queues;   // one after the other
-    std::vector<std::int32_t> ends;     // by thread: where its queue ends
+    std::vector<std::size_t> owner;    // by task: whose queue it is in
+    std::vector<std::uint8_t> inside;  // by task: 1 if it waits for no task of another thread, and none for it
+    std::vector<std::int32_t> queues;  // one after the other
+    std::vector<std::int32_t> ends;    // by thread: where its queue ends
   };
   [[nodiscard]] Plan plan(std::span<const double> borders) const;
   /// Those that a task waits for.

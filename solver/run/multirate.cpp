@@ -32,6 +32,26 @@ void each_live_side(const World& w, Use use) {
   }
 }
 
+/// Elements that contact can couple before the next search. The candidates of a patch are evaluated together, so each is paired with each.
+Pairs touchable_pairs(const World& w) {
+  const Contacts& c = w.contacts;
+  Pairs pairs;
+  std::vector<std::int32_t> together;
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    together.assign(1, w.patches.element[static_cast<std::size_t>(c.active[a])]);
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
+      const std::int32_t candidate = c.element[static_cast<std::size_t>(slot)];
+      if (candidate == w.elements.base) continue;
+      for (const std::int32_t other : together) pairs.emplace_back(other, candidate);
+      together.push_back(candidate);
+    }
+  }
+  for (const OverlapPair& p : w.overlaps.pairs) {
+    if (p.b != w.elements.base) pairs.emplace_back(p.a, p.b);
+  }
+  return pairs;
+}
+
 }  // namespace
 
 void start_cycles(World& w) {
@@ -43,21 +63,20 @@ void start_cycles(World& w) {
     for (Multirate::Rows& r : m.rows) std::ranges::copy(now, r.twist.data() + i * kernels::kTwistStride);
   }
   w.contacts.stale_level = 0;  // patches and pairs have levels from now on
-  list_overlap_levels(w);
+  renew_contact_levels(w);
 }
 
 void renew_contact_levels(World& w) {
   Multirate& m = w.multirate;
-  const Contacts& c = w.contacts;
-  for (std::size_t i = 0; i < m.own.size(); ++i) m.of_contacts[i] = w.elements.bonds[i] > 0 ? m.of_joints[i] : m.own[i];
-  Pairs near;
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-      const std::int32_t other = c.element[static_cast<std::size_t>(slot)];
-      if (other != w.elements.base) near.emplace_back(w.patches.element[static_cast<std::size_t>(c.active[a])], other);
-    }
-  }
-  grade(m.of_contacts, near);
+  std::vector<std::uint8_t> level = m.own;
+  Pairs near = touchable_pairs(w);
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) {
+    const std::vector<std::uint8_t>& of = m.of_joints;
+    for (const std::int32_t e : {a, b}) level[static_cast<std::size_t>(e)] = of[static_cast<std::size_t>(e)];
+    if (b != w.elements.base) near.emplace_back(a, b);
+  });
+  grade(level, near);
+  m.of_contacts = std::move(level);
   list_overlap_levels(w);
 }
 
@@ -69,7 +88,8 @@ void renew_moves(World& w) {
     at = std::min(at, static_cast<std::uint8_t>(level));
   };
   const auto lower_both = [&](std::int32_t a, std::int32_t b, int level) { lower(a, level), lower(b, level); };
-  each_live_side(w, [&](std::int32_t a, std::int32_t b) { lower_both(a, b, m.joint_level(a, b)); });
+  // A side that comes apart before the next search is a contact from then on.
+  each_live_side(w, [&](std::int32_t a, std::int32_t b) { lower_both(a, b, std::min(m.joint_level(a, b), m.contact_level(a, b))); });
   const Contacts& c = w.contacts;
   for (std::size_t a = 0; a < c.active.size(); ++a) {
     for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot)

@@ -13,8 +13,8 @@ namespace voussoir::solver {
 /// \pre  the next step is number 0
 void start_cycles(World& w);
 
-/// Finds the levels of elements for their contacts anew: that of its joints as long as a bond of it holds, else its own, and graded among
-/// elements near each other. For use in first steps of cycles, when contacts have been searched.
+/// Finds the levels of elements for their contacts anew: that of its joints as long as one holds it, else its own, and graded among
+/// elements that are joined or that the search has listed. For use in first steps of cycles, when contacts have been searched.
 void renew_contact_levels(World& w);
 
 /// Then: finds for each batch of elements the level at which it is moved on, the lowest of its pairs. \pre gather lists are up to date

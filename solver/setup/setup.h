@@ -30,7 +30,7 @@ void set_up_multirate(World& w, const cases::Case& c);
 /// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile,
 /// but a small part of the skin at most (THEORY.md, section 7, "Late pairs").
 [[nodiscard]] double search_margin(const World& w, double skin);
-/// Elements next to each other.
+/// Pairs of elements that are joined, or that may touch.
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 /// Lowers levels of elements until those of neighbours differ by one at most.
 void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours);

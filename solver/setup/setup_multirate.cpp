@@ -14,7 +14,7 @@ namespace {
 constexpr int kRings = 2;
 constexpr double kFlies = 20.0;  // m/s, of what has fallen from a height of 20 m
 
-/// By level. Another ratio than two from one level to the next would add energy (THEORY.md, section 7, "Several rates").
+/// By level. With another ratio than two from one level to the next energy would be lost (THEORY.md, section 7, "Why levels are graded").
 std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
   std::vector<std::int32_t> every;
   for (std::int32_t steps = 1; steps <= cycle; steps *= 2) every.push_back(steps);
@@ -82,6 +82,8 @@ void set_up_multirate(World& w, const cases::Case& c) {
     throw cases::InputError("time.multirate",
                             "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
   m.every = steps_by_level(m.wanted);
+  if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)
+    throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + "; allowed: 1, 2, 4, 8");
   m.own = own_levels(w);
   m.of_joints = levels_of_joints(m.own, joined_pairs(w));
   m.of_contacts = m.of_joints;

@@ -96,9 +96,7 @@ class ZeroArray {
   const T& operator[](std::size_t i) const noexcept { return data_[i]; }
 
  private:
-  void swap(ZeroArray& other) noexcept {
-    std::swap(data_, other.data_), std::swap(size_, other.size_), std::swap(room_, other.room_);
-  }
+  void swap(ZeroArray& other) noexcept { std::swap(data_, other.data_), std::swap(size_, other.size_), std::swap(room_, other.room_); }
 
   void make_room(std::size_t n) {
     // Moved, pages stay what they are: those never written to still take nothing.

@@ -101,18 +101,29 @@ cases::Case block_on_slope(double along) {
   return c;
 }
 
-/// No contact of an element is evaluated less often than a joint that holds it, and levels of elements near each other differ by one at
-/// most.
+/// An element that a joint holds has no higher level for its contacts than for its joints. Levels of elements that contact couples differ
+/// by one at most. No pair is evaluated more often than its elements are moved on, not even one whose joint comes apart before the next
+/// search.
 void check_contact_levels(const solver::World& w) {
-  const std::vector<std::uint8_t>& level = w.multirate.of_contacts;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
-    if (w.elements.bonds[i] > 0) CHECK(level[i] <= w.multirate.of_joints[i]);
+  const solver::Multirate& m = w.multirate;
+  const auto index = [](std::int32_t e) { return static_cast<std::size_t>(e); };
+  const auto moved_in_time = [&](std::int32_t a, std::int32_t b, int level) {
+    for (const std::int32_t e : {a, b}) CHECK(w.batch_level(index(e / kernels::kBatch)) <= level);
+  };
+  for (std::size_t id = 0; id < w.sides.retired.size(); ++id) {
+    if (w.sides.retired[id]) continue;
+    const kernels::SideBlock& block = w.sides.blocks[id / kernels::kLanes];
+    const std::int32_t a = block.master[id % kernels::kLanes], b = block.slave[id % kernels::kLanes];
+    for (const std::int32_t e : {a, b}) CHECK(m.of_contacts[index(e)] <= m.of_joints[index(e)]);
+    moved_in_time(a, b, m.contact_level(a, b));
   }
   const solver::Contacts& c = w.contacts;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(c.searched); ++a) {
-    for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
-      const int of_master = level[static_cast<std::size_t>(c.master[a])], of_other = level[static_cast<std::size_t>(c.element[slot])];
-      if (c.element[slot] != w.elements.base) CHECK(std::abs(of_master - of_other) <= 1);
+  for (std::size_t a = 0; a < c.level.size(); ++a) {  // not yet of patches of sides that have just come apart
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
+      const std::int32_t other = c.element[index(static_cast<std::int32_t>(slot))];
+      moved_in_time(c.master[a], other, c.level[a]);
+      if (other == w.elements.base || a >= index(static_cast<std::int32_t>(c.searched))) continue;
+      for (const std::int32_t e : {c.master[a], other}) CHECK(m.of_contacts[index(e)] <= c.level[a] + 1);
     }
   }
 }
@@ -129,7 +140,8 @@ double slid(cases::Case c, int cycle, double end) {
 }  // namespace
 
 TEST_CASE(
-    "multi-rate: an element and two rings round it take the step that it allows, the next ring twice that step at most, and sides of one "
+    "multi-rate: an element and two rings round it take the step that it allows, each further ring at most twice the step of the ring "
+    "inside it, and sides of one "
     "level stand in blocks of their own") {
   cases::Case c = elastic_wall(22);
   c.materials["cork"] = {600.0, 6e7, 0.3};  // allows twice the step, 1.5e-4 s
@@ -171,6 +183,14 @@ TEST_CASE(
   CHECK(std::equal(expected.begin(), expected.end(), w.multirate.of_joints.begin()));
   solver::renew_contact_levels(sim.world());
   CHECK(w.multirate.of_contacts == w.multirate.of_joints);  // all bonds hold
+  // Elements are moved on as often as their contacts may ask, also while these are joints that have yet to come apart.
+  solver::renew_moves(sim.world());
+  std::int32_t slow = 0;
+  while (slow < w.elements.count && w.batch_level(static_cast<std::size_t>(slow / kernels::kBatch)) == 0) ++slow;
+  REQUIRE(slow < w.elements.count);
+  sim.world().multirate.of_contacts[static_cast<std::size_t>(slow)] = 0;
+  solver::renew_moves(sim.world());
+  CHECK(w.batch_level(static_cast<std::size_t>(slow / kernels::kBatch)) == 0);
   std::array<int, 3> found{};
   const std::size_t levels = w.multirate.every.size();
   for (std::size_t i = 0; i + 1 < w.sides.live_level.size(); ++i) {
@@ -197,8 +217,8 @@ TEST_CASE("multi-rate: an elastic wall sways as by the single step, and neither 
     CAPTURE(cycle);
     const std::vector<double> several = sway(elastic_wall(), cycle, steps);
     // Elements with fast and slow pairs go to and fro between two impulses, and slow pairs see the ends of that way, not its middle: their
-    // joints, four of fourteen courses here, seem stiffer. By 5e-4, 1.2e-3 and 1.2e-3 of the frequency.
-    CHECK(frequency_near(several, rough_frequency(several)) == doctest::Approx(frequency).epsilon(2e-3).scale(0.0));
+    // joints, four of fourteen courses here, seem stiffer. By 4.6e-4 and 5.9e-4 of the frequency.
+    CHECK(frequency_near(several, rough_frequency(several)) == doctest::Approx(frequency).epsilon(1e-3).scale(0.0));
     // In the last quarter as in the first: a resonance would have grown by then.
     const auto quarter = static_cast<std::ptrdiff_t>(several.size() / 4);
     const double first = *std::max_element(several.begin(), several.begin() + quarter);
@@ -231,12 +251,14 @@ TEST_CASE("multi-rate: a wall that falls keeps the ledger, and has the same bits
     RowHash rows;
     solver::Simulation sim(c, m, g, {.threads = threads});
     solver::RunState plan;
-    const solver::RunResult r = solver::run(sim, plan, c, 1.0, rows, [](const solver::RunStatus&) { return true; });
+    const solver::RunResult r = solver::run(sim, plan, c, 1.0, rows, [&](const solver::RunStatus&) {
+      if (threads == 1) check_contact_levels(sim.world());
+      return true;
+    });
     CHECK(r.summary.fallen_mass_fraction > 0.1);
     CHECK(r.summary.worst_residual < 2e-3);
     const solver::Contacts& contacts = sim.world().contacts;
     for (const int level : {0, 1}) CHECK(std::ranges::count(contacts.level, level) > 5);
-    check_contact_levels(sim.world());
     if (threads == 1) first = rows;
     CHECK(rows.values() == first.values());
   }
@@ -258,17 +280,21 @@ TEST_CASE("multi-rate: a wall of loose bricks and timber at rest loses no energy
       sim.step({.ledger = true});
       return sim.energy().dashpot + sim.energy().friction;
     };
-    const double while_it_settles = lost_by(0.4);
-    CHECK(while_it_settles > 0.05);  // J
-    CHECK(lost_by(0.6) - while_it_settles < 1e-3 * while_it_settles);
+    const double at_first = lost_by(0.4);
+    CHECK(at_first > 0.05);  // J
+    CHECK(lost_by(0.6) - at_first < 1e-3 * at_first);
   }
 }
 
-TEST_CASE("multi-rate goes with neither --scatter gather nor a quasi-static analysis, and says so") {
+TEST_CASE("multi-rate goes with neither --scatter gather nor a quasi-static analysis nor other cycles, and says so") {
   cases::Case c = small_wall(2, 2);
-  c.time.multirate = 2;
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g;
+  for (const int none : {3, 16}) {
+    c.time.multirate = none;
+    CHECK_THROWS_WITH_AS(simulate(c, m, g), doctest::Contains("allowed: 1, 2, 4, 8"), cases::InputError);
+  }
+  c.time.multirate = 2;
   CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {.gather = true}), doctest::Contains("time.multirate"), cases::InputError);
   c.analysis.kind = cases::AnalysisKind::tilt;
   CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {}), doctest::Contains("time histories alone"), cases::InputError);

@@ -160,7 +160,7 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
     gather.gather = true;
     check_same(straight, run_with_stops(c, {100, 700, 1500}, {2, 1}, gather));
   }
-  SUBCASE("at two rates, stopped within cycles") {
+  SUBCASE("at several rates, stopped within cycles") {
     cases::Case two = everything(14);
     two.time.step = 5e-5, two.time.multirate = 4;
     const Outcome whole = run_with_stops(two, {}, {1}, {}, 0.45);
