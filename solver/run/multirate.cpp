@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "solver/contact/overlap_contact.h"
 #include "solver/setup/setup.h"
@@ -32,24 +33,27 @@ void each_live_side(const World& w, Use use) {
   }
 }
 
-/// Elements that contact can couple before the next search. The candidates of a patch are evaluated together, so each is paired with each.
-Pairs touchable_pairs(const World& w) {
+/// Lowers levels until those of elements that contact can couple before the next search differ by one at most. The candidates of a patch
+/// are evaluated together, so they count as coupled to each other. \return  whether any was lowered
+bool grade_contacts(const World& w, std::vector<std::uint8_t>& level) {
   const Contacts& c = w.contacts;
-  Pairs pairs;
-  std::vector<std::int32_t> together;
+  const std::int32_t base = w.elements.base;
+  bool lowered = false;
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    together.assign(1, w.patches.element[static_cast<std::size_t>(c.active[a])]);
-    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
-      const std::int32_t candidate = c.element[static_cast<std::size_t>(slot)];
-      if (candidate == w.elements.base) continue;
-      for (const std::int32_t other : together) pairs.emplace_back(other, candidate);
-      together.push_back(candidate);
+    std::uint8_t& master = level[static_cast<std::size_t>(w.patches.element[static_cast<std::size_t>(c.active[a])])];
+    const auto candidates = std::span(c.element).subspan(static_cast<std::size_t>(c.first_slot[a]),
+                                                         static_cast<std::size_t>(c.first_slot[a + 1] - c.first_slot[a]));
+    int lowest = master;
+    for (const std::int32_t e : candidates) lowest = e == base ? lowest : std::min<int>(lowest, level[static_cast<std::size_t>(e)]);
+    const auto lower = [&](std::uint8_t& l) {
+      if (l > lowest + 1) l = static_cast<std::uint8_t>(lowest + 1), lowered = true;
+    };
+    lower(master);
+    for (const std::int32_t e : candidates) {
+      if (e != base) lower(level[static_cast<std::size_t>(e)]);
     }
   }
-  for (const OverlapPair& p : w.overlaps.pairs) {
-    if (p.b != w.elements.base) pairs.emplace_back(p.a, p.b);
-  }
-  return pairs;
+  return lowered;
 }
 
 }  // namespace
@@ -69,13 +73,17 @@ void start_cycles(World& w) {
 void renew_contact_levels(World& w) {
   Multirate& m = w.multirate;
   std::vector<std::uint8_t> level = m.own;
-  Pairs near = touchable_pairs(w);
+  Pairs pairs;
   each_live_side(w, [&](std::int32_t a, std::int32_t b) {
     const std::vector<std::uint8_t>& of = m.of_joints;
     for (const std::int32_t e : {a, b}) level[static_cast<std::size_t>(e)] = of[static_cast<std::size_t>(e)];
-    if (b != w.elements.base) near.emplace_back(a, b);
+    if (b != w.elements.base) pairs.emplace_back(a, b);
   });
-  grade(level, near);
+  for (const OverlapPair& p : w.overlaps.pairs) {
+    if (p.b != w.elements.base) pairs.emplace_back(p.a, p.b);
+  }
+  do grade(level, pairs);
+  while (grade_contacts(w, level));
   m.of_contacts = std::move(level);
   list_overlap_levels(w);
 }
