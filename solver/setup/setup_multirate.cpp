@@ -41,7 +41,7 @@ Pairs joined_pairs(const World& w) {
   return pairs;
 }
 
-/// With two rings of neighbours, and graded.
+/// By row: the lowest own level among an element, its neighbours and theirs; then graded.
 std::vector<std::uint8_t> levels_of_joints(const std::vector<std::uint8_t>& own, const Pairs& joined) {
   std::vector<std::uint8_t> level = own;
   for (int ring = 0; ring < kRings; ++ring) {

@@ -13,9 +13,9 @@ namespace voussoir::solver {
 
 /// Multi-rate stepping (THEORY.md (24a), `time.multirate`). A pair of elements has a *level*: those of level l are evaluated in every
 /// `every[l]`-th step, as if that were one step, and their forces act there with the impulse of all these steps. Level 0 is every step. An
-/// element is above no level that its own bound (Eq. 19), that of a neighbour or of a neighbour's neighbour allows: the impulses of the
-/// others can hardly excite stiff elements then (perf/multirate_resonance.py). And levels of neighbours differ by one at most: else fast
-/// dashpots would take energy for which the ledger has no source. A pair has the lower level of its two elements.
+/// element has the highest level that its own bound (Eq. 19), those of its neighbours and those of their neighbours all allow: impulses of
+/// slow pairs can hardly excite stiff elements then (perf/multirate_resonance.py). After that, levels of neighbours are made to differ by
+/// one at most: else fast dashpots would take energy that nobody put in. A pair has the lower level of its two elements.
 struct Multirate {
   static constexpr std::size_t kMostLevels = 4;  // 1, 2, 4 and 8 steps
   std::int32_t wanted = 1;                       // steps of a cycle while it shakes: the last of `every`
@@ -23,7 +23,7 @@ struct Multirate {
   std::vector<std::int32_t> every{1};            // by level: steps, twice those of the level before
   std::vector<std::uint8_t> own;                 // Constant by row of elements: the highest level that its own bound allows; empty: 0
   std::vector<std::uint8_t> of_joints;           // Constant by row of elements: for its joints, as they are at first
-  std::vector<std::uint8_t> of_contacts;  // State by row of elements: for its contacts; at most that of its joints as long as one holds
+  std::vector<std::uint8_t> of_contacts;         // State by row of elements: for its contacts; not above that of its joints while one holds
   /// Rows as in kernels/rows.h, of the pairs of one level alone.
   struct Rows {
     Array<double> twist;            // State: sums over the steps since the last evaluation; in the last of them, the means
