@@ -70,7 +70,7 @@ TEST_CASE("outcomes: statements by set of options and by what a record is a real
   table.add("flat20n", "bam-like#1", kStands);
   table.add("flat20n", "bam-like#2", collapsed_at(4.0, 5.0));
   table.add("flat20n", "here/pulse0-1", kStands);
-  table.add("flat20n", "bam-like#1", with(walls("0.06", "0.0"), {{"options", "no_damping"}}));
+  table.add("flat20n", "bam-like#1", with(walls("0.16", "0.0"), {{"options", "no_damping"}}));
   table.add("flat20n", "bam-like#2", {{"options", "no_damping"}, {"status", "to be done"}});
   const std::string path = folder.write("table.csv", table.text());
   const std::string out = folder.path("table.md"), statement = "| flat20n | TLV | stands (4.1) | ";
