@@ -4,8 +4,8 @@
 """How the runs of a study ended, in one picture: a row for each case and direction, a column for each record.
 
 usage: last_frames.py FOLDER [FOLDER ...] [-o last-frames.jpg] [--width 220]
-FOLDER is that of a study (results/ensemble); several are shown as one. Only runs that are done are drawn. All pictures have the same scale and the same
-view, and cut off what lies farther from the house. Needs what `scripts/setup plots` installs. About 5 s a run; pictures are kept in the folders of the runs.
+FOLDER is that of a study (results/ensemble); several are shown as one. Only runs that are done are drawn. All pictures have the same view, and
+cut off what lies farther from the house. Needs what `scripts/setup plots` installs. Some seconds a run; pictures are kept in the runs' folders.
 """
 import argparse
 import json
