@@ -307,7 +307,7 @@ TEST_CASE(
     std::array<double, 3> p{};
     if (words >> bar >> name >> bar >> letter >> bar >> p[0] >> bar >> p[1] >> bar >> p[2]) peaks[name + " " + letter] = p;
   }
-  REQUIRE(peaks.size() == 9);
+  REQUIRE(peaks.size() == 10);
   const auto displacement = [&](const char* motion) { return peaks.at(motion)[2] / peaks.at("bam-like#4 L")[2]; };
   CHECK(displacement("pulse50-4 L") == doctest::Approx(0.5).epsilon(0.03));
   CHECK(displacement("pulse25-4 L") == doctest::Approx(0.25).epsilon(0.06));
@@ -318,6 +318,9 @@ TEST_CASE(
   CHECK(peaks.at("fig9-4 L")[0] == doctest::Approx(peaks.at("bam-like#4 L")[0]).epsilon(1e-3));
   CHECK(peaks.at("fig9-4 L")[2] > 2.0 * peaks.at("pulse0-4 L")[2]);  // as much of the pulse as may be, not none
   CHECK(peaks.at("fig9-4 L")[1] < 0.7 * peaks.at("bam-like#4 L")[1]);
+  // A quarter of the pulse, and a short wave that alters nothing but the peak acceleration.
+  CHECK(peaks.at("paper-4 L")[0] == doctest::Approx(peaks.at("bam-like#4 L")[0]).epsilon(1e-3));
+  CHECK(peaks.at("paper-4 L")[2] == doctest::Approx(peaks.at("pulse25-4 L")[2]).epsilon(0.01));
   // The program reads them: figures of its own agree.
   const std::string figures = folder.path("figures");
   REQUIRE(code_of(shell::kProgram + " motion " + folder.path("motions/pulse50-4") + " >" + figures) == 0);
