@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Two loose walls of 0.2 m with a roof by a closed equation, beside the runs of loose-walls.toml.
+"""Two loose walls of 0.2 m with a roof by the equation of motion of a rocking frame, beside the runs of loose-walls.toml.
 
 usage: rocking_frame.py TABLE.csv MOTIONS       e.g. rocking_frame.py results/loose-walls/table.csv motions
 
@@ -22,6 +22,9 @@ import numpy as np
 
 WIDTH, HEIGHT = 0.2, 2.4  # of a wall, m
 ROOF = 3.4 * 0.2 * 700.0 / (2 * WIDTH * HEIGHT * 1800.0)  # its mass over that of the walls
+SLOPE = math.atan2(WIDTH, HEIGHT)
+RATE = 3 / (2 * math.hypot(WIDTH, HEIGHT)) * (1 + 2 * ROOF) / (1 + 3 * ROOF)  # p squared over gravity, 1/m
+REBOUND = (1 - 1.5 * math.sin(SLOPE) ** 2 + 3 * ROOF * math.cos(2 * SLOPE)) / (1 + 3 * ROOF)  # of the rate of tilt at an impact
 GRAVITY = 9.8             # m/s2
 STEP, END = 1e-4, 10.0    # s
 FALLEN = math.radians(60.0)
@@ -34,23 +37,20 @@ def acceleration(path, times):
 
 def falls_at(horizontal, vertical):
     """s; -1: it stands at the end. Symplectic Euler; an impact where the tilt changes its sign."""
-    slope = math.atan2(WIDTH, HEIGHT)
-    rate = 3 / (2 * math.hypot(WIDTH, HEIGHT)) * (1 + 2 * ROOF) / (1 + 3 * ROOF)  # of the frame: p squared over gravity
-    rebound = (1 - 1.5 * math.sin(slope) ** 2 + 3 * ROOF * math.cos(2 * slope)) / (1 + 3 * ROOF)
     tilt = speed = 0.0
     for step, (a, v) in enumerate(zip(horizontal, vertical)):
         weight = GRAVITY + v
         if tilt == 0.0:  # stands until the motion exceeds what the walls bear
-            if abs(a) <= weight * math.tan(slope):
+            if abs(a) <= weight * math.tan(SLOPE):
                 continue
             side = -math.copysign(1.0, a)
         else:
             side = math.copysign(1.0, tilt)
-        speed -= STEP * rate * (weight * math.sin(slope * side - tilt) + a * math.cos(slope * side - tilt))
+        speed -= STEP * RATE * (weight * math.sin(SLOPE * side - tilt) + a * math.cos(SLOPE * side - tilt))
         moved = tilt + STEP * speed
         if tilt * moved < 0.0:
-            speed *= rebound
-            at_rest = abs(speed) < 1e-3 and abs(a) <= weight * math.tan(slope)
+            speed *= REBOUND
+            at_rest = abs(speed) < 1e-3 and abs(a) <= weight * math.tan(SLOPE)
             moved, speed = (0.0, 0.0) if at_rest else (math.copysign(1e-12, moved), speed)
         tilt = moved
         if abs(tilt) > FALLEN:
@@ -70,11 +70,11 @@ def main():
             if row["case"] != "walls-20" or row["scale"] or row["status"] != "done" or not folder.is_dir():
                 continue
             across = {"LTV": "T", "TLV": "L"}[row["direction"]]  # what shakes the walls across
-            closed = falls_at(acceleration(folder / f"{across}.csv", times), acceleration(folder / "V.csv", times))
+            equation = falls_at(acceleration(folder / f"{across}.csv", times), acceleration(folder / "V.csv", times))
             run = float(row["collapse_time"])
             told += 1
-            agree += (closed < 0) == (run < 0)
-            print(f'{row["direction"]},{folder.name},{closed:.2f},{run:.2f}', flush=True)
+            agree += (equation < 0) == (run < 0)
+            print(f'{row["direction"]},{folder.name},{equation:.2f},{run:.2f}', flush=True)
     print(f"# {agree} of {told} agree in whether the walls fall")
 
 

@@ -326,3 +326,26 @@ TEST_CASE(
   REQUIRE(code_of(shell::kProgram + " motion " + folder.path("motions/pulse50-4") + " >" + figures) == 0);
   CHECK(text_of(figures).find("pulse50-4") != std::string::npos);
 }
+
+// Small tilts, one constant acceleration of A times what the walls bear, from rest, for a time T: the frame overturns if exp(p T) exceeds
+// A / (A - 1). Of the frame p is 2.2767 1/s, by (3 g / 4 R) (1 + 2 m) / (1 + 3 m) with R = 1.2042 m and m = 0.27546: T = 0.3045 s for A
+// = 2.
+TEST_CASE("rocking frame: it stands below what the walls bear, and overturns by a constant acceleration that lasts long enough") {
+  if (code_of("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
+    MESSAGE("skipped: no numpy for /usr/bin/python3; scripts/setup study installs it");
+    return;
+  }
+  const TempFolder folder;
+  const std::string out = folder.path("falls"), ask = folder.write("ask.py", R"(import math, sys
+import numpy as np
+sys.path.insert(0, sys.argv[1])
+import rocking_frame as frame
+t = np.arange(0.0, 6.0, frame.STEP)
+for times, last in ((0.99, 6.0), (2.0, 0.3045 * 0.95), (2.0, 0.3045 * 1.05), (-2.0, 0.3045 * 1.05)):
+    a = np.where(t < last, times * frame.GRAVITY * math.atan2(0.2, 2.4), 0.0)
+    print(int(frame.falls_at(a, np.zeros_like(a)) > 0), end=" ")
+print(f"{frame.REBOUND:.4f}")
+)");
+  REQUIRE(code_of("/usr/bin/python3 " + ask + " " + shell::source("scripts/study") + " >" + out) == 0);
+  CHECK(text_of(out) == "0 0 1 1 0.9881\n");
+}
