@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""The runs of a table.csv that are done, as a table in Markdown on standard output: what a page of results has room for.
+"""The runs of a table.csv that are done, as a table in Markdown on standard output: what a page of results has room for. Columns in which no run
+has a value are left out.
 
 usage: markdown.py TABLE.csv
 """
 import csv
 import sys
+
+NOTHING = "–"
 
 
 def time(text):
@@ -14,13 +17,13 @@ def time(text):
 
 
 def percent(text):
-    return "–" if text == "" else f"{100 * float(text):.1f}"
+    return NOTHING if text == "" else f"{100 * float(text):.1f}"
 
 
 def by_mode(row, prefix):
     """Segment sides; a table of an earlier version has no limits reached first."""
     counts = [row.get(prefix + mode, "") for mode in ("tension", "shear", "compression")]
-    return "–" if "" in counts else " / ".join(f"{int(n):,}" for n in counts)
+    return NOTHING if "" in counts else " / ".join(f"{int(n):,}" for n in counts)
 
 
 def first_wall(row):
@@ -31,7 +34,7 @@ def first_wall(row):
 
 def roof(row):
     fallen = row.get("roof_fallen_mass_fraction", "")
-    return "–" if fallen == "" else f"{percent(fallen)}" + (f", {time(row['collapse_time'])}" if row["collapsed"] == "1" else "")
+    return NOTHING if fallen == "" else f"{percent(fallen)}" + (f", {time(row['collapse_time'])}" if row["collapsed"] == "1" else "")
 
 
 # Head, and what stands below it for a row of the table.
@@ -59,11 +62,12 @@ def main():
         sys.exit(__doc__)
     with open(sys.argv[1], newline="") as file:
         rows = list(csv.DictReader(file))
-    print("| " + " | ".join(COLUMNS) + " |")
-    print("|" + "---|" * len(COLUMNS))
-    for row in rows:
-        if row["status"] == "done":
-            print("| " + " | ".join(cell(row) for cell in COLUMNS.values()) + " |")
+    lines = [[cell(row) for cell in COLUMNS.values()] for row in rows if row["status"] == "done"]
+    shown = [k for k in range(len(COLUMNS)) if not lines or any(line[k] != NOTHING for line in lines)]
+    head, *body = [" | ".join(line[k] for k in shown) for line in [list(COLUMNS), *lines]]
+    print(f"| {head} |\n|" + "---|" * len(shown))
+    for line in body:
+        print(f"| {line} |")
 
 
 if __name__ == "__main__":

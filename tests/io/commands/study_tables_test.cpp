@@ -105,6 +105,30 @@ TEST_CASE("outcomes: statements by set of options and by what a record is a real
   CHECK(text_of(out).ends_with("\n5 of 5 runs are finished, 1 by a numerical failure.\n"));
 }
 
+TEST_CASE("collapses: how many runs lose their roof under motions of one name, and when; houses in the paper's order") {
+  const TempFolder folder;
+  Table table;
+  table.add("walls-20", "bam-like#1", kStands);
+  table.add("flat20n", "bam-like#1", with(collapsed_at(4.16, 5.0), {{"identity", "0a"}}));
+  table.add("flat20n", "bam-like#2", collapsed_at(4.0, 5.0));
+  table.add("flat20n", "bam-like#3", kStands);
+  table.add("flat20n", "here/pulse0-1", with(collapsed_at(6.0, 7.0), {{"options", "rim"}, {"scale", "0.5"}}));
+  table.add("flat20n", "here/pulse0-2", {{"status", "to be done"}});
+  table.add("flat20w", "here/pulse0-1", with(collapsed_at(7.01, 8.0), {{"direction", "LTV"}}));
+  table.add("flat20w", "here/pulse0-2", with(collapsed_at(6.99, 8.0), {{"direction", "LTV"}}));
+  const std::string path = folder.write("table.csv", table.text());
+  Table known;  // the first of them, in another study too
+  known.add("flat20n", "bam-like#1", with(collapsed_at(4.16, 5.0), {{"identity", "0a"}, {"scale", ""}}));
+  const std::string out = folder.path("table.md");
+  REQUIRE(code_of(script("collapses.py") + path + " " + folder.write("known.csv", known.text()) + " >" + out) == 0);
+  CHECK(text_of(out) ==
+        "| motion | flat20w LTV | flat20n TLV | walls-20 TLV |\n|---|---|---|---|\n"
+        "| `bam-like` | – | 2 of 3, 4.0 to 4.2 | 0 of 1 |\n"
+        "| `pulse0`, scale 0.5, rim | – | 1 of 1, 6.0 | – |\n"
+        "| `pulse0` | 2 of 2, 7.0 | – | – |\n");
+  CHECK(code_of(script("collapses.py") + " >" + out + " 2>&1") == 1);
+}
+
 TEST_CASE("outcomes: a run that ended early, or in which the thing asked for did not happen, is undecided") {
   const TempFolder folder;
   Table table;
