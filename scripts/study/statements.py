@@ -222,6 +222,7 @@ def in_both(case, text, holds, other_case=None):
     return [Statement(case, d, text, holds, (other_case, d) if other_case else None) for d in ("TLV", "LTV")]
 
 
+# Figs. 20 and 21 show how far element 1 moves, which lies in the middle of a side wall; 4.1 (6) names no curve of it that leaves the figure.
 # Directions are those of 4.1: 4.4 (1) calls LTV what 4.1 calls TLV, and TLV what it calls LTV.
 FLAT = [
     *in_both("flat20w", "cracks first in a bearing wall (4.1)", bearing_walls_crack_first),
@@ -238,6 +239,7 @@ FLAT = [
     Statement("flat20n", "LTV", "a bearing wall falls before a side wall, if any falls (implied, 4.1)", bearing_walls_fall_first),
     Statement("flat20n", "LTV", "if the roof falls, after 6 s (4.1)", collapses_after(6.0)),
     Statement("flat20n", "LTV", "falls, and under TLV it stands (4.1)", falls_where_other_stands, ("flat20n", "TLV")),
+    *in_both("flat20n", "side walls stay (implied, Figs. 20 and 21)", walls_stay(SIDE)),
     *in_both("flat20s", "nothing falls (4.1)", nothing_falls),
     *in_both("flat20s", "cracks (4.1)", cracks),
     *in_both("flat20s", "if it cracks, first by 3.5 s, while L rules (4.1)", cracks_while_l_rules),
@@ -245,10 +247,12 @@ FLAT = [
     Statement("flat40n", "LTV", "stands (4.1)", stands),
     *in_both("flat40n", "bearing walls less cracked than Flat20N's (4.1)", less_cracked, "flat20n"),
     Statement("flat40n", "LTV", "bearing walls lean less than Flat20N's (4.1)", leans_less, ("flat20n", "LTV")),
+    *in_both("flat40n", "side walls stay (implied, Figs. 20 and 21)", walls_stay(SIDE)),
     Statement("flat20r", "TLV", "stands (implied, 4.1)", stands),
     Statement("flat20r", "LTV", "stands (4.1)", stands),
     *in_both("flat20r", "bearing walls less cracked than Flat20N's (4.1)", less_cracked, "flat20n"),
     Statement("flat20r", "LTV", "bearing walls lean less than Flat20N's (4.1)", leans_less, ("flat20n", "LTV")),
+    *in_both("flat20r", "side walls stay (implied, Figs. 20 and 21)", walls_stay(SIDE)),
 ]
 VAULTS = [
     *in_both("vault20w", "collapses as soon as the motion begins (4.2)", collapses_before(AT_ONCE)),

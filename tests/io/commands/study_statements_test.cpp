@@ -53,6 +53,16 @@ TEST_CASE("statements: walls of the vaults that fall or lose bricks; undecided w
   says(text, "vault40n | TLV | a side wall loses bricks (implied, 4.2) | 1 of 2 | 50 | 9 to 91 | 1");
 }
 
+TEST_CASE("statements: side walls that stay; bricks in their corners may fall with the wall next to them") {
+  const TempFolder folder;
+  Table table;
+  table.add("flat40n", "bam-like#1", with(kStands, {{"left wall: fallen_mass_fraction", "0.12"}}));
+  table.add("flat40n", "bam-like#2", with(kStands, {{"left wall: fallen_mass_fraction", "0.15"}}));
+  table.add("flat40n", "bam-like#3", ends_at("3.0", kStands));
+  table.add("flat40n", "bam-like#4", ends_at("3.0", walls("0.0", "0.0", "0.8")));
+  says(outcomes(folder, table), "flat40n | TLV | side walls stay (implied, Figs. 20 and 21) | 1 of 3 | 33 | 6 to 79 | 1");
+}
+
 TEST_CASE("statements: what opens before anything shakes is there however early a run ends") {
   const TempFolder folder;
   Table table;
