@@ -88,7 +88,7 @@ TEST_CASE("bodies that overlap by more than is allowed are listed, and none of t
   for (int i = 0; i < 6000; ++i) {
     sim.step({});
     sim.cracks().clear();
-    if (i % 100 != 0) continue;
+    if (i % 20 != 0) continue;  // often: how a wall falls depends on the processor, and with it how many pairs come close
     const auto& pairs = w.overlaps.pairs;
     const auto order = [](const auto& a, const auto& b) { return std::pair(a.a, a.b) < std::pair(b.a, b.b); };
     REQUIRE(std::ranges::is_sorted(pairs, order));
