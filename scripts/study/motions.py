@@ -65,7 +65,7 @@ def main():
     below = share(motions, *FIGURE_9B, lambda of_l, of_t: of_l < of_t)
     families = collections.defaultdict(list)
     for motion in of_l:
-        families[family(motion) if "#" in motion else family("/" + motion)].append(motion)
+        families[family(motion if "#" in motion else "/" + motion)].append(motion)  # the program names a folder's motion without its path
     print("| " + " | ".join(COLUMNS) + " |\n|" + "---|" * len(COLUMNS))
     for name, members in families.items():
         measured = [span([of_l[m][k] for m in members], 2) for k in range(3)]
