@@ -14,6 +14,7 @@ import pathlib
 import re
 import subprocess
 import tomllib
+from concurrent import futures
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
@@ -255,18 +256,28 @@ def call(words):
         raise StudyError(f"{words[0]}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
 
 
-def check_cases(path, runs, voussoir):
-    """Asks the program whether it can build each case, with each set of options and each record."""
+def first_of_each(runs):
+    """Runs that have each case with each set of options, and each record, at least once."""
     seen = set()
     for run in runs:
-        key = (run["case"], run["axes"]["options"], run["axes"]["record"])
-        if key in seen:
-            continue
-        seen.add(key)
-        words = [voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)]
-        done = call(words)
-        if done.returncode != 0:
-            raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
+        new = {(run["case"], run["axes"]["options"]), run["axes"]["record"]} - seen
+        if new:
+            seen |= new
+            yield run
+
+
+def check_cases(path, runs, voussoir):
+    """Asks the program whether it can build each case with each set of options, and read each record. Of several faults, the study's first is told."""
+    def check(run):
+        return call([voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)])
+
+    tried = list(first_of_each(runs))
+    with futures.ThreadPoolExecutor(4) as pool:
+        answers = pool.map(check, tried)
+        for run, done in zip(tried, answers):
+            if done.returncode != 0:
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
 
 
 def check_folder(folder, runs, version):

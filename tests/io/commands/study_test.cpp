@@ -97,6 +97,8 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
       {"records = [{ name = \"r\", L = 3 }]\n", "records[0] = {\"name\": \"r\", \"L\": 3}; allowed: \"bam-like\""},
       {"records = [{ name = \"r\", L = \"none.AT2\", T = \"none.AT2\" }]\n", "none.AT2: no such file"},
       {"[options]\na = \"b=1\"\n", "options.a = \"b=1\""},
+      {"records = [\"bam-like\"]\n[options]\na = []\nb = [\"b.c=1\"]\n", "-b: voussoir: --set b.c=1"},              // the second option's
+      {"records = [\"bam-like\", \"bam-like#0\", \"bam-like#x\"]\n[options]\na = []\nb = []\n", "\"bam-like#0\""},  // the first of two
   };
   for (const auto& fault : faults) {
     const std::string file = folder.write("faulty.toml", kCase + fault[0]);
