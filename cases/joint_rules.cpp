@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/solids/ground.h"
 #include "cases/house/house.h"
 #include "cases/names.h"
+#include "cases/solids/ground.h"
 
 namespace voussoir::cases {
 namespace {
@@ -17,6 +17,17 @@ void check_mortar(const House& house, const NamedLaw& law) {
   if (house.mortar == 0.0 || std::abs(house.mortar - law.value.thickness) < 1e-9) return;
   throw InputError("house.mortar", text(house.mortar) + " m, but joint_laws." + law.name + ".thickness is " + text(law.value.thickness) +
                                        " m; give both the same");
+}
+
+/// Members that are the first and the last beam of the roof, the same in all copies of the house. Beams are numbered along the roof.
+std::array<std::int32_t, 2> end_beams(const Model& model) noexcept {
+  std::array<std::int32_t, 2> ends{-1, -1};
+  for (const Block& block : model.blocks) {
+    if (block.kind != PartKind::beam) continue;
+    ends[0] = ends[0] < 0 ? block.member : std::min(ends[0], block.member);
+    ends[1] = std::max(ends[1], block.member);
+  }
+  return ends;
 }
 
 /// Whether they lie in the two leaves of one wall.
@@ -43,6 +54,11 @@ JointRules::JointRules(const Case& c, const Model& model) {
     }
     if (c.house->roof.kind == RoofKind::flat || c.house->roof.kind == RoofKind::pitched)
       between_beams_ = find_law(model.laws, c.house->roof.between_beams, "house.roof.between_beams");
+    edge_beams_ = between_beams_;
+    if (c.house->roof.kind == RoofKind::flat && c.house->roof.edge_beams) {
+      edge_beams_ = find_law(model.laws, *c.house->roof.edge_beams, "house.roof.edge_beams");
+      edge_members_ = end_beams(model);
+    }
     for (std::size_t i = 0; i < c.house->floors.size(); ++i)
       floors_.push_back(find_law(model.laws, c.house->floors[i].joint, indexed_key("house.floor", i, "joint")));
   }
@@ -72,6 +88,10 @@ std::int32_t JointRules::rule_material(const Block& block) const noexcept {
   return made_from < 0 ? block.material : made_from;
 }
 
+bool JointRules::is_edge_beam(const Block& block) const noexcept {
+  return block.member == edge_members_[0] || block.member == edge_members_[1];
+}
+
 std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noexcept {
   if (a.member < 0 && b.member < 0) return are_leaves(a, b) ? collar_ : masonry_;
   if (a.member < 0 || b.member < 0) {
@@ -79,7 +99,7 @@ std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noex
     return floor < 0 ? between_members_ : floors_[static_cast<std::size_t>(floor)];
   }
   if (a.member == b.member) return within_member_;
-  if (a.kind == PartKind::beam && b.kind == PartKind::beam) return between_beams_;
+  if (a.kind == PartKind::beam && b.kind == PartKind::beam) return is_edge_beam(a) || is_edge_beam(b) ? edge_beams_ : between_beams_;
   return timber_on_timber_;
 }
 

@@ -35,11 +35,14 @@ class JointRules {
   [[nodiscard]] std::int32_t rule_material(const Block& block) const noexcept;
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
-  std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0,
-               between_beams_ = 0;       // of the house
-  std::vector<std::int32_t> inside_;     // by material, between the halves of a unit; -1: none has any
-  std::vector<std::int32_t> floors_;     // of beams with walls, by House::floors
-  std::vector<std::int32_t> made_from_;  // by material
+  [[nodiscard]] bool is_edge_beam(const Block& block) const noexcept;
+
+  std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0,
+               edge_beams_ = 0;                       // of the house
+  std::array<std::int32_t, 2> edge_members_{-1, -1};  // the first and the last beam of a flat roof
+  std::vector<std::int32_t> inside_;                  // by material, between the halves of a unit; -1: none has any
+  std::vector<std::int32_t> floors_;                  // of beams with walls, by House::floors
+  std::vector<std::int32_t> made_from_;               // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };

@@ -81,6 +81,7 @@ struct Roof {
   std::array<double, 2> beam{0.2, 0.2};              // width along x, height, m (flat; pitched: of rafters)
   double element = 0.2;                              // m (flat, pitched)
   std::string between_beams = "normal";              // flat; pitched: in the ridge
+  std::optional<std::string> edge_beams;             // between the first or the last beam and its neighbour; none: between_beams (flat)
   std::optional<double> bearing;                     // m, of a beam on a bearing wall; none: a brick's length at most (flat)
   double radius = 1.5, thickness = 0.2, ring = 0.2;  // m (vault; radius also gables)
   int voussoirs = 25;                                // of a ring (vault, gables)

@@ -36,6 +36,8 @@ Table<Roof> roof_table() {
            value<S>("element", &S::element, "m", above(0.0), "flat, pitched: length of an element of a beam or rafter"),
            value<S>("between_beams", &S::between_beams, "", filled(),
                     "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
+           value<S>("edge_beams", &S::edge_beams, "", filled(),
+                    "flat: joint law between the first or the last beam, over a side wall, and its neighbour; none: `between_beams`"),
            value<S>("bearing", &S::bearing, "m", above(0.0),
                     "flat: length over which a beam rests on each bearing wall, from the wall's inner face, at most the wall's thickness; "
                     "none: that thickness, at most a brick's length"),

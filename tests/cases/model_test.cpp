@@ -85,6 +85,23 @@ TEST_CASE("laws of a house are its own keys'") {
                                              {"lintel-lintel", {"members"}}});
 }
 
+TEST_CASE("beams at the edges of a flat roof may be joined by a law of their own") {
+  Case c = testing::paper_flat20();
+  c.house->copies = {2, 1};
+  c.house->spacing = {9.0, 9.0};
+  c.joint_laws["edges"] = c.joint_laws["normal"];
+  c.house->roof.edge_beams = "edges";
+  const Model m = build_model(c);
+  std::map<std::set<std::string>, int> edges;  // joints, by the tags of the two beams
+  for (std::size_t i = 0; i < m.assembly.joints.size(); ++i) {
+    const geometry::Joint& joint = m.assembly.joints[i];
+    if (law_name(m, i) != "edges") continue;
+    ++edges[{m.blocks[static_cast<std::size_t>(joint.element_a)].tag, m.blocks[static_cast<std::size_t>(joint.element_b)].tag}];
+  }
+  // 17 elements a beam, two houses.
+  CHECK(edges == std::map<std::set<std::string>, int>{{{"roof beam 0", "roof beam 1"}, 34}, {{"roof beam 25", "roof beam 26"}, 34}});
+}
+
 TEST_CASE("between two houses, and between a house and a block, the rules of the case hold") {
   Case c = small_house();
   c.house->openings.clear();
@@ -149,6 +166,8 @@ TEST_CASE("names are resolved before anything is built") {
       small_house(), [](Case& c) { c.house->wood.between_members = "glue"; }, "house.wood.between_members", "unknown joint law");
   check_refused(
       small_house(), [](Case& c) { c.house->roof.between_beams = "glue"; }, "house.roof.between_beams", "unknown joint law");
+  check_refused(
+      small_house(), [](Case& c) { c.house->roof.edge_beams = "glue"; }, "house.roof.edge_beams", "unknown joint law");
   check_refused(
       small_house(), [](Case& c) { c.house->material = "mud"; }, "house.material", "known: adobe, wood");
 }

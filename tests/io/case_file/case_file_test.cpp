@@ -152,6 +152,7 @@ TEST_CASE("case file: every key of a house is read") {
   CHECK(house->roof.beam == std::array{0.15, 0.25});
   CHECK(house->roof.element == 0.3);
   CHECK(house->roof.between_beams == "tied");
+  CHECK(house->roof.edge_beams == "loose");
   CHECK(house->roof.radius == 1.25);
   CHECK(house->roof.thickness == 0.15);
   CHECK(house->roof.ring == 0.1);
