@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""How the runs of a study ended, in one picture: a row for each case and direction, a column for each record.
+"""How the runs of a study ended, in one picture: a column for each record, or for each set of options, and a row for all else.
 
-usage: last_frames.py FOLDER [FOLDER ...] [-o last-frames.jpg] [--width 220]
+usage: last_frames.py FOLDER [FOLDER ...] [-o last-frames.jpg] [--width 220] [--columns record|options]
 FOLDER is that of a study (results/ensemble); several are shown as one. Only runs that are done are drawn. All pictures have the same view, and
 cut off what lies farther from the house. Needs what `scripts/setup plots` installs. Some seconds a run; pictures are kept in the runs' folders.
 """
@@ -21,7 +21,7 @@ from run_file import plt  # noqa: E402
 
 ASIDE = (2.2, 1.0, 0.0)          # m around the house that are shown: to the sides, below and above
 AZIMUTH, ELEVATION = -60.0, 22.0  # degrees
-MARGIN, HEADING = 120, 24  # px, for the names of rows and columns
+MARGIN, HEADING = 8, 24  # px, beside the names of rows; for the names of columns
 KEPT = "last-frame-{}.png"  # beside run.h5, by its width
 
 
@@ -47,8 +47,8 @@ def picture(folder, width):
         return image.convert("RGB")
 
 
-def runs_of(folders):
-    """(row, column, folder) of each run that is done, in the order of the studies."""
+def runs_of(folders, columns):
+    """(row, column, folder) of each run that is done, in the order of the studies. Columns: the axis of the study that differs between them."""
     for study in folders:
         try:
             plan = json.loads((study / "plan.json").read_text())
@@ -56,14 +56,18 @@ def runs_of(folders):
             sys.exit(f"{error.filename}: {error.strerror}; allowed: the folder of a study")
         for run in plan["runs"]:
             axes = run["axes"]
-            row = " ".join(str(v) for key, v in axes.items() if key != "record" and v is not None)
+            row = " ".join(pathlib.Path(str(v)).name for key, v in axes.items() if key != columns and v is not None)
             folder = study / "runs" / run["name"]
             if (folder / "done.json").exists():
-                yield row, axes["record"] or "", folder
+                yield row, pathlib.Path(axes[columns] or "").name, folder
+
+
+def font():
+    return ImageFont.truetype(findfont("DejaVu Sans"), 12)
 
 
 def label(draw, place, text, anchor):
-    draw.text(place, text, fill="black", anchor=anchor, font=ImageFont.truetype(findfont("DejaVu Sans"), 12))
+    draw.text(place, text, fill="black", anchor=anchor, font=font())
 
 
 def main():
@@ -71,21 +75,23 @@ def main():
     p.add_argument("folders", nargs="+", type=pathlib.Path, metavar="FOLDER")
     p.add_argument("-o", "--output", type=pathlib.Path, default="last-frames.jpg")
     p.add_argument("--width", type=int, default=220, help="of a picture, px")
+    p.add_argument("--columns", choices=("record", "options"), default="record", help="what differs from column to column")
     a = p.parse_args()
-    pictures = {(row, column): picture(folder, a.width) for row, column, folder in runs_of(a.folders)}
+    pictures = {(row, column): picture(folder, a.width) for row, column, folder in runs_of(a.folders, a.columns)}
     if not pictures:
         sys.exit(f"{a.folders[0]}: holds no run that is done")
     rows = list(dict.fromkeys(row for row, _ in pictures))
     columns = list(dict.fromkeys(column for _, column in pictures))
     height = max(image.height for image in pictures.values())
-    sheet = Image.new("RGB", (MARGIN + a.width * len(columns), HEADING + height * len(rows)), "white")
+    left = 2 * MARGIN + int(max(font().getlength(row) for row in rows))
+    sheet = Image.new("RGB", (left + a.width * len(columns), HEADING + height * len(rows)), "white")
     draw = ImageDraw.Draw(sheet)
     for j, column in enumerate(columns):
-        label(draw, (MARGIN + a.width * (j + 0.5), HEADING / 2), pathlib.Path(column).name, "mm")
+        label(draw, (left + a.width * (j + 0.5), HEADING / 2), column, "mm")
     for i, row in enumerate(rows):
-        label(draw, (8, HEADING + height * (i + 0.5)), row, "lm")
+        label(draw, (MARGIN, HEADING + height * (i + 0.5)), row, "lm")
     for (row, column), image in pictures.items():
-        sheet.paste(image, (MARGIN + a.width * columns.index(column), HEADING + height * rows.index(row)))
+        sheet.paste(image, (left + a.width * columns.index(column), HEADING + height * rows.index(row)))
     sheet.save(a.output, quality=85)
 
 

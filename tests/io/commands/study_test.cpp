@@ -111,14 +111,14 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
 }
 
 /// Height of the picture of the study's last frames, px, and whether there is something in the picture of each of its rows.
-std::string last_frames(const TempFolder& folder, int rows) {
+std::string last_frames(const TempFolder& folder, int rows, const std::string& words = "") {
   const std::string sheet = folder.path("ends.png"), said = folder.path("drawn");
   const std::string look = folder.write("look.py",
                                         "import numpy, sys\nfrom PIL import Image\n"
                                         "shade = numpy.asarray(Image.open(sys.argv[1]).convert('L'))\n"
-                                        "pictures = numpy.array_split(shade[24:, 120:], int(sys.argv[2]))\n"
+                                        "pictures = numpy.array_split(shade[24:, -80:], int(sys.argv[2]))\n"
                                         "print(shade.shape[0] - 24, *[int((p[len(p) // 3:] < 200).any()) for p in pictures])\n");
-  if (code_of(script("last_frames.py") + folder.path("study") + " --width 80 -o " + sheet) != 0) return "refused";
+  if (code_of(script("last_frames.py") + folder.path("study") + " --width 80 -o " + sheet + words) != 0) return "refused";
   if (code_of("/usr/bin/python3 " + look + " " + sheet + " " + std::to_string(rows) + " >" + said) != 0) return "unreadable";
   return text_of(said);
 }
@@ -142,6 +142,8 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
 
   const std::string both = last_frames(folder, 2);
   CHECK_MESSAGE(both.find(" 1 1\n") != std::string::npos, both);
+  CHECK(last_frames(folder, 2, " --columns options") == both);  // one set of options
+  CHECK(last_frames(folder, 2, " --columns rows") == "refused");
 
   const std::string hash = column(table, "state_hash").at(1);
   std::filesystem::remove(folder.path("study/runs/wall-x1/done.json"));  // as if killed at the end of its run
