@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "cases/case.h"
@@ -31,7 +34,25 @@ double share_above(const Accelerogram& a, const Accelerogram& b, double from, do
   return above / 200.0;
 }
 
+/// Of the bits of all samples of L, T and V: FNV-1a.
+std::uint64_t digest(const std::array<Accelerogram, 3>& record) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const Accelerogram& component : record) {
+    for (const double sample : component.acceleration) {
+      const auto bits = std::bit_cast<std::uint64_t>(sample);
+      for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ (bits >> shift & 0xffu)) * 0x100000001b3u;
+    }
+  }
+  return hash;
+}
+
 }  // namespace
+
+TEST_CASE("the synthetic motions have the same bits from every compiled program") {
+  CHECK(digest(bam_like_1()) == 0xee15a589f6f80173u);
+  CHECK(digest(bam_like(1)) == 0x3cce0768b987240cu);
+  CHECK(digest(bam_like(12)) == 0xf2d9bbc1bff4c637u);
+}
 
 TEST_CASE("bam-like#N: peaks, Arias intensity and durations are the published ones") {
   const double acceleration[] = {7.7828, 6.2344, 9.7995}, velocity[] = {1.242, 0.602, 0.401};
