@@ -155,7 +155,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
     words.push_back(
         indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
         (taken[i] ? std::string("wherever these touch, ") +
-                        (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.between_beams) or an earlier rule come"
+                        (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.*) or an earlier rule come"
                          : c.stones.empty() ? "an earlier rule comes"
                                             : "stones.joint or an earlier rule comes") +
                         " first"

@@ -48,7 +48,7 @@ def picture(folder, width):
 
 
 def runs_of(folders, columns):
-    """(row, column, folder) of each run that is done, in the order of the studies. Columns: the axis of the study that differs between them."""
+    """(row, column, folder) of each run that is done, in the order of the studies. `columns` is an axis of the study; the others make the row."""
     for study in folders:
         try:
             plan = json.loads((study / "plan.json").read_text())
@@ -56,10 +56,15 @@ def runs_of(folders, columns):
             sys.exit(f"{error.filename}: {error.strerror}; allowed: the folder of a study")
         for run in plan["runs"]:
             axes = run["axes"]
-            row = " ".join(pathlib.Path(str(v)).name for key, v in axes.items() if key != columns and v is not None)
+            row = tuple(str(v) for key, v in axes.items() if key != columns and v is not None)
             folder = study / "runs" / run["name"]
             if (folder / "done.json").exists():
-                yield row, pathlib.Path(axes[columns] or "").name, folder
+                yield row, axes[columns] or "", folder
+
+
+def name(values):
+    """What is written beside a row or over a column: of paths, the last part."""
+    return " ".join(pathlib.Path(v).name for v in values)
 
 
 def font():
@@ -83,13 +88,13 @@ def main():
     rows = list(dict.fromkeys(row for row, _ in pictures))
     columns = list(dict.fromkeys(column for _, column in pictures))
     height = max(image.height for image in pictures.values())
-    left = 2 * MARGIN + int(max(font().getlength(row) for row in rows))
+    left = 2 * MARGIN + int(max(font().getlength(name(row)) for row in rows))
     sheet = Image.new("RGB", (left + a.width * len(columns), HEADING + height * len(rows)), "white")
     draw = ImageDraw.Draw(sheet)
     for j, column in enumerate(columns):
-        label(draw, (left + a.width * (j + 0.5), HEADING / 2), column, "mm")
+        label(draw, (left + a.width * (j + 0.5), HEADING / 2), name([column]), "mm")
     for i, row in enumerate(rows):
-        label(draw, (MARGIN, HEADING + height * (i + 0.5)), row, "lm")
+        label(draw, (MARGIN, HEADING + height * (i + 0.5)), name(row), "lm")
     for (row, column), image in pictures.items():
         sheet.paste(image, (left + a.width * columns.index(column), HEADING + height * rows.index(row)))
     sheet.save(a.output, quality=85)

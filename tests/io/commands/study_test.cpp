@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/io/shell.h"
@@ -108,19 +109,40 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
     CHECK_MESSAGE(said.find(fault[1]) != std::string::npos, said);
     CHECK_FALSE(std::filesystem::exists(folder.path("study")));
   }
+  // Of two cases the second.
+  const std::string other = folder.write("other.toml", "[houze]\n");
+  CHECK(study(folder, folder.write("faulty.toml", kCase.substr(0, kCase.size() - 2) + ", \"" + other + "\"]\n")) == 2);
+  CHECK_MESSAGE(text_of(folder.path("log")).find("houze") != std::string::npos, text_of(folder.path("log")));
 }
 
-/// Height of the picture of the study's last frames, px, and whether there is something in the picture of each of its rows.
-std::string last_frames(const TempFolder& folder, int rows, const std::string& words = "") {
+/// Height of the picture of a study's last frames, px, and whether there is something in the last picture of each of its rows.
+std::string last_frames(const TempFolder& folder, int rows, const std::string& name = "study", const std::string& words = "") {
   const std::string sheet = folder.path("ends.png"), said = folder.path("drawn");
   const std::string look = folder.write("look.py",
                                         "import numpy, sys\nfrom PIL import Image\n"
                                         "shade = numpy.asarray(Image.open(sys.argv[1]).convert('L'))\n"
                                         "pictures = numpy.array_split(shade[24:, -80:], int(sys.argv[2]))\n"
                                         "print(shade.shape[0] - 24, *[int((p[len(p) // 3:] < 200).any()) for p in pictures])\n");
-  if (code_of(script("last_frames.py") + folder.path("study") + " --width 80 -o " + sheet + words) != 0) return "refused";
+  if (code_of(script("last_frames.py") + folder.path(name) + " --width 80 -o " + sheet + words) != 0) return "refused";
   if (code_of("/usr/bin/python3 " + look + " " + sheet + " " + std::to_string(rows) + " >" + said) != 0) return "unreadable";
   return text_of(said);
+}
+
+/// The folder's "options": its "study" as if the two runs had differed by options, "low" and "high".
+void options_in_place_of_scales(const TempFolder& folder) {
+  std::string plan = text_of(folder.path("study/plan.json"));
+  const auto replace = [&](const std::string& old, const std::string& now) {
+    const std::size_t at = plan.find(old);
+    REQUIRE(at != std::string::npos);
+    plan.replace(at, old.size(), now);
+  };
+  for (const auto& [scale, options] : {std::pair{"0.0", "low"}, {"1.0", "high"}}) {
+    replace("\"scale\": " + std::string(scale), "\"scale\": null");
+    replace("\"options\": \"\"", "\"options\": \"" + std::string(options) + "\"");
+  }
+  std::filesystem::create_directory(folder.path("options"));
+  std::filesystem::create_directory_symlink(folder.path("study/runs"), folder.path("options/runs"));
+  folder.write("options/plan.json", plan);
 }
 
 TEST_CASE("a study ends with a table, once; what was interrupted is not begun anew") {
@@ -142,8 +164,11 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
 
   const std::string both = last_frames(folder, 2);
   CHECK_MESSAGE(both.find(" 1 1\n") != std::string::npos, both);
-  CHECK(last_frames(folder, 2, " --columns options") == both);  // one set of options
-  CHECK(last_frames(folder, 2, " --columns rows") == "refused");
+  options_in_place_of_scales(folder);
+  CHECK(last_frames(folder, 2, "options") == both);
+  const std::string beside = last_frames(folder, 1, "options", " --columns options");  // the two runs in one row
+  CHECK_MESSAGE(2 * std::stoi(beside) == std::stoi(both), beside);
+  CHECK_MESSAGE(beside.find(" 1\n") != std::string::npos, beside);
 
   const std::string hash = column(table, "state_hash").at(1);
   std::filesystem::remove(folder.path("study/runs/wall-x1/done.json"));  // as if killed at the end of its run
