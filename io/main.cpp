@@ -3,6 +3,8 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -316,6 +318,11 @@ int dispatch(const CLI::App& app, Words& w) {
   return with_case(w, [&](const auto& c) { return io::run_command(c, w.run); });
 }
 
+/// Long enough to look first how busy the machine is.
+bool takes_long(const CLI::App& app) {
+  return std::ranges::any_of(std::array{"run", "resume", "modes", "bench"}, [&](const char* name) { return app.got_subcommand(name); });
+}
+
 /// A long run that is not at its end has its rows in many files, and a dataset over them holds each open.
 void open_many_files() {
   rlimit limit{};
@@ -327,9 +334,6 @@ void open_many_files() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string command = argc > 1 ? argv[1] : "";
-  io::let_threads_sleep(
-      argv, command == "run" || command == "resume" || command == "modes" || command == "bench");  // these take long enough to look
   open_many_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
@@ -356,6 +360,7 @@ int main(int argc, char** argv) {
   add_manual(app, w);
   try {
     app.parse(argc, argv);
+    io::let_threads_sleep(argv, w.threads, takes_long(app));
     io::use_threads(w.threads);
     return dispatch(app, w);
   } catch (const CLI::ParseError& e) {

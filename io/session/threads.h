@@ -7,12 +7,16 @@
 /// How many threads there are, and how long those that wait for each other, as they do many times a step, spin before they sleep.
 namespace voussoir::io {
 
-/// Settles how long they spin, unless the user has (OMP_WAIT_POLICY, GOMP_SPINCOUNT, KMP_BLOCKTIME). By default the runtime's threads spin for
-/// milliseconds, which is harmless on a quiet machine and ruinous on a busy one: with another process running beside, two threads were 20
-/// times slower than one. A tenth of a millisecond is right for a quiet one: it covers what a step does on one thread, and waking takes
-/// nearly as long. On a busy one they sleep at once. The runtime reads this before main, so the program starts itself again. \param watch
-/// look for a moment whether the machine is quiet; else it counts as busy
-void let_threads_sleep(char** argv, bool watch);
+/// Settles how long they spin, unless the user has (OMP_WAIT_POLICY, GOMP_SPINCOUNT, KMP_BLOCKTIME). By default the runtime's threads spin
+/// for milliseconds, which is harmless on a quiet machine and ruinous on a busy one: with another process running beside, two threads were
+/// 20 times slower than one. A tenth of a millisecond is right where each thread has a processor to itself: it covers what a step does on
+/// one thread, and waking takes nearly as long. Else they sleep at once. The runtime reads this before main, so the program starts itself
+/// again. \param threads  that will be used; 0: as OpenMP decides \param watch  look for a moment how many processors are idle; else none
+/// counts as idle
+void let_threads_sleep(char** argv, int threads, bool watch);
+
+/// Whether each of so many threads has a processor to itself, but for the little that goes on at any time.
+bool room_for(int threads, double idle_processors);
 
 /// Sets the number of threads for all that the program does from here on; 0: as OpenMP decides.
 void use_threads(int threads);
