@@ -24,6 +24,7 @@ from run_file import plt, voussoir
 
 WIDTH = 4.5  # of a picture, inches: the type in it is then as large as a caption in print
 TITLE = 0.086  # part of a still that its title takes, at the top (scripts/report/src/overlay.js)
+POINTS, LETTER = 12, 0.6  # size of a title; width of a letter in parts of its size
 PARTS = (0.2, 0.4, 0.6, 1.0)  # of the longest run: the four moments if none are named
 
 
@@ -73,14 +74,17 @@ def sheet(rows, names, times, output, dpi=150, width=WIDTH):
     with Image.open(max(rows, key=len)[0]) as first:
         height = width * (1 - TITLE) * first.height / first.width
     size = (width * len(times), (height + 0.3) * len(rows))
+    titles = [[f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s" for t in times] for name in names]
+    longest = max(len(title) for of_row in titles for title in of_row)
+    points = min(POINTS, 72 * width / (LETTER * longest))  # none runs into the next picture
     figure, grid = plt.subplots(len(rows), len(times), figsize=size, squeeze=False, layout="constrained")
-    for axes_of_row, paths, name in zip(grid, rows, names):
+    for axes_of_row, paths, of_row in zip(grid, rows, titles):
         for axes in axes_of_row:
             axes.set_axis_off()
-        for axes, path, t in zip(axes_of_row, paths, times):
+        for axes, path, title in zip(axes_of_row, paths, of_row):
             with Image.open(path) as still:
                 axes.imshow(still.crop((0, round(TITLE * still.height), still.width, still.height)), interpolation="antialiased")
-            axes.set_title(f"{name}, {t:.2f} s" if t == times[0] else f"{t:.2f} s", fontsize=12, loc="left")
+            axes.set_title(title, fontsize=points, loc="left")
     figure.savefig(output, dpi=dpi)
 
 
