@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/session/idle_processors.h"
 
-#include <omp.h>
 #include <sched.h>
 
 #include <chrono>
@@ -18,11 +17,11 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds{100};  // the system counts in hundredths of a second
 
-/// Those of this thread; all, if they cannot be had or OpenMP has bound this thread to fewer than the program has.
+/// Those of this thread; all, if they cannot be had, as on machines with more than 1,024.
 std::function<bool(int)> usable_processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) != 0 || CPU_COUNT(&set) < omp_get_num_procs()) return [](int) { return true; };
+  if (sched_getaffinity(0, sizeof set, &set) != 0) return [](int) { return true; };
   return [set](int processor) { return processor < CPU_SETSIZE && CPU_ISSET(processor, &set); };
 }
 

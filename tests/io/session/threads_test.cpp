@@ -3,10 +3,13 @@
 #include "io/session/threads.h"
 
 #include <doctest/doctest.h>
+#include <omp.h>
 
+#include <set>
 #include <sstream>
 
 #include "io/session/idle_processors.h"
+#include "tests/io/shell.h"
 
 using namespace voussoir;
 
@@ -59,4 +62,20 @@ TEST_CASE("threads have room where each has an idle processor, however busy the 
   CHECK(io::room_for(2, 1.9));
   CHECK_FALSE(io::room_for(2, 1.5));
   CHECK_FALSE(io::room_for(4, 2.0));  // more threads than processors
+}
+
+TEST_CASE("threads that OpenMP is told to bind have a processor each") {
+  if (omp_get_num_procs() < 2) return;
+  for (const char* bound : {"OMP_PROC_BIND=close", "OMP_PLACES=cores", ""}) {
+    CAPTURE(bound);
+    const std::string told = std::string("env ") + bound + " OMP_DISPLAY_AFFINITY=TRUE OMP_AFFINITY_FORMAT='threads on %A' ";
+    std::istringstream said(shell::run(told + shell::kProgram + " bench flat20n -j 2 --steps 1 --batches 1 2>&1").text);
+    std::multiset<std::string> processors;
+    for (std::string line; std::getline(said, line);) {
+      if (line.starts_with("threads on ")) processors.insert(line);
+    }
+    REQUIRE(processors.size() >= 2);
+    const bool apart = std::set(processors.begin(), processors.end()).size() >= 2;
+    CHECK(apart == (*bound != '\0'));  // unbound ones may each use all
+  }
 }
