@@ -17,7 +17,7 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds{100};  // the system counts in hundredths of a second
 
-/// Those of this thread; all, if they cannot be had, as on machines with more than 1,024.
+/// Those on which this thread may run. All count if the system does not say which, as with more than 1,024 processors.
 std::function<bool(int)> usable_processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
