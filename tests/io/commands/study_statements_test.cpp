@@ -63,6 +63,27 @@ TEST_CASE("statements: side walls that stay; bricks in their corners may fall wi
   says(outcomes(folder, table), "flat40n | TLV | side walls stay (implied, Figs. 20 and 21) | 1 of 3 | 33 | 6 to 79 | 1");
 }
 
+TEST_CASE("statements: a wall that leans by more than its thickness at the end falls, though it has not lost its mass") {
+  const TempFolder folder;
+  Table table;
+  const auto leaning = [](const char* front, const char* rear) {
+    return with(kStands, {{"direction", "LTV"}, {"front wall: residual_drift", front}, {"rear wall: residual_drift", rear}});
+  };
+  table.add("flat20n", "bam-like#1", leaning("0.084", "-0.084"));  // 0.2 m of 2.4 m are 0.0833
+  table.add("flat20n", "bam-like#2", leaning("0.083", "-0.084"));
+  table.add("flat20n", "bam-like#3", ends_at("3.0", leaning("0.084", "-0.084")));
+  table.add("flat20n", "bam-like#4", leaning("0.084", ""));  // the rear wall has lost its top, and not its mass
+  table.add("flat40n", "bam-like#1", leaning("0.166", "-0.166"));  // 0.4 m are 0.1667
+  table.add("flat40n", "bam-like#2", leaning("0.168", "0.0"));
+  table.add("flat40n", "bam-like#3", leaning("", "0.0"));
+  table.add("flat40n", "bam-like#4", ends_at("3.0", leaning("0.168", "0.0")));
+  table.add("flat40n", "bam-like#5", with(leaning("0.0", "0.0"), {{"left wall: residual_drift", "0.084"}}));
+  const std::string text = outcomes(folder, table);
+  says(text, "flat20n | LTV | both bearing walls fall (4.1) | 2 of 4 | 50 | 15 to 85 | 0 | –");
+  says(text, "flat40n | LTV | stands (4.1) | 2 of 5 | 40 | 12 to 77 | 0 | –");
+  says(text, "flat40n | LTV | side walls stay (implied, Figs. 20 and 21) | 3 of 4 | 75 | 30 to 95 | 1 | –");
+}
+
 TEST_CASE("statements: what opens before anything shakes is there however early a run ends") {
   const TempFolder folder;
   Table table;

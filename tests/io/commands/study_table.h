@@ -49,10 +49,11 @@ class Table {
   std::vector<Values> rows_;
 };
 
-/// Of the front and the rear wall, and of both side walls: what has fallen of them.
+/// Of the front and the rear wall, and of both side walls: what has fallen of them. What is left is upright.
 inline Table::Values walls(const std::string& front, const std::string& rear, const std::string& sides = "0.0") {
-  const std::string fallen = " wall: fallen_mass_fraction";
-  return {{"front" + fallen, front}, {"rear" + fallen, rear}, {"left" + fallen, sides}, {"right" + fallen, sides}};
+  const std::string fallen = " wall: fallen_mass_fraction", drift = " wall: residual_drift";
+  return {{"front" + fallen, front}, {"rear" + fallen, rear}, {"left" + fallen, sides}, {"right" + fallen, sides},
+          {"front" + drift, "0.0"},  {"rear" + drift, "0.0"}, {"left" + drift, "0.0"},  {"right" + drift, "0.0"}};
 }
 
 inline Table::Values with(Table::Values values, const Table::Values& more) {
