@@ -27,9 +27,16 @@ def by_mode(row, prefix):
 
 
 def first_wall(row):
-    """Its own time: `first_fallen_time` is that of the first element of all, often one of the roof."""
-    wall = row["first_fallen_wall"]
-    return f"{wall.removesuffix(' wall')}, {time(row[f'{wall}: first_fallen_time'])}" if wall else "none"
+    """The first wall of whose mass a quarter has fallen: a wall from which single bricks fall may stand to the end."""
+    quarter = ": quarter_fallen_time"
+    fallen = [(float(row[column]), column.removesuffix(quarter)) for column in row if column.endswith(quarter) and float(row[column] or -1) >= 0]
+    return "{1}, {0:.2f}".format(*min(fallen)).replace(" wall", "") if fallen else "none"
+
+
+def first_crack(row):
+    """And how many segments the weight has opened before anything shakes."""
+    by_weight = int(row.get("settling_cracks") or 0)
+    return time(row["first_crack_time"]) + (f" ({by_weight:,} by weight)" if by_weight else "")
 
 
 def roof(row):
@@ -41,8 +48,8 @@ def roof(row):
 COLUMNS = {
     "run": lambda row: row["run"],
     "grade": lambda row: "–" if row["damage_grade"].startswith("-") else f"G{row['damage_grade']}",
-    "first crack, s": lambda row: time(row["first_crack_time"]),
-    "first fallen wall, s": first_wall,
+    "first crack, s": first_crack,
+    "first wall with a quarter fallen, s": first_wall,
     "roof fallen, %; collapse, s": roof,
     "fallen, %": lambda row: percent(row["fallen_mass_fraction"]),
     "peak drift, %": lambda row: percent(row["peak_drift"]),

@@ -234,21 +234,20 @@ TEST_CASE("a table in Markdown has the runs that are done, in figures for people
       "run,status,damage_grade,first_crack_time,first_fallen_wall,first_fallen_time,roof_fallen_mass_fraction,collapsed,collapse_time,"
       "fallen_mass_fraction,peak_drift,debris_area,debris_reach,free_volume,first_tension,first_shear,first_compression,tension,shear,"
       "compression,slipped,peak_base_shear,"
-      "worst_residual,core_hours,front wall: first_fallen_time\n";
+      "worst_residual,core_hours,front wall: quarter_fallen_time,rear wall: quarter_fallen_time,settling_cracks\n";
   const std::string rows =
-      "fell,done,5,0.0371,front wall,2.6,1.0,1,3.3,0.8577,0.764,48.25,4.21,0.334,9,487379,100,487252,0,236,0,110200.4,4.1e-05,0.52,2.74\n"
-      "stood,done,0,-1.0,,-1.0,0.0,0,-1.0,0.0,0.0104,0.0,0.0,0.999,0,12,0,0,0,0,12,358800.0,4.4e-08,0.06,-1.0\n"
-      "arch,done,-1,0.5,,-1.0,,0,-1.0,0.25,,1.0,0.5,,,,,7,0,0,0,1000.0,1e-06,0.01,\n"
-      "waits,to be done,,,,,,,,,,,,,,,,,,,,,,0,\n";
+      "fell,done,5,0.0371,front wall,2.6,1.0,1,3.3,0.8577,0.764,48.25,4.21,0.334,9,487379,100,487252,0,236,0,110200.4,4.1e-05,0.52,3.1,2.98,15936\n"
+      "stood,done,0,-1.0,,-1.0,0.0,0,-1.0,0.0,0.0104,0.0,0.0,0.999,0,12,0,0,0,0,12,358800.0,4.4e-08,0.06,-1.0,-1.0,0\n"
+      "arch,done,-1,0.5,,-1.0,,0,-1.0,0.25,,1.0,0.5,,,,,7,0,0,0,1000.0,1e-06,0.01,,,\n"
+      "waits,to be done,,,,,,,,,,,,,,,,,,,,,,0,,,\n";
   const std::string table = folder.write("table.csv", head + rows), out = folder.path("table.md");
   REQUIRE(code_of(script("markdown.py") + table + " >" + out) == 0);
   const std::string text = text_of(out);
   const auto has = [&](const char* line) { return text.find(line) != std::string::npos; };
   CHECK(std::count(text.begin(), text.end(), '\n') == 5);
   CHECK(
-      has("\n| fell | G5 | 0.04 | front, 2.74 | 100.0, 3.30 | 85.8 | 76.4 | 48.2; 4.2 | 33.4 | 9 / 487,379 / 100 | 487,252 / 0 / 236 | 0 | "
-          "110 | 4.1e-05 | "
-          "0.52 |\n"));
+      has("\n| fell | G5 | 0.04 (15,936 by weight) | rear, 2.98 | 100.0, 3.30 | 85.8 | 76.4 | 48.2; 4.2 | 33.4 | 9 / 487,379 / 100 | "
+          "487,252 / 0 / 236 | 0 | 110 | 4.1e-05 | 0.52 |\n"));
   CHECK(has("\n| stood | G0 | never | none | 0.0 | 0.0 | 1.0 | 0.0; 0.0 | 99.9 | 0 / 12 / 0 | 0 / 0 / 0 | 12 | 359 | 4.4e-08 | 0.06 |\n"));
   CHECK(has("\n| arch | – | 0.50 | none | – | 25.0 | – | 1.0; 0.5 | – | – | 7 / 0 / 0 | 0 | 1 | 1.0e-06 | 0.01 |\n"));
   CHECK_FALSE(has("waits"));
