@@ -36,9 +36,12 @@ inline constexpr double kRoundOff = 1e-9;   // m, far more than that of any dist
 struct alignas(64) Face {
   Vec3 normal;                                    // outward
   double distance = 0.0;                          // m, ℓ
-  double compliance_n = 0.0, compliance_s = 0.0;  // m/Pa, ℓ (1 − ν²)/E and 2 ℓ (1 + ν)/E; 0 for the base
-  double mass = 0.0;                              // kg/m2, ρ ℓ (Eq. 10)
+  double compliance_n = 0.0, compliance_s = 0.0;  // m/Pa, ℓ (1 − ν²)/E and 2 ℓ (1 + ν)/E; 0 for the ground
+  double mass = 0.0;                              // kg/m2, ρ ℓ (Eq. 10); 0 for the ground
   std::int32_t material = 0;                      // of ContactOptions::friction
+
+  /// Of the base or of a part of it: rigid, and without points of its own.
+  [[nodiscard]] bool is_ground() const noexcept { return mass == 0.0; }
 };
 
 /// Constants of a free patch. Reference axes, from the centroid of its element.
@@ -106,7 +109,6 @@ struct ContactOptions {
   double damping = 1.0;  // h_n = h_s
   FrictionTable friction;
   bool master_normal = false;  // contact.normal = master
-  std::int32_t base = 0;       // row of the base: against it a patch carries the full area
   // Points also meet the face through which they came, if it does not oppose theirs (see patch_work.h). false, where points lie on the
   // edges of their faces: such a point stands on the faces beside it too, whose own points carry it. It stays free, and whole bodies meet.
   bool crossed_faces = true;

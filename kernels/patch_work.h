@@ -113,8 +113,9 @@ inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const B
     k.kn = 1.0 / (t[p.face].compliance_n + t[face].compliance_n);
     k.ks = 1.0 / (t[p.face].compliance_s + t[face].compliance_s);
   }
-  const double mass = t[p.face].mass + (slave == o.base ? t[p.face].mass : t[face].mass);
-  const double beta = b.constants[p.element].beta + (slave == o.base ? b.constants[p.element].beta : b.constants[slave].beta);
+  const bool ground = t[face].is_ground();
+  const double mass = t[p.face].mass + (ground ? t[p.face].mass : t[face].mass);
+  const double beta = b.constants[p.element].beta + b.constants[ground ? p.element : slave].beta;
   const double f = 2.0 * o.damping / (1.0 + o.step * beta);
   k.cn = f * std::sqrt(mass * k.kn);
   k.cs = f * std::sqrt(mass * k.ks);
@@ -154,7 +155,7 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   f.k = stiffness(p, c.element, face, b, faces, o);
   f.tan_phi = o.friction.of(faces[p.face].material, faces[face].material);
   f.excess = o.dashpot_excess;
-  f.factor = c.element == o.base ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the base has no segments
+  f.factor = faces[face].is_ground() ? 1.0 : 0.5;  // Eq. 11: both bodies are masters, but the ground has no segments
   return f;
 }
 

@@ -21,7 +21,8 @@ import numpy as np
 from scipy import linalg, optimize, special
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import run_file
+import run_file  # noqa: E402
+from versions import results_of  # noqa: E402
 
 GROUP = ("case", "direction", "record", "options")
 STATES = ("1", "2", "3", "4", "5", "collapse")
@@ -200,7 +201,8 @@ def main():
     refuse_table(a.table, (a.output, a.csv))
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
-    if len(versions := {row.get("version", "") for row in rows}) > 1:
+    versions = {row.get("version", "") for row in rows}
+    if len(set(map(results_of, versions))) > 1:
         sys.exit(f"{a.table}: holds runs of versions {' and '.join(sorted(versions))}, whose results may differ; wanted a table of one")
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
     numbers, out = {}, []

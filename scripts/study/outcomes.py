@@ -24,6 +24,7 @@ import re
 import sys
 
 from statements import LEGEND, STATEMENTS, Run, Unknown
+from versions import results_of
 
 NORMAL_95 = 1.959963984540054
 
@@ -85,10 +86,10 @@ def done(rows):
 
 
 def one_version(tables):
-    """Refuses tables, rows by path, whose runs are of several versions: these are no runs of one kind."""
+    """Refuses tables, rows by path, whose runs are of versions with other results: these are no runs of one kind."""
     found = [(row["version"], path) for path, rows in tables.items() for row in done(rows) if row.get("version")]
     for version, path in found:
-        if version != found[0][0]:
+        if results_of(version) != results_of(found[0][0]):
             sys.exit(f"{path}: a run of version {version}, and one of {found[0][1]} is of {found[0][0]}: their results may differ; "
                      "allowed: runs of one version")
 

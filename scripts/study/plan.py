@@ -16,6 +16,8 @@ import subprocess
 import tomllib
 from concurrent import futures
 
+from versions import differs, results_of
+
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
 PLOTS = ("plots/damage_grade.svg", "plots/fallen_mass_fraction.svg", "plots/first_crack_time.svg", "plots/peak_base_shear.svg")
@@ -311,17 +313,25 @@ def finished_rows(table):
     return {row["identity"]: row for row in rows if row["status"] != "to be done"}
 
 
+def same_results(run, row, version):
+    """Whether a row of an earlier table is what this version of the program would give."""
+    made_by = row.get("version", "")
+    return made_by == version or (results_of(made_by) == results_of(version) and not differs(run["case"], run["set"]))
+
+
 def known_rows(tables, runs, folder, voussoir):
     """Rows of earlier tables, by run: of those that have ended, are the same by case and overrides, and are not in the folder. The table may
-    be another study's, and call the run otherwise. All must be of this program: rows of another physics are no others of the same kind."""
+    be another study's, and call the run otherwise. All must have the results of this program: rows of another physics are no others of the same
+    kind."""
     known = {}
     for table in tables:
         there = finished_rows(table)
         found = {run["name"]: there[run["identity"]] for run in runs
                  if run["identity"] in there and not (folder / "runs" / run["name"]).exists()}
-        others = sorted({row.get("version", "") for row in found.values()} - {version_of(voussoir)})
+        now = version_of(voussoir)
+        others = sorted({found[run["name"]].get("version", "") for run in runs if run["name"] in found and not same_results(run, found[run["name"]], now)})
         if others:
-            raise StudyError(f"{table}: holds runs of version {' and '.join(others)}, and this is {version_of(voussoir)}: their results may differ. "
+            raise StudyError(f"{table}: holds runs of version {' and '.join(others)}, and this is {now}: their results may differ. "
                              "Leave out --known, or name the program of the table by VOUSSOIR=...")
         known = found | known
     return known

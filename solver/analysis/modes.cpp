@@ -25,6 +25,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Motion = Eigen::Matrix<double, 6, 1>;  // of one element: displacement, rotation
 
+constexpr double kHeld = 1e15;  // 1/s2, of a rotation that the element does not have: far above all modes that are looked for
+
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
 /// The structure in coordinates q with x = S q and Sᵀ M S = I, S = M^(−1/2) by element: a standard symmetric problem.
@@ -55,6 +57,7 @@ class Structure {
       const bool bears = t.law.compression || t.pretension > 0.0 || world_.ties.state[i].force > 0.0;
       if (bears && world_.ties.state[i].broken == 0) add(t, entries);
     }
+    hold_levelled(entries);
     Sparse k(size(), size());
     k.setFromTriplets(entries.begin(), entries.end());
     return k;
@@ -83,6 +86,15 @@ class Structure {
   }
 
  private:
+  /// Blocks that are kept level (analysis.level) have no inverse inertia. Their rotations would be modes of 0 Hz.
+  void hold_levelled(std::vector<Eigen::Triplet<double>>& entries) const {
+    for (std::size_t n = 0; n < scale_.size(); ++n) {
+      if (!scale_[n].bottomRightCorner<3, 3>().isZero(0.0)) continue;
+      const auto row = static_cast<std::int32_t>(6 * n + 3);
+      for (int i = 0; i < 3; ++i) entries.emplace_back(row + i, row + i, kHeld);
+    }
+  }
+
   /// M^(−1/2) of an element: diagonal for its mass, the Cholesky factor of the inverse inertia for its rotation.
   [[nodiscard]] Eigen::Matrix<double, 6, 6> scale_of(std::size_t e) const {
     const Elements& s = world_.elements;

@@ -82,7 +82,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     const double depth =
         kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
     double n = u.n - q.closure(k);
-    const double da = (to.partner[k] == w.elements.base ? 1.0 : 0.5) * points.area[k];
+    const double da = (w.faces[static_cast<std::size_t>(to.face[k])].is_ground() ? 1.0 : 0.5) * points.area[k];
     if (s.closing != nullptr) {
       const double pressure = s.k.kn * -n;
       w.sides.impact[i] += da * (kernels::stored_at(pressure, *s.closing) - 0.5 * pressure * pressure / s.closing->blocks);

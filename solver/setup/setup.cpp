@@ -145,7 +145,6 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->contact.crushing = crushing_of(c.contact);
   w->contact.dashpot_excess = dashpot_excess(c.contact);
   set_up_elements(*w, c);
-  w->contact.base = w->elements.base;
   set_up_faces(*w);
   set_up_damping_bound(*w);
   set_up_multirate(*w, c);

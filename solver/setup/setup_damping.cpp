@@ -21,10 +21,12 @@ namespace voussoir::solver {
 
 namespace {
 
-/// The distinct kinds of faces in the model: whatever a face may come to touch.
+/// The distinct kinds of faces in the model: whatever a face may come to touch, but for the ground.
 std::vector<FaceClass> face_classes(const std::vector<kernels::Face>& faces) {
   std::set<FaceClass> classes;
-  for (const kernels::Face& f : std::span(faces).first(faces.size() - 1)) classes.insert({f.compliance_n, f.compliance_s, f.mass});
+  for (const kernels::Face& f : faces) {
+    if (!f.is_ground()) classes.insert({f.compliance_n, f.compliance_s, f.mass});
+  }
   return {classes.begin(), classes.end()};
 }
 
@@ -36,7 +38,11 @@ class DampingMatrices {
   DampingMatrices(const World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
     const std::vector<FaceClass> classes = face_classes(w.faces);
     const std::vector<std::array<double, 2>> worst = worst_dashpots(classes, w.contact.damping, w.threads);
-    for (const kernels::Face& f : std::span(w.faces).first(w.faces.size() - 1)) {
+    for (const kernels::Face& f : w.faces) {
+      if (f.is_ground()) {
+        dashpot_.push_back({});
+        continue;
+      }
       const FaceClass k{f.compliance_n, f.compliance_s, f.mass};
       dashpot_.push_back(worst[static_cast<std::size_t>(std::lower_bound(classes.begin(), classes.end(), k) - classes.begin())]);
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "cases/names.h"
 #include "solver/setup/setup.h"
 #include "solver/world/first_touch.h"
 
@@ -66,15 +67,20 @@ void set_extent(Elements& e, std::size_t i, const geometry::Polyhedron& shape, V
 double mass_damping(const cases::Damping& d) {
   if (d.alpha) return *d.alpha;
   if (d.own_frequency && !d.frequency && d.ratio > 0.0)
-    throw cases::InputError("damping.frequency", "is \"auto\" still: solver::main_frequency finds it before the world is built");
+    throw cases::InputError("damping.frequency", "is \"auto\" still: solver::fill_own_frequency finds it before the world is built");
   return d.frequency ? 2.0 * d.ratio * 2.0 * std::numbers::pi * *d.frequency : 0.0;  // Eq. 14
 }
+
+constexpr double kShortestStep = 1e-9;  // s: the number of steps must stay one that is known exactly
 
 }  // namespace
 
 double choose_step(const cases::Case& c, const Options& o, double bound) {
-  if (o.step) return *o.step;
-  if (c.time.step) return *c.time.step;
+  if (o.step || c.time.step) {
+    const double step = o.step ? *o.step : *c.time.step;
+    if (step < kShortestStep) throw cases::InputError("time.step", "= " + cases::text(step) + " s is out of range; allowed: at least 1e-9");
+    return step;
+  }
   if (!std::isfinite(bound)) return c.output.history_interval;  // nothing moves but what is fixed
   const double cycle = c.time.multirate;                        // whole cycles
   return c.output.history_interval / (cycle * std::ceil(c.output.history_interval / (cycle * 0.995 * bound)));
@@ -124,6 +130,16 @@ void set_initial_velocities(World& w) {
   e.store_velocity_rows();
 }
 
+/// Faces of a part of the base are as that of the base: they add no compliance and no mass to a contact.
+kernels::Face face_of(const geometry::Face& face, const cases::Block& block, const cases::Material& material) {
+  kernels::Face f{.normal = face.normal, .distance = face.distance, .material = block.material};
+  if (block.ground >= 0) return f;
+  f.compliance_n = face.distance / plane_strain_modulus(material);  // Eq. 1
+  f.compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young;
+  f.mass = material.density * face.distance;  // Eq. 10
+  return f;
+}
+
 void set_up_faces(World& w) {
   const cases::Model& m = w.model;
   w.faces.reserve(m.assembly.faces.size() + 1);
@@ -136,13 +152,7 @@ void set_up_faces(World& w) {
     w.most_faces = std::max(w.most_faces, e.face_count);
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
-      const geometry::Face& face = m.assembly.faces[static_cast<std::size_t>(f)];
-      w.faces.push_back({.normal = face.normal,
-                         .distance = face.distance,
-                         .compliance_n = face.distance / plane_strain_modulus(material),  // Eq. 1
-                         .compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young,
-                         .mass = material.density * face.distance,  // Eq. 10
-                         .material = m.blocks[i].material});
+      w.faces.push_back(face_of(m.assembly.faces[static_cast<std::size_t>(f)], m.blocks[i], material));
     }
   }
   w.faces.push_back(

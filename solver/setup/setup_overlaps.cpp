@@ -108,6 +108,10 @@ void set_up_overlaps(World& w) {
   const double allowed = m.assembly.rule == geometry::SegmentRule::rim ? kAllowedToRim : kAllowed;
   // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
+    if (m.blocks[i].ground >= 0) {
+      o.stiffness_n.push_back(0.0), o.stiffness_s.push_back(0.0), o.allowed.push_back(0.0);
+      continue;
+    }
     const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
     const double edge = std::cbrt(m.assembly.elements[i].mass.volume);
     o.stiffness_n.push_back(2.0 * edge * material.young / (1.0 - material.poisson * material.poisson));

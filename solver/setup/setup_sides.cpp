@@ -51,6 +51,11 @@ std::vector<geometry::Segment> turned_round(geometry::SegmentList segments, geom
   return points;
 }
 
+/// The base, or a part of it.
+bool is_ground(const World& w, std::int32_t element) {
+  return element == w.elements.base || w.model.blocks[static_cast<std::size_t>(element)].ground >= 0;
+}
+
 /// \param store  keeps points that the assembly does not have
 std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   const geometry::Assembly& a = w.model.assembly;
@@ -60,11 +65,12 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const geometry::Joint& j = a.joints[i];
     const bool on_base = j.element_b == geometry::kBase;
-    const bool one = on_base || (j.merged && w.options.merge_sides);
+    const bool on_ground = on_base || is_ground(w, j.element_b);  // which has no points
+    const bool one = on_ground || (j.merged && w.options.merge_sides);
     const NewSide& first = sides.emplace_back(
         NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
                 on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame, j.side_a,
-                one ? 1.0 : 0.5, one && !on_base ? 2 : 1});
+                one ? 1.0 : 0.5, one && !on_ground ? 2 : 1});
     if (one) continue;
     NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, j.frame, {}, 0.5, 1};
     second.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, second.frame));
@@ -73,21 +79,13 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   return sides;
 }
 
-/// The base, or a part of it.
-bool is_ground(const World& w, std::int32_t element) {
-  return element == w.elements.base || w.model.blocks[static_cast<std::size_t>(element)].ground >= 0;
-}
-
 /// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base and its
 /// parts the element's own ℓ counts, and the joint's own stiffness.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
-  const bool behind = is_ground(w, s.master);  // the pair seen from the ground
-  const std::int32_t first = behind ? s.slave : s.master, second = behind ? s.master : s.slave;
-  const bool on_base = is_ground(w, second);
-  const kernels::Face& a = w.faces[static_cast<std::size_t>(behind ? s.slave_face : s.master_face)];
-  const kernels::Face& b = w.faces[static_cast<std::size_t>(behind ? s.master_face : s.slave_face)];
-  double cn = a.compliance_n + (on_base ? 0.0 : b.compliance_n), cs = a.compliance_s + (on_base ? 0.0 : b.compliance_s);
-  if (law.thickness > 0.0 && !on_base) {
+  const kernels::Face& a = w.faces[static_cast<std::size_t>(s.master_face)];
+  const kernels::Face& b = w.faces[static_cast<std::size_t>(s.slave_face)];
+  double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
+  if (law.thickness > 0.0 && !b.is_ground()) {
     const double half = 0.5 * law.thickness;
     const double left = 1.0 - half / a.distance, right = 1.0 - half / b.distance;
     if (left <= 0.0 || right <= 0.0) {
@@ -101,9 +99,9 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   }
   if (law.normal_stiffness) cn += 1.0 / *law.normal_stiffness, cs += 1.0 / *law.shear_stiffness;
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
-  const double mass = a.mass + (on_base ? a.mass : b.mass);  // Eq. 10; with the base 2 ρ_A ℓ_A
-  const double beta =
-      w.elements.body[static_cast<std::size_t>(first)].beta + w.elements.body[static_cast<std::size_t>(on_base ? first : second)].beta;
+  const double mass = a.mass + (b.is_ground() ? a.mass : b.mass);  // Eq. 10; with the ground 2 ρ_A ℓ_A
+  const auto beta_of = [&](std::int32_t e) { return w.elements.body[static_cast<std::size_t>(e)].beta; };
+  const double beta = beta_of(s.master) + beta_of(b.is_ground() ? s.master : s.slave);
   const double step = w.step_of(w.multirate.joint_level_in_cycles(s.master, s.slave));
   const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
   k.cn = c * std::sqrt(mass * k.kn);

@@ -98,7 +98,7 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
   int touching = 0, letting_go = 0, on_base = 0, not_looked = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
-    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0, 2};
+    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
     o.dashpot_excess = seed % 5 == 0 ? kernels::kUnbounded : kernels::kBounded;
     Noise noise(seed);
     Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
@@ -135,7 +135,7 @@ TEST_CASE("vector and plain patches crush the same way, and what is crushed stay
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
     for (Twin* t : {&fast, &plain}) t->crushed.assign(kPadded, 0.0);
-    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0, 2};
+    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
     o.crushing = seed % 2 ? kernels::Crushing{.strength = 4e4, .residual = 1e4, .slope = 2e8, .depth = 5e-4}
                           : kernels::Crushing{.strength = 3e4, .depth = 2e-4};
     Noise noise(100 + seed);
@@ -177,7 +177,7 @@ TEST_CASE("a patch keeps the stiffness of its broken joint against the face it w
     b.place(0, {0.0, 0.0, -1e-5}, {}), b.move(0, {0.0, 0.0, -0.5}, {});  // it was outside before
     for (Twin* t : {&fast, &plain}) {
       t->patch.origin = origin, t->patch.origin_face = origin_face, t->patch.origin_kn = 3e8;
-      t->step(b, bricks, {kStep, 0.0, kFriction, false, 2});
+      t->step(b, bricks, {kStep, 0.0, kFriction});
     }
     compare(fast, plain, 1e3);
     return norm(fast.wrench[0].force);
@@ -199,7 +199,7 @@ TEST_CASE("points that one partner lets go find the next in the same step") {
     TwoBodies b;
     b.place(0, {1e-3 * i, 0.0, -2e-4}, {}), b.move(0, {1e-3 / kStep, 0.0, 0.0}, {});
     fast.travel[0] += 1.001e-3;
-    for (Twin* t : {&fast, &plain}) t->step(b, bricks, {kStep, 1.0, kFriction, false, 2});
+    for (Twin* t : {&fast, &plain}) t->step(b, bricks, {kStep, 1.0, kFriction});
     compare(fast, plain, std::max({1.0, norm(plain.wrench[0].force), norm(plain.wrench[1].force)}));
     CHECK(fast.last.touching == kPoints);
     on_both += fast.on[0] && fast.on[1];
@@ -210,7 +210,7 @@ TEST_CASE("points that one partner lets go find the next in the same step") {
 TEST_CASE("a pair that has parted when a search comes lets its points go") {
   const Bricks bricks;
   Twin t(kernels::advance_patch);
-  const kernels::ContactOptions o{kStep, 1.0, kFriction, false, 2};
+  const kernels::ContactOptions o{kStep, 1.0, kFriction};
   TwoBodies b;
   b.place(0, {0.0, 0.0, -2e-4}, {});
   t.step(b, bricks, o);
@@ -230,7 +230,7 @@ TEST_CASE("points are not looked at only while both bodies together have travell
     Twin t(kernels::advance_patch);
     for (kernels::Candidate& c : t.candidates) c.face = kernels::kNoFace, c.safe = 5e-4;
     t.travel[0] = travel_of_patch, t.travel[1] = travel_of_other;
-    t.step(b, bricks, {kStep, 1.0, kFriction, false, 2});
+    t.step(b, bricks, {kStep, 1.0, kFriction});
     return t.last.touching > 0;
   };
   CHECK(touches(6e-4, 0.0));
@@ -249,7 +249,7 @@ TEST_CASE("a point takes the partner that stops it, then the one it was joined t
       if (other_way_round) std::swap(t->candidates[0], t->candidates[1]);
       TwoBodies b;
       b.place(0, {0.0, 0.0, z}, {});
-      t->step(b, bricks, {kStep, 1.0, kFriction, false, 2});
+      t->step(b, bricks, {kStep, 1.0, kFriction});
     }
     CHECK(fast.partner == plain.partner);
     CHECK(std::count(fast.partner.begin(), fast.partner.begin() + kPoints, fast.partner[0]) == kPoints);
@@ -276,7 +276,7 @@ TEST_CASE("a point that is found deep has no force at first and then carries wha
         TwoBodies b;
         b.place(0, {0.0, 0.0, z}, {});
         t.travel[0] += 1e-3;
-        t.step(b, bricks, {kStep, 0.0, kFriction, false, 2});
+        t.step(b, bricks, {kStep, 0.0, kFriction});
         return t.on[0] != 0 ? norm(t.wrench[0].force) : 0.0;
       };
       CHECK(force_at(-depth) < 1e-9 * stiffness);
@@ -292,7 +292,7 @@ TEST_CASE("a point deep under the top that came in past an edge is held by the s
     Twin t(*kernel);
     TwoBodies b;
     b.place(0, {-0.17 + 1e-5, 0.0, -5e-3}, {}), b.move(0, {1.0, 0.0, 0.0}, {});  // the foremost three points are 10 um past the end
-    t.step(b, bricks, {kStep, 0.0, kFriction, false, 2});
+    t.step(b, bricks, {kStep, 0.0, kFriction});
     CHECK(t.last.touching == 3);
     CHECK(std::count(t.face.begin(), t.face.end(), 6) == 3);
     REQUIRE(t.on[0] != 0);
@@ -305,7 +305,7 @@ TEST_CASE("a point that comes in past an edge is held by the face it crossed, or
   const Bricks bricks;
   for (auto* kernel : {kernels::advance_patch, kernels::advance_patch_reference}) {
     for (const bool crossed : {true, false}) {
-      kernels::ContactOptions o{kStep, 1.0, kFriction, false, 2};
+      kernels::ContactOptions o{kStep, 1.0, kFriction};
       o.crossed_faces = crossed;
       Twin twin(*kernel);
       // The lower face of brick 0 is half way down brick 1 and moves in from its side at x = 0.1.

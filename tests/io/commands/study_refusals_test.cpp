@@ -50,6 +50,24 @@ TEST_CASE("outcomes and verdict: runs of two versions are no one table") {
   CHECK(shell::code_of(script("outcomes.py") + now + " " + folder.write("without.csv", without.text()) + " >/dev/null") == 0);
 }
 
+TEST_CASE("versions: physics 14 has the results of 13, but for cases with parts of the base or with blocks kept level") {
+  const TempFolder folder;
+  const auto table = [&](const std::string& name, const std::string& record, const std::string& version) {
+    Table t;
+    t.add("flat20n", record, with(kStands, {{"identity", record}, {"version", version}}));
+    return " " + folder.write(name, t.text());
+  };
+  const std::string earlier = table("earlier.csv", "bam-like#1", "0.1.0 (physics 13)"),
+                    later = table("later.csv", "bam-like#2", "0.1.0 (physics 14)");
+  CHECK(shell::code_of(script("outcomes.py") + earlier + later + " >/dev/null") == 0);
+  const std::string mine = folder.write("mine.toml", "include = \"stone-house\"\n"), out = folder.path("differ"),
+                    level = folder.write("level.toml", "[analysis]\nkind = \"pushover\"\nlevel = true\n");
+  REQUIRE(shell::code_of("/usr/bin/python3 -c 'import sys; sys.path.insert(0, \"" + shell::source("scripts/study") +
+                         "\"); import versions; print(*(versions.differs(c, o) for c, o in [(\"stone-house\", []), (\"" + mine +
+                         "\", []), (\"" + level + "\", []), (\"flat20n\", []), (\"flat20n\", [\"analysis.level=true\"])]))' >" + out) == 0);
+  CHECK(text_of(out) == "True True True False True\n");
+}
+
 TEST_CASE("a study without a program says what to do") {
   const TempFolder folder;
   const std::string file = folder.write("study.toml", "cases = [\"flat20n\"]\n"), log = folder.path("log");

@@ -161,6 +161,10 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(column(taken, "options") == Values{"as_it_is", "as_it_is"});
   CHECK(column(taken, "state_hash") == column(table, "state_hash"));
   CHECK_FALSE(std::filesystem::exists(folder.path("other/runs")));
+  std::string earlier = text_of(table);
+  for (std::size_t at = 0; (at = earlier.find("physics 14", at)) != std::string::npos;) earlier.replace(at, 10, "physics 13");
+  CHECK(study(folder, file, "--cores 2 --known " + folder.write("earlier.csv", earlier), "earlier") == 0);  // see versions.py
+  CHECK_FALSE(std::filesystem::exists(folder.path("earlier/runs")));
   std::string other = text_of(table);
   other.replace(other.find("physics "), 8, "physics 1");
   CHECK(elsewhere(folder.write("known.csv", other)) == 2);

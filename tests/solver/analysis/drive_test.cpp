@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
@@ -76,4 +78,25 @@ TEST_CASE("drive: the step bears the spring of loads with an arm and a moment, a
   const Chosen r = chosen(c);
   CHECK(r.drive.weight == doctest::Approx(40.0));
   CHECK(r.drive.stiffness * square / r.drive.weight == doctest::Approx(2e-3 * 4.0 / (r.dt * r.dt)).epsilon(1e-9));
+}
+
+TEST_CASE("drive: the rotations of blocks that are kept level are no modes, however many there are") {
+  const auto frequency = [](int piers) {
+    cases::Case c = pier(3, cases::LoadPattern::given);
+    c.analysis.level = true;
+    const std::vector<cases::BlockSpec> one = c.blocks;
+    c.loads = {push(one.back().name, {10.0, 0.0, 0.0})};
+    for (int k = 1; k < piers; ++k) {
+      for (cases::BlockSpec b : one) {
+        b.name += " of " + std::to_string(k);
+        for (Vec3& corner : *b.box) corner.x += 2.0 * k;
+        c.blocks.push_back(b);
+      }
+      c.loads.push_back(push(c.blocks.back().name, {10.0, 0.0, 0.0}));
+    }
+    return chosen(c).drive.frequency;
+  };
+  const double one = frequency(1);
+  CHECK(one != doctest::Approx(10.0));  // what is taken where there is no mode at all
+  CHECK(frequency(6) == doctest::Approx(one).epsilon(1e-6));
 }
