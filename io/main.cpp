@@ -10,15 +10,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
 
 #include "io/case_file/case_file.h"
 #include "io/commands/assess/assess_command.h"
 #include "io/commands/assess/assess_options.h"
 #include "io/commands/assess/limit_command.h"
 #include "io/commands/bench_command.h"
+#include "io/commands/command_word.h"
 #include "io/commands/compare_command.h"
 #include "io/commands/modes_command.h"
 #include "io/commands/motion_options.h"
+#include "io/commands/number_range.h"
 #include "io/commands/report_command.h"
 #include "io/commands/resume_command.h"
 #include "io/commands/run_command.h"
@@ -109,15 +114,15 @@ void add_case(CLI::App* command, Words& w) {
 
 void add_checkpoints(CLI::App* command, io::CheckpointSchedule& schedule) {
   command->add_option("--checkpoint-every", schedule.wall_clock, "wall-clock between two checkpoints, s (default 300)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(io::number_range(0.0, 1e12));
   command->add_option("--checkpoint-simulated", schedule.simulated, "simulated time between two checkpoints, s, if that comes sooner")
-      ->check(CLI::PositiveNumber);
+      ->check(io::number_range(1e-9, 1e12));
 }
 
 void add_views(CLI::App* command, io::Views& views) {
   command->add_flag("--report", views.page, "at the end write the page that `voussoir report` writes");
   command->add_option("--report-every", views.page_every, "write it while the run goes on, too: every so many s of wall-clock")
-      ->check(CLI::PositiveNumber);
+      ->check(io::number_range(1e-9, 1e12));
   command->add_flag("--paraview", views.paraview, "at the end write run.xdmf and paraview.h5 (0.3 MB a frame of a house)");
 }
 
@@ -147,7 +152,7 @@ void add_run(CLI::App& app, Words& w) {
 void add_bench(CLI::App& app, Words& w) {
   CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment, and where it goes; thread scaling");
   add_case(bench, w);
-  bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(CLI::NonNegativeNumber);
+  bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(io::number_range(0.0, 1e12));
   bench
       ->add_option("--batches", w.bench.batches,
                    "a figure is the median of so many batches of steps (default: 15, up to 60 if the machine is seldom quiet)")
@@ -195,7 +200,7 @@ void add_report(CLI::App& app, Words& w) {
   report->add_option("--stills", w.report.times, "pictures at these times, s, instead of the page: T,T,... or T T ...; needs Chromium");
   report->add_option("--film", w.report.film.file, "a film instead of the page: FILE.mp4, .webm or .gif; needs Chromium and ffmpeg");
   report->add_option("--speed", w.report.film.speed, "of the film: 0.25 is four times slower than it was (default: 1)")
-      ->check(CLI::Range(0.001, 100.0));
+      ->check(io::number_range(0.001, 100.0));
   report->add_option("--rate", w.report.film.rate, "pictures a second of the film (default: 25)")->check(CLI::Range(1, 50));
   report->add_option("--view", w.report.views, "of the pictures or the film: " + joined(io::kViews) + ", or some of them (default: corner)")
       ->delimiter(',')
@@ -333,6 +338,14 @@ void open_many_files() {
 
 }  // namespace
 
+/// What was told has arrived: on a full disk it has not. \return the exit code
+int told(int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;
+  std::fprintf(stderr, "voussoir: standard output cannot be written\n");
+  return code == io::kDone ? io::kFileFault : code;
+}
+
 int main(int argc, char** argv) {
   open_many_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
@@ -359,10 +372,11 @@ int main(int argc, char** argv) {
   app.add_subcommand("keys", "all keys of the case file")->add_flag("--markdown", w.markdown, "as tables, for a page");
   add_manual(app, w);
   try {
+    if (argc > 1) io::check_command_word(app, argv[1]);
     app.parse(argc, argv);
     io::let_threads_sleep(argv, w.threads, takes_long(app));
     io::use_threads(w.threads);
-    return dispatch(app, w);
+    return told(dispatch(app, w));
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;
   } catch (const solver::NumericalError& e) {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "cases/case.h"
+#include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
 #include "solver/run/collapse.h"
@@ -17,6 +19,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPiece = 0.5;       // m, along a wall and up it
 constexpr double kSameLevel = 1e-3;  // m
+constexpr double kSameTime = 1e-3;   // s
 
 constexpr double kGone = 1.0;  // m: what has moved so far is no part of its wall any more
 
@@ -125,10 +128,22 @@ void read_base_shear(const Hdf5File& run, Assessment& out) {
 }
 
 /// Goes through the frames once.
+/// Heights of storeys above the base must lie in the walls.
+void check_levels(const Building& b, const std::vector<double>& heights) {
+  double top = 0.0;
+  for (const Wall& w : b.walls) top = std::max(top, w.box.high[2] - b.base);
+  for (const double h : heights) {
+    if (!(h >= -kSameLevel && h <= top + kSameLevel))
+      throw cases::InputError("--levels",
+                              "= " + cases::text(h) + " m; allowed: from 0 to " + cases::text(top) + " m, the top of the walls");
+  }
+}
+
 class Assessor {
  public:
   Assessor(const Hdf5File& run, const Building& building, const std::vector<double>& heights)
       : frames_(run), building_(building), start_(first_poses(frames_)) {
+    check_levels(building, heights);
     std::vector<std::int32_t> houses;
     for (std::size_t w = 0; w < building.walls.size(); ++w) {
       out_.walls.push_back({building.walls[w].name, building.walls[w].thickness(), {}, 0, {}});
@@ -149,6 +164,10 @@ class Assessor {
     const std::vector<double>& times = frames_.times();
     std::size_t now = times.size() - 1;
     if (time) {
+      if (!(*time >= times.front() - kSameTime && *time <= times.back() + kSameTime)) {
+        throw cases::InputError("--time", "= " + cases::text(*time) + " s; allowed: from " + cases::text(times.front()) + " to " +
+                                              cases::text(times.back()) + " s, the times of the frames");
+      }
       for (std::size_t f = 0; f < times.size(); ++f)
         if (std::abs(times[f] - *time) < std::abs(times[now] - *time)) now = f;
     }

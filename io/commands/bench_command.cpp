@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cases/census.h"
+#include "cases/names.h"
 #include "io/bench/bench_rows.h"
 #include "io/bench/bench_stages.h"
 #include "io/bench/bench_table.h"
@@ -165,9 +166,12 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   if (o.batches > 0) timing.least = timing.most = o.batches;
   timing.steps = o.steps;
   std::vector<Limits> best;
+  bool several_rates = false;
   for (const bool gather : {false, true}) {
+    if (several_rates) break;  // by colour alone
     auto holder = build(gather);
     solver::Simulation& sim = *holder->sim;
+    several_rates = sim.world().multirate.on();
     sim.set_threads(counts.back());
     advance_to(sim, o.after);
     holder->plan.shaking |= sim.phase() == solver::Phase::shaking;
@@ -213,6 +217,8 @@ int bench_command(const LoadedCase& c, const BenchOptions& o) {
 }
 
 int bench_checkpoint(const std::string& path, const BenchOptions& o) {
+  if (o.after > 0.0)
+    throw cases::InputError("--after", "= " + cases::text(o.after) + " s; a checkpoint is measured as it stands, leave it out");
   const auto build = [&](bool gather) {
     Checkpoint checkpoint = read_checkpoint(path);
     cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;

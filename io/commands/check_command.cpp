@@ -126,7 +126,8 @@ double settling_time(const cases::Case& c) {
   return ramp + std::min(c.gravity.settle_limit, kWaitForRest);
 }
 
-void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
+/// \return whether the first steps can be made
+bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
   const double sides = static_cast<double>(n.joint_sides);
   const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
@@ -134,6 +135,7 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   const double frames = std::floor(c.end() / interval) + 1.0;
   const double rows = c.end() / c.output.history_interval;
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
+  bool sound = true;
   try {
     const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
     std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
@@ -143,9 +145,11 @@ void print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
                   cases::text(c.end()).c_str());
   } catch (const solver::NumericalError& e) {
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
+    sound = false;
   }
   std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", memory / kMegabyte, disk / kMegabyte,
               cases::text(interval).c_str());
+  return sound;
 }
 
 /// What the files of stones gave, and what was done to them.
@@ -188,14 +192,14 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_parts(n);
   print_bill(n, model);
   print_tie_bill(model);
-  print_estimate(c.value, n, sim);
+  const bool sound = print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
   }
   warn_of_slips(c.value, model);
-  std::printf("\nno faults found\n");
-  return kDone;
+  std::printf(sound ? "\nno faults found\n" : "\na fault: the first steps go wrong, see estimate\n");
+  return sound ? kDone : kInputFault;
 }
 
 int cases_command() {

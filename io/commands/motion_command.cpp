@@ -92,6 +92,9 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
     throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
   std::error_code error;
   if (o.spectra && !o.overwrite && fs::exists(*o.spectra, error)) throw FileError(*o.spectra, "exists; --overwrite replaces it");
+  for (const std::string& argument : arguments) {
+    if (o.spectra && fs::equivalent(argument, *o.spectra, error)) throw FileError(*o.spectra, "is the record itself; name another file");
+  }
   if (o.write && arguments.size() != 1) {
     throw cases::InputError("--write", std::to_string(arguments.size()) + " records named; allowed: one");
   }

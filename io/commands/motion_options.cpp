@@ -5,13 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "io/commands/number_range.h"
+
 namespace voussoir::io {
 namespace {
 
 /// The keys of [motion] of the same names.
 void add_treatment(CLI::App& command, cases::MotionTreatment& t) {
-  command.add_option("--from", t.from, "s: begin there, and call it time zero")->check(CLI::NonNegativeNumber);
-  command.add_option("--to", t.to, "s, of the record: end there")->check(CLI::PositiveNumber);
+  command.add_option("--from", t.from, "s: begin there, and call it time zero")->check(number_range(0.0, 1e9));
+  command.add_option("--to", t.to, "s, of the record: end there")->check(number_range(1e-9, 1e9));
   const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
                                                          {"mean", cases::Baseline::mean},
                                                          {"linear", cases::Baseline::linear},
@@ -21,7 +23,7 @@ void add_treatment(CLI::App& command, cases::MotionTreatment& t) {
   command
       .add_option_function<double>(
           "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_range(0.0, 1e9));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "io/commands/run_command.h"
 #include "io/files/run_folder.h"
 #include "io/results/base_motion.h"
+#include "io/results/case_of_run.h"
 #include "io/session/restored_run.h"
 #include "io/session/session.h"
 
@@ -71,6 +72,15 @@ void take_end(const std::string& folder, const Found& found, cases::Case& saved)
   if (there.end() > found.checkpoint.facts.time) saved = std::move(sent_further);
 }
 
+/// Nor may results of another case be gone on with.
+void check_results(const std::string& run, const Found& found, const cases::Case& saved) {
+  cases::Case there = case_of_run(Hdf5File::open(run));
+  there.set_end(saved.end());
+  there.time.after_collapse = saved.time.after_collapse;
+  const std::string what = difference(resolved_toml(there), resolved_toml(saved));
+  if (!what.empty()) throw FileError(run, "is not of the case of " + found.path + ": " + what + "; results of two runs do not go together");
+}
+
 /// How far results say that they came.
 struct Extent {
   bool finished = false, merged = false;
@@ -105,6 +115,7 @@ int resume_command(const ResumeOptions& o) {
   if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
   cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;
   take_end(folder.path(), found, c);
+  check_results(run, found, c);
   const Extent there = extent_of(run);
   if (!o.until && there.finished && there.merged) {
     std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), there.end);
@@ -117,12 +128,12 @@ int resume_command(const ResumeOptions& o) {
   const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
 
   const std::string resolved = resolved_toml(r->value);
-  folder.write_case(resolved);
   ResultsOptions keep;
   keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt(), r->sim->cycle());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
+  folder.write_case(resolved);  // once the results are known to be whole
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);

@@ -17,6 +17,18 @@
 
 namespace voussoir::io {
 
+namespace {
+
+/// A step that the case or --dt gives may be too large.
+void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
+  if (!c.time.step) return;
+  const double bound = cases::census(model).step_bound;
+  if (dt <= bound) return;
+  std::fprintf(stderr, "voussoir: warning: the step of %.4g s is above its bound, %.4g s (Eq. 19): the run may diverge\n", dt, bound);
+}
+
+}  // namespace
+
 int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
   const cases::Model model = prepared_model(c.value);
@@ -29,6 +41,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);
   warn_of_slips(c.value, model);
+  warn_of_step(c.value, model, sim.world().dt);
 
   cases::Case used = anchored(c.value);
   used.output.frame_interval = cases::frame_interval(used, model.blocks.size());

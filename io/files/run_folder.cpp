@@ -53,7 +53,10 @@ bool is_result(const std::string& found) {
   const std::string name = final_name(found);
   for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "limit.json"})
     if (name == own) return true;
-  return name.starts_with("checkpoint-") && name.ends_with(".h5");
+  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
+  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return false;
+  const std::string which = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
+  return which == "failed" || digits_only(which);
 }
 
 std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(const std::string&)) {
@@ -61,7 +64,7 @@ std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(cons
   if (!fs::is_directory(folder)) return names;
   for (const auto& entry : fs::directory_iterator(folder))
     if (chosen(entry.path().filename().string())) names.push_back(entry.path().filename().string());
-  // run.h5 last in the alphabet, but first to go: a half-removed run must not look like results.
+  // From the end of the alphabet: run.xdmf and run.h5 go first, since a half-removed run must not look like results.
   std::ranges::sort(names, std::greater<>());
   return names;
 }

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <numbers>
 #include <ostream>
+#include <sstream>
 
 #include "cases/case.h"
 #include "cases/names.h"
 #include "io/files/errors.h"
+#include "io/files/whole_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -130,7 +131,7 @@ std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& compo
 void write_spectra(const Spectra& s, const std::string& path) {
   std::vector<double> frequencies;
   for (int i = 0; i < kFrequencies; ++i) frequencies.push_back(kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)));
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  std::ostringstream out;
   out << "record,component,damping,frequency [Hz],period [s],Sd [m],Sv [m/s],Sa [m/s2]\n";
   std::vector<std::vector<Curve>> of_damping;
   for (const double damping : s.damping) of_damping.push_back(curves(s, damping, frequencies));
@@ -142,8 +143,7 @@ void write_spectra(const Spectra& s, const std::string& path) {
     }
   }
   if (s.target) write_target(out, s, frequencies);
-  out.close();
-  if (!out) throw FileError(path, "cannot be written");
+  write_text_file(path, out.str());
 }
 
 void print_fits(const Spectra& s, std::ostream& out) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "io/document/case_tree.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
 #include "io/files/text_file.h"
+#include "io/files/whole_file.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_text.h"
 
@@ -45,13 +45,6 @@ std::string shortest(double value) {
   char buffer[32];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
   return {buffer, end};
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (!out) throw FileError(path, "cannot be written");
 }
 
 std::string csv_of(const cases::Accelerogram& a) {
@@ -125,7 +118,7 @@ void write_record_folder(const Record& record, const std::string& folder, bool o
   }
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
-  for (const auto& [path, text] : files) write_text(path, text);
+  for (const auto& [path, text] : files) write_text_file(path, text);
 }
 
 }  // namespace voussoir::io

@@ -84,8 +84,13 @@ void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
     ffmpeg.write(from_base64(browser.evaluate("opened.then((report) => report.shot(" + at(i) + ", " + view + ", " + kSize + next + "))")));
   }
   ffmpeg.finish();
-  fs::copy_file(made, o.file, fs::copy_options::overwrite_existing, none);
-  if (none) throw FileError(o.file, "cannot be written: " + none.message());
+  const std::string beside = own_temporary(o.file);
+  if (!fs::copy_file(made, beside, fs::copy_options::overwrite_existing, none)) {
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    throw FileError(o.file, "cannot be written: " + none.message());
+  }
+  replace_file(beside, o.file);
   std::printf("%s  %ld pictures, %.1f s, %.1f MB\n", o.file.c_str(), pictures, static_cast<double>(pictures) / o.rate,
               1e-6 * static_cast<double>(fs::file_size(o.file)));
 }

@@ -69,13 +69,18 @@ void Checkpoints::save(solver::Simulation& sim, solver::RunState& plan, const Ro
   saved_at_ = sim.time();
   write(folder_ + "/" + name_of(next_), sim, plan, rows);
   ++next_;
-  // What cannot be removed does no harm.
-  std::error_code ignored;
+  remove_old();
+}
+
+void Checkpoints::remove_old() const {
   int whole = 0;
-  for (const std::string& path : checkpoint_files(folder_)) {
-    if (whole == kKept) fs::remove(path, ignored);
-    const long number = number_in(path);
-    if (whole < kKept && (number < damaged_first_ || number >= damaged_last_)) ++whole;
+  try {
+    for (const std::string& path : checkpoint_files(folder_)) {
+      if (whole == kKept) fs::remove(path);
+      const long number = number_in(path);
+      if (whole < kKept && (number < damaged_first_ || number >= damaged_last_)) ++whole;
+    }
+  } catch (const fs::filesystem_error&) {  // what cannot be listed or removed does no harm
   }
 }
 

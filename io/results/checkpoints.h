@@ -35,6 +35,7 @@ class Checkpoints {
  private:
   using Clock = std::chrono::steady_clock;
   void write(const std::string& path, solver::Simulation& sim, solver::RunState& plan, const RowCounts& rows);
+  void remove_old() const;
 
   std::string folder_;
   CheckpointFacts facts_;

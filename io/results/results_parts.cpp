@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -176,12 +177,13 @@ void remove_parts(const std::string& folder, std::size_t from) noexcept {
   namespace fs = std::filesystem;
   std::error_code ignored;
   std::vector<fs::path> gone;
-  for (const auto& entry : fs::directory_iterator(folder + "/parts", ignored)) {
-    const std::string name = entry.path().filename().string();
-    const std::size_t digits = name.find_first_not_of("0123456789");
-    if (digits == 0 || digits == std::string::npos) continue;
-    const std::string rest = name.substr(digits);
-    if (rest == ".h5.tmp" || (rest == ".h5" && std::stoul(name.substr(0, digits)) >= from)) gone.push_back(entry.path());
+  fs::directory_iterator entry(folder + "/parts", ignored);
+  for (; !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
+    const std::string_view rest(end, name.data() + name.size());
+    if (fault == std::errc{} && (rest == ".h5.tmp" || (rest == ".h5" && number >= from))) gone.push_back(entry->path());
   }
   for (const fs::path& path : gone) fs::remove(path, ignored);
   fs::remove(folder + "/parts", ignored);

@@ -75,6 +75,8 @@ class VtuReader {
       faces = whole_numbers("faces"), face_ends = whole_numbers("faceoffsets");
     const std::vector<double> element = arrays_.cell_data("element");
     if (!element.empty() && element.size() != types.size()) fault("its cell array element is not as long as its types");
+    if (!std::ranges::all_of(element, [](double e) { return std::isfinite(e); }))
+      fault("its cell array element has values that are not finite");
     std::int64_t start = 0;
     for (std::size_t c = 0; c < types.size(); ++c) {
       if (ends[c] < start || ends[c] > static_cast<std::int64_t>(corners.size()))

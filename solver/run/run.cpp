@@ -165,6 +165,7 @@ class Plan {
       const bool history = n % history_ == 0, ledger = n % ledger_ == 0 || n == last_;
       if (n % frame_ == 0 || n == last_) {
         const StageTimer timer(sim_.stage_times(), Stage::output);
+        sim_.check_speeds();
         report_.frame();
         if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
       }
@@ -180,6 +181,7 @@ class Plan {
       report_.ledger(time);
       check_residual(sim_);
     }
+    sim_.check_speeds();
     return true;
   }
 

@@ -205,7 +205,8 @@ void Simulation::take_samples() {
   }
 }
 
-void Simulation::guard() {
+/// Of the largest speed [m2/s2]. \throw NumericalError
+double Simulation::fastest_square() {
   const Elements& e = world_->elements;
   const auto squares = [&](std::int64_t i) {
     const auto k = static_cast<std::size_t>(i);
@@ -221,12 +222,8 @@ void Simulation::guard() {
     for (std::int64_t i = first; i < last; ++i) v2 = std::max(v2, sound(i) ? squares(i).first : std::numeric_limits<double>::infinity());
     return v2;
   });
-  if (most < kFastest * kFastest) {
-    peak_speed_ = std::max(peak_speed_, std::sqrt(most));
-    return;
-  }
+  if (most < kFastest * kFastest) return most;
   for (std::int32_t i = 0; i < e.count; ++i) {
-    peak_speed_ = std::max(peak_speed_, std::sqrt(squares(i).first));
     if (sound(i)) continue;
     const auto k = static_cast<std::size_t>(i);
     char text[400];
@@ -236,6 +233,7 @@ void Simulation::guard() {
                   0.5 * world_->dt);
     throw NumericalError(text);
   }
+  return most;
 }
 
 std::string Simulation::fastest_element() const {
@@ -350,7 +348,7 @@ void Simulation::step(Due due) {
   }
   if (due.ledger) ledger_.after_drift(w, body_forces(0), t);
   ++step_;
-  if (step_ % kGuardInterval == 0) guard();
+  if (step_ % kGuardInterval == 0) peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_square()));
 }
 
 // The row of the first step knows of no motion yet, and one from before the last step was perhaps of the ramp.

@@ -74,6 +74,8 @@ class Simulation {
   /// Cracks since the last call; the caller clears it.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
+  /// Throws NumericalError if an element moves faster than anything can, or at no number.
+  void check_speeds() { (void)fastest_square(); }
   /// Wall-clock by stage since the simulation was built; others add their own (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }
   [[nodiscard]] const StageTimes& stage_times() const { return times_; }
@@ -104,7 +106,7 @@ class Simulation {
   template <class Work>
   double over_due_elements(Work work);
   void note_move(double moved);
-  void guard();
+  double fastest_square();
   /// How elements of one level (multirate.h) are moved on.
   struct Move {
     kernels::BodyForces forces;

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace voussoir::io {
+
+/// Refuses a first word that is neither a command nor an option, and names the command that it may be. \throw cases::InputError
+void check_command_word(const CLI::App& app, const std::string& word);
+
+}  // namespace voussoir::io
