@@ -16,10 +16,6 @@ void put(Cells& cells, const char* format, double value) {
   cells.emplace_back(text);
 }
 
-void refuse_to_replace(const std::string& path, bool overwrite) {
-  if (!overwrite && std::filesystem::exists(path)) throw FileError(path, "exists; give another name or --overwrite");
-}
-
 BenchTable::BenchTable(Cells header, const std::string& path) : header_(std::move(header)) {
   if (path.empty()) return;
   file_.open(path);

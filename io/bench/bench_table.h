@@ -14,9 +14,6 @@ using Cells = std::vector<std::string>;
 /// Appends a number; printf's format.
 void put(Cells& cells, const char* format, double value);
 
-/// \throw FileError if the file exists, unless it is to be replaced
-void refuse_to_replace(const std::string& path, bool overwrite);
-
 /// A table of which the screen shows each row as soon as it is there, and a CSV file, if one is wanted, keeps all.
 class BenchTable {
  public:

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include "io/case_file/case_tables.h"
 
@@ -33,7 +34,7 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   only("pace", s.pace.has_value(), slow, any_slow);
   only("damping", s.damping.has_value(), slow, any_slow);
   only("longest", s.longest != plain.longest, slow, any_slow);
-  if (s.direction[0] == 0.0 && s.direction[1] == 0.0) check.fault("direction", "has no direction");
+  if (std::hypot(s.direction[0], s.direction[1]) < kShortestVector) check.fault("direction", "has no direction");
   if (kind == AnalysisKind::cyclic && s.amplitudes.empty()) check.fault("amplitudes", "is missing: give those of the cycles (m, > 0)");
   if (std::ranges::any_of(s.amplitudes, [](double a) { return a <= 0.0; })) check.fault("amplitudes", "must all be > 0 (m)");
 }

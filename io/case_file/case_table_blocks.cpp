@@ -17,7 +17,7 @@ Table<Rotation> rotation_table() {
            value<S>("angle", &S::angle, "degrees", any(), "angle, by the right hand"),
            value<S>("about", &S::about, "m", any(), "a point of the axis")},
           [](const S& s, const RuleCheck& check) {
-            if (s.axis == Vec3{}) check.fault("axis", "has no direction");
+            if (norm(s.axis) < kShortestVector) check.fault("axis", "has no direction");
           }};
 }
 
@@ -145,7 +145,7 @@ Table<Cut> cut_table() {
           [](const S& s, const RuleCheck& check) {
             if (!can_name_history(s.name))
               check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
-            if (s.normal == Vec3{}) check.fault("normal", "has no direction");
+            if (norm(s.normal) < kShortestVector) check.fault("normal", "has no direction");
             if (!s.box) return;
             const auto& [low, high] = *s.box;
             if (!(low.x < high.x && low.y < high.y && low.z < high.z))

@@ -15,7 +15,7 @@ Key<StonesSpec> turn_key() {
                        value<S>("angle", &S::angle, "degrees", any(), "angle, by the right hand"),
                        value<S>("about", &S::about, "m", any(), "a point of the axis")},
                       [](const S& s, const RuleCheck& check) {
-                        if (s.axis == Vec3{}) check.fault("axis", "has no direction");
+                        if (norm(s.axis) < kShortestVector) check.fault("axis", "has no direction");
                       }};
   Key<StonesSpec> key = table<StonesSpec>("turn", &StonesSpec::turn, turn);
   key.read = [as_table = key.read, info = key.info](const Node& node, StonesSpec& s, Reading& reading, const std::string& path) {

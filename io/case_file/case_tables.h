@@ -8,6 +8,8 @@
 /// The option tables of the case file; `case_table` is the root and holds the others.
 namespace voussoir::io {
 
+inline constexpr double kShortestVector = 1e-100;  // a shorter one has no direction: its square is 0
+
 Table<cases::Case> case_table();
 Table<cases::House> house_table();
 Table<cases::Motion> motion_table();

@@ -21,6 +21,7 @@
 #include "io/bench/bench_timing.h"
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/scratch_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/session/prepared_case.h"
@@ -157,7 +158,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   if (!o.csv.empty() && fs::weakly_canonical(o.csv) == fs::weakly_canonical(o.stages_csv)) {
     throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
   }
-  for (const std::string& path : {o.csv, o.stages_csv}) refuse_to_replace(path, o.overwrite);
+  for (const std::string& path : {o.csv, o.stages_csv}) check_output(path, o.overwrite);
   const ScratchFolder scratch;
   BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
   const cases::Census census = cases::census(model);

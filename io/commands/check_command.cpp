@@ -15,6 +15,7 @@
 #include "io/case_file/catalogue.h"
 #include "io/commands/run_command.h"
 #include "io/drawing/drawing.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
 #include "io/session/prepared_case.h"
@@ -170,6 +171,7 @@ void print_stones(const cases::Case& c) {
 }  // namespace
 
 int check_command(const LoadedCase& c, const CheckOptions& o) {
+  check_output(o.draw, o.overwrite);
   const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
   solver::Options options;

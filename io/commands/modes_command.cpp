@@ -9,6 +9,7 @@
 
 #include "io/commands/run_command.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/report/vtu_file.h"
 #include "io/session/prepared_case.h"
@@ -81,9 +82,7 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
 }  // namespace
 
 int modes_command(const LoadedCase& loaded, const ModesOptions& o) {
-  std::error_code none;
-  if (!o.shapes.empty() && !o.overwrite && std::filesystem::exists(o.shapes, none))
-    throw FileError(o.shapes, "exists; --overwrite replaces it");
+  check_output(o.shapes, o.overwrite);
   cases::Case c = loaded.value;
   const cases::Model model = prepared_model(c);
   const std::vector<solver::Mode> modes =

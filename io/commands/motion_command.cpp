@@ -14,6 +14,7 @@
 #include "cases/motion/treatment.h"
 #include "cases/names.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_files.h"
 #include "io/motion/motion_spectra.h"
@@ -91,7 +92,7 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   if ((o.spectra || o.target) && o.damping.empty())
     throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
   std::error_code error;
-  if (o.spectra && !o.overwrite && fs::exists(*o.spectra, error)) throw FileError(*o.spectra, "exists; --overwrite replaces it");
+  if (o.spectra) check_output(*o.spectra, o.overwrite);
   for (const std::string& argument : arguments) {
     if (o.spectra && fs::equivalent(argument, *o.spectra, error)) throw FileError(*o.spectra, "is the record itself; name another file");
   }

@@ -2,23 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
-
-#include "cases/names.h"
+namespace CLI {
+class Validator;
+}
 
 namespace voussoir::io {
 
 /// For an option that is a number from `low` to `high`. CLI::Range lets NaN pass.
-inline CLI::Validator number_range(double low, double high) {
-  const std::string allowed = "from " + cases::text(low) + " to " + cases::text(high);
-  return CLI::Validator(
-      [low, high, allowed](const std::string& word) {
-        double value = 0.0;
-        const bool is_number = CLI::detail::lexical_cast(word, value);
-        return is_number && value >= low && value <= high ? std::string() : word + " is out of range; allowed: a number " + allowed;
-      },
-      "", "");
-}
+CLI::Validator number_range(double low, double high);
 
 }  // namespace voussoir::io

@@ -8,6 +8,7 @@
 
 #include "cases/loose_model.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/scratch_folder.h"
 #include "io/files/text_file.h"
 #include "io/report/report_data.h"
@@ -95,8 +96,7 @@ int view_command(const LoadedCase& c, const ViewOptions& o) {
   const std::string page = !o.still.empty()   ? o.still
                            : o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html"
                                               : o.output;
-  std::error_code none;
-  if (!o.overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
+  check_output(page, o.overwrite);
   const Shown s = shown(c);
   const ScratchFolder scratch;
   {

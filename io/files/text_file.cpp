@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/whole_file.h"
 
 namespace voussoir::io {
@@ -33,8 +34,8 @@ std::string read_text_file(const std::string& path, std::size_t largest) {
 }
 
 void write_text_file(const std::string& path, std::string_view text, bool overwrite) {
+  refuse_to_replace(path, overwrite);
   std::error_code error;
-  if (!overwrite && fs::exists(path, error)) throw FileError(path, "exists; --overwrite replaces it");
   if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return write_text_file(path, std::string(text));
   std::ofstream out(path, std::ios::binary);  // a pipe or a device
   out.write(text.data(), static_cast<std::streamsize>(text.size()));

@@ -10,6 +10,7 @@
 #include "io/document/case_tree.h"
 #include "io/document/case_values.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/files/whole_file.h"
 #include "io/motion/motion_files.h"
@@ -113,9 +114,7 @@ void write_record_folder(const Record& record, const std::string& folder, bool o
   }
   files.emplace_back((fs::path(folder) / "record.toml").string(), description);
   std::error_code error;
-  for (const auto& [path, text] : files) {
-    if (!overwrite && fs::exists(path, error)) throw FileError(path, "exists; --overwrite replaces it");
-  }
+  for (const auto& [path, text] : files) refuse_to_replace(path, overwrite);
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
   for (const auto& [path, text] : files) write_text_file(path, text);

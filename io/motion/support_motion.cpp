@@ -41,13 +41,15 @@ bool is_header(std::string_view line) {
   }
 }
 
-/// Units that the columns of a header state, if they state any. \param unit  of x, y, z
+/// Units that the columns of a header state, if they state any; time comes first. \param unit  of x, y, z
 void check_units(const std::string& path, long line, std::string_view header, std::string_view unit) {
   for (std::size_t column = 0;; ++column) {
     const std::size_t comma = header.find(',');
     const std::string_view name = trimmed(header.substr(0, comma)), stated = bracketed(name), wanted = column == 0 ? "s" : unit;
     if (!stated.empty() && stated != wanted)
       throw FileError(path, line, "unit of column " + shown(name) + " is " + shown(stated) + "; allowed: " + std::string(wanted));
+    if (column == 0 && !name.empty() && std::string_view("xyzXYZ").find(name.front()) != std::string_view::npos)
+      throw FileError(path, line, "column " + shown(name) + " comes first; wanted: t [s], x, y, z [" + std::string(unit) + "]");
     if (comma == std::string_view::npos) return;
     header.remove_prefix(comma + 1);
   }

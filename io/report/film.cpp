@@ -12,9 +12,10 @@
 #include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
+#include "io/files/output_path.h"
 #include "io/files/packed_text.h"
-#include "io/files/whole_file.h"
 #include "io/files/scratch_folder.h"
+#include "io/files/whole_file.h"
 #include "io/report/browser.h"
 #include "io/report/child_input.h"
 #include "io/report/report_data.h"
@@ -66,8 +67,7 @@ Stretch stretch_of(const std::vector<std::string>& runs) {
 
 void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
   coding(o.file);
-  std::error_code none;
-  if (!o.overwrite && fs::exists(o.file, none)) throw FileError(o.file, "exists; --overwrite replaces it");
+  check_output(o.file, o.overwrite);
   const Stretch time = stretch_of(runs);
   const ScratchFolder scratch;
   const std::string made = scratch.path() + "/film" + fs::path(o.file).extension().string();
@@ -85,6 +85,7 @@ void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
   }
   ffmpeg.finish();
   const std::string beside = own_temporary(o.file);
+  std::error_code none;
   if (!fs::copy_file(made, beside, fs::copy_options::overwrite_existing, none)) {
     std::error_code ignored;
     fs::remove(beside, ignored);

@@ -12,6 +12,7 @@
 
 #include "geometry/vec3.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/whole_file.h"
 #include "io/replay/cells.h"
 #include "io/replay/frame_reader.h"
@@ -162,10 +163,7 @@ class ParaviewWriter {
 
 void write_paraview(const std::string& folder, bool overwrite) {
   const std::string xdmf = folder + "/run.xdmf", data = folder + "/" + kData;
-  for (const std::string& path : {xdmf, data}) {
-    std::error_code none;
-    if (!overwrite && std::filesystem::exists(path, none)) throw FileError(path, "exists; --overwrite replaces it");
-  }
+  for (const std::string& path : {xdmf, data}) refuse_to_replace(path, overwrite);
   const Hdf5File run = Hdf5File::open(folder + "/run.h5");
   const FrameReader frames(run);
   if (frames.frames() == 0) throw FileError(run.path(), "holds no frames");

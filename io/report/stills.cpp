@@ -11,9 +11,10 @@
 #include "cases/names.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
+#include "io/files/output_path.h"
 #include "io/files/packed_text.h"
-#include "io/files/whole_file.h"
 #include "io/files/scratch_folder.h"
+#include "io/files/whole_file.h"
 #include "io/report/browser.h"
 #include "io/report/report_data.h"
 
@@ -45,8 +46,7 @@ std::vector<Still> planned(const StillsOptions& o) {
   for (const std::string& view : o.views)
     for (const double t : o.times) {
       const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
-      std::error_code none;
-      if (!o.overwrite && fs::exists(file, none)) throw FileError(file, "exists; --overwrite replaces it");
+      refuse_to_replace(file, o.overwrite);
       all.push_back({view, file, t});
     }
   return all;

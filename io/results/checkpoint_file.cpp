@@ -117,6 +117,7 @@ std::uint64_t room_for(const CheckpointFacts& facts, std::span<const solver::Fie
   std::uint64_t bytes = kStructure + facts.case_toml.size();
   for (const solver::Field& f : state) bytes += f.bytes() + kOfDataset;
   for (const cases::Accelerogram& a : facts.motion.axis) bytes += a.acceleration.size() * sizeof(double);
+  for (const cases::SupportHistory& h : facts.supports) bytes += h.time.size() * 4 * sizeof(double) + kOfDataset;
   return bytes;
 }
 

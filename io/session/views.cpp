@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/report/paraview_files.h"
 #include "io/report/report_data.h"
@@ -15,8 +16,7 @@
 namespace voussoir::io {
 
 void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
-  std::error_code none;
-  if (!overwrite && std::filesystem::exists(page, none)) throw FileError(page, "exists; --overwrite replaces it");
+  check_output(page, overwrite);
   const std::string text = report_html(runs, modes);
   write_text_file(page, text, overwrite);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));

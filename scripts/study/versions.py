@@ -27,6 +27,7 @@ def text_of(path):
 
 
 def differs(case, overrides):
-    """Whether a case (a name of the catalogue, or the path of a file) is one whose results versions that SAME joins may not share."""
+    """Whether a case (a name of the catalogue, or the path of a file) is one whose results versions that SAME joins may not share. It is taken for
+    one if its text is not there to be read (an installed program has its catalogue inside)."""
     path = pathlib.Path(case) if str(case).endswith(".toml") else CATALOGUE / f"{case}.toml"
-    return bool(DIFFER.search("\n".join([text_of(path) if path.exists() else "", *overrides])))
+    return not path.exists() or bool(DIFFER.search("\n".join([text_of(path), *overrides])))

@@ -13,6 +13,7 @@
 #include "io/assess/assess_words.h"
 #include "io/assess/crack_map.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/results/case_of_run.h"
 #include "io/session/exit_code.h"
@@ -58,9 +59,7 @@ int assess_command(const AssessOptions& o) {
   const cases::Case c = case_of_run(run);
   const Building building = building_of(run);
   if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
-  std::error_code none;
-  if (!o.spectra.empty() && !o.overwrite && std::filesystem::exists(o.spectra, none))
-    throw FileError(o.spectra, "exists; --overwrite replaces it");
+  check_output(o.spectra, o.overwrite);
   const Assessment a = assess(run, c, building, o.time, o.levels);
   const cases::GroundMotion base = base_of_run(run, c);
   const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);

@@ -10,6 +10,7 @@
 
 #include "io/assess/limit_words.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "io/files/text_file.h"
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
@@ -42,9 +43,7 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
         "voussoir: limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: -DVOUSSOIR_CLP=ON)\n");
     return kInputFault;
   }
-  std::error_code none;
-  if (!o.mechanism.empty() && !o.overwrite && std::filesystem::exists(o.mechanism, none))
-    throw FileError(o.mechanism, "exists; --overwrite replaces it");
+  check_output(o.mechanism, o.overwrite);
   LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer, {}}};
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;

@@ -108,6 +108,14 @@ TEST_CASE("words that mean nothing are refused with what is allowed; lost output
   CHECK(shell::code_of(shell::kProgram + " cases >/dev/full 2>/dev/null") == 3);
 }
 
+TEST_CASE("a file that cannot be written is named before the work") {
+  const Pillar pillar;
+  const std::string file = shell::quoted(pillar.file), nowhere = shell::quoted(pillar.folder.path("nowhere/x")),
+                    message = "nowhere/x: cannot be written: there is no folder";
+  for (const char* words : {"modes --no-impulse --shapes ", "limit --mechanism ", "check --draw ", "bench --csv ", "view -o "})
+    refused(voussoir(words + nowhere + " " + file), 3, message);
+}
+
 TEST_CASE("bench takes a case with several rates, and leaves a checkpoint as it is") {
   const Pillar pillar;
   CHECK(voussoir("bench " + shell::quoted(pillar.file) + " -j 1 --set time.multirate=2 --batches 1 --steps 5").code == 0);
