@@ -12,6 +12,7 @@
 #include "io/bench/bench_rows.h"
 #include "io/bench/bench_table.h"
 #include "io/files/errors.h"
+#include "io/files/output_path.h"
 #include "tests/io/results_fixture.h"
 #include "tests/solver/small_wall.h"
 
