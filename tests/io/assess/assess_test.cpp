@@ -203,7 +203,9 @@ TEST_CASE("assess: out of plane over the thickness, storey drift, what has falle
     CHECK(count(map, "#c9c9c9") > 10);
   }
   CHECK(count(crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen), "#c9c9c9") <= 1);
-  REQUIRE(assessed(file, 2.0, {0.0, 2.4, 2.4, 5.2}).storeys.size() == 1);  // no course at 5.2 m
+  REQUIRE(assessed(file, 2.0, {0.0, 2.4, 2.4}).storeys.size() == 1);
+  CHECK_THROWS_AS((void)assessed(file, 2.0, {0.0, 5.2}), cases::InputError);  // above the walls
+  CHECK_THROWS_AS((void)assessed(file, 99.0, {}), cases::InputError);         // after the last frame
   const Assessment two = assessed(file, 2.0, {0.0, 0.8, 2.4});
   REQUIRE(two.storeys.size() == 2);
   CHECK(two.storeys[0].peak[0].value == doctest::Approx(0.0));
