@@ -338,8 +338,8 @@ void open_many_files() {
 
 }  // namespace
 
-/// What was told has arrived: on a full disk it has not. \return the exit code
-int told(int code) {
+/// \return the exit code; that of a file that cannot be written if standard output has been lost, as on a full disk
+int code_after_output(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;
   std::fprintf(stderr, "voussoir: standard output cannot be written\n");
@@ -376,7 +376,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     io::let_threads_sleep(argv, w.threads, takes_long(app));
     io::use_threads(w.threads);
-    return told(dispatch(app, w));
+    return code_after_output(dispatch(app, w));
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;
   } catch (const solver::NumericalError& e) {

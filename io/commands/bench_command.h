@@ -23,7 +23,7 @@ struct BenchOptions {
 /// anything runs
 int bench_command(const LoadedCase& c, const BenchOptions& o);
 
-/// The same at the state of a checkpoint. \pre o.after is 0: it is as the checkpoint has it \throw FileError
+/// The same at the state of a checkpoint. \throw FileError, and cases::InputError if o.after is given
 int bench_checkpoint(const std::string& path, const BenchOptions& o);
 
 }  // namespace voussoir::io

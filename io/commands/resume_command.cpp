@@ -58,26 +58,27 @@ std::string difference(const std::string& there, const std::string& here) {
   }
 }
 
+/// The same of two cases, but for their ends.
+std::string difference(const cases::Case& there, cases::Case here) {
+  here.set_end(there.end());
+  here.time.after_collapse = there.time.after_collapse;
+  return difference(resolved_toml(there), resolved_toml(here));
+}
+
 /// A folder's case.toml says whose results these are. Only the end may differ, and is taken over: a resume that --until sent further may
 /// have been killed before its first checkpoint.
 void take_end(const std::string& folder, const Found& found, cases::Case& saved) {
   const std::string path = folder + "/case.toml";
   if (!fs::exists(path)) return;
   const cases::Case there = load_case(path).value;
-  cases::Case sent_further = saved;
-  sent_further.set_end(there.end());
-  sent_further.time.after_collapse = there.time.after_collapse;
-  const std::string what = difference(resolved_toml(there), resolved_toml(sent_further));
+  const std::string what = difference(there, saved);
   if (!what.empty()) throw FileError(path, "is not the case of " + found.path + ": " + what + "; a changed case must be run anew");
-  if (there.end() > found.checkpoint.facts.time) saved = std::move(sent_further);
+  if (there.end() > found.checkpoint.facts.time) saved.set_end(there.end()), saved.time.after_collapse = there.time.after_collapse;
 }
 
-/// Nor may results of another case be gone on with.
+/// The results in run.h5 must be of the same case, too.
 void check_results(const std::string& run, const Found& found, const cases::Case& saved) {
-  cases::Case there = case_of_run(Hdf5File::open(run));
-  there.set_end(saved.end());
-  there.time.after_collapse = saved.time.after_collapse;
-  const std::string what = difference(resolved_toml(there), resolved_toml(saved));
+  const std::string what = difference(case_of_run(Hdf5File::open(run)), saved);
   if (!what.empty()) throw FileError(run, "is not of the case of " + found.path + ": " + what + "; results of two runs do not go together");
 }
 

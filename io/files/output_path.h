@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// What can be said of the name of a file before the work whose result it is to hold.
+/// Checks of the name of an output file, made before the work of which it is to hold the result.
 namespace voussoir::io {
 
 /// \throw FileError if the file exists, unless it is to be replaced

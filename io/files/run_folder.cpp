@@ -53,10 +53,7 @@ bool is_result(const std::string& found) {
   const std::string name = final_name(found);
   for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "limit.json"})
     if (name == own) return true;
-  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
-  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return false;
-  const std::string which = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
-  return which == "failed" || digits_only(which);
+  return name == "checkpoint-failed.h5" || checkpoint_number(name);
 }
 
 std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(const std::string&)) {
@@ -135,6 +132,14 @@ int take_lock(const std::string& folder) {
 }
 
 }  // namespace
+
+std::optional<long> checkpoint_number(const std::string& name) {
+  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
+  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return std::nullopt;
+  const std::string digits = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
+  if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return std::stol(digits);
+}
 
 RunFolder::RunFolder(std::string path) : path_(std::move(path)) {
   while (path_.size() > 1 && path_.ends_with('/')) path_.pop_back();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace voussoir::io {
 
 /// How every case.toml begins that a run wrote.
 inline constexpr std::string_view kResolvedHead = "# All keys of the case with their values, as used.";
+
+/// The number in "checkpoint-000012.h5"; nothing for other names.
+std::optional<long> checkpoint_number(const std::string& name);
 
 /// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.
 class RunFolder {

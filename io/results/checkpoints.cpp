@@ -9,23 +9,16 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/files/run_folder.h"
+
 namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr int kKept = 2;
 
-/// The number in "checkpoint-000012.h5"; nothing for other names.
-std::optional<long> number_of(const std::string& name) {
-  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
-  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return std::nullopt;
-  const std::string digits = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
-  if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
-  return std::stol(digits);
-}
-
 /// \pre  one of checkpoint_files
-long number_in(const std::string& path) { return *number_of(fs::path(path).filename().string()); }
+long number_in(const std::string& path) { return *checkpoint_number(fs::path(path).filename().string()); }
 
 std::string name_of(long number) {
   std::array<char, 40> text{};
@@ -38,7 +31,7 @@ std::string name_of(long number) {
 std::vector<std::string> checkpoint_files(const std::string& folder) {
   std::vector<std::pair<long, std::string>> found;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const auto number = number_of(entry.path().filename().string());
+    const auto number = checkpoint_number(entry.path().filename().string());
     if (number) found.emplace_back(*number, entry.path().string());
   }
   std::ranges::sort(found, std::greater<>());

@@ -75,7 +75,8 @@ class Run:
         return abs(float(drift)) * HEIGHT if drift else math.inf
 
     def overturns(self, wall):
-        """Whether it leans too far, at the end of the run, to come back if it were loose. A wall that does not stand leans no more."""
+        """Whether it leans by more than its thickness at the end of the run, where a loose wall would overturn. A wall that has lost its top has no
+        lean."""
         return thickness(self.row["case"], wall) < self.lean(wall) < math.inf
 
     def stays(self, wall):

@@ -7,10 +7,10 @@ A study of cases with either goes on with the program that began it, or begins a
 """
 import pathlib
 import re
+import tomllib
 
 SAME = {"0.1.0 (physics 14)": "0.1.0 (physics 13)"}  # version: the earliest that gives its results
-DIFFER = re.compile(r"\bbase\.part|\bpart\s*=\s*\[\s*\{|\blevel\s*=\s*true")  # in a case file or an override
-INCLUDE = re.compile(r'^include\s*=\s*"(.+)"', re.MULTILINE)
+DIFFER = re.compile(r"\bbase\b|\banalysis\b.*\blevel\b")  # in an override
 CATALOGUE = pathlib.Path(__file__).resolve().parents[2] / "cases" / "catalogue"
 
 
@@ -19,15 +19,24 @@ def results_of(version):
     return SAME.get(version, version)
 
 
-def text_of(path):
-    """Of a case file and all that it includes."""
-    text = path.read_text()
-    included = [path.parent / name if name.endswith(".toml") else CATALOGUE / f"{name}.toml" for name in INCLUDE.findall(text)]
-    return "\n".join([text, *(text_of(p) for p in included if p.exists())])
+def path_of(name, folder):
+    """Of a case: a name of the catalogue, or the path of a file from the folder."""
+    return pathlib.Path(folder) / name if name.endswith(".toml") else CATALOGUE / f"{name}.toml"
+
+
+def has_what_changed(path):
+    """Whether a case file, or one that it includes, has parts of the base or blocks that are kept level."""
+    case = tomllib.loads(path.read_text())
+    if case.get("base", {}).get("part") or case.get("analysis", {}).get("level"):
+        return True
+    included = case.get("include", [])
+    return any(has_what_changed(path_of(name, path.parent)) for name in ([included] if isinstance(included, str) else included))
 
 
 def differs(case, overrides):
-    """Whether a case (a name of the catalogue, or the path of a file) is one whose results versions that SAME joins may not share. It is taken for
-    one if its text is not there to be read (an installed program has its catalogue inside)."""
-    path = pathlib.Path(case) if str(case).endswith(".toml") else CATALOGUE / f"{case}.toml"
-    return not path.exists() or bool(DIFFER.search("\n".join([text_of(path), *overrides])))
+    """Whether the results of a case may differ between versions that SAME joins. Taken for granted where its text cannot be read (an installed
+    program has its catalogue inside)."""
+    try:
+        return any(map(DIFFER.search, overrides)) or has_what_changed(path_of(str(case), "."))
+    except OSError:
+        return True

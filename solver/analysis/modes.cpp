@@ -25,7 +25,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Motion = Eigen::Matrix<double, 6, 1>;  // of one element: displacement, rotation
 
-constexpr double kHeld = 1e15;  // 1/s2, of a rotation that the element does not have: far above all modes that are looked for
+constexpr double kHeld = 1e15;  // 1/s2, squared angular frequency given to rotations that are held: far above those of the modes looked for
 
 Vec3 vec3(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
@@ -86,7 +86,8 @@ class Structure {
   }
 
  private:
-  /// Blocks that are kept level (analysis.level) have no inverse inertia. Their rotations would be modes of 0 Hz.
+  /// Stiffness for the rotations of blocks that are kept level (analysis.level). Their inverse inertia is 0, so without it they would be
+  /// modes of 0 Hz.
   void hold_levelled(std::vector<Eigen::Triplet<double>>& entries) const {
     for (std::size_t n = 0; n < scale_.size(); ++n) {
       if (!scale_[n].bottomRightCorner<3, 3>().isZero(0.0)) continue;

@@ -15,18 +15,13 @@ namespace {
 
 bool is_base(const World& w, std::int32_t e) { return e == w.elements.base; }
 
-/// The base, or a part of it.
-bool is_ground(const World& w, std::int32_t e) {
-  return w.faces[static_cast<std::size_t>(w.elements.first_face[static_cast<std::size_t>(e)])].is_ground();
-}
-
 const kernels::ConvexShape& shape_of(const World& w, std::int32_t e) {
   return w.overlaps.shape[static_cast<std::size_t>(w.overlaps.shape_of[static_cast<std::size_t>(e)])];
 }
 
 /// 1/kg: by how much a force of 1 N along n at the arm accelerates the body's point there.
 double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
-  if (is_ground(w, e)) return 0.0;
+  if (w.is_ground(e)) return 0.0;
   const auto i = static_cast<std::size_t>(e);
   const Elements& el = w.elements;
   const Mat3 r = Mat3{} + kernels::load_pose(el.pose.data(), e).d;
@@ -44,7 +39,7 @@ int level_of(const World& w, std::int32_t a, std::int32_t b) { return w.multirat
 kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {
   const Overlaps& o = w.overlaps;
   const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-  const bool ground = is_ground(w, b), base = is_base(w, b);
+  const bool ground = w.is_ground(b), base = is_base(w, b);
   kernels::Stiffness k{in_line(o.stiffness_n[i], base ? 0.0 : o.stiffness_n[j]), in_line(o.stiffness_s[i], base ? 0.0 : o.stiffness_s[j])};
   const double inverse = inverse_mass(w, a, at.arm_a, at.normal) + inverse_mass(w, b, at.arm_b, at.normal);
   if (inverse == 0.0) return k;

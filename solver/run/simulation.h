@@ -74,7 +74,7 @@ class Simulation {
   /// Cracks since the last call; the caller clears it.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
-  /// Throws NumericalError if an element moves faster than anything can, or at no number.
+  /// \throw NumericalError if an element moves at 200 m/s or more, or its speed is not finite
   void check_speeds() { (void)fastest_square(); }
   /// Wall-clock by stage since the simulation was built; others add their own (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }

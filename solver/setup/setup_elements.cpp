@@ -71,7 +71,17 @@ double mass_damping(const cases::Damping& d) {
   return d.frequency ? 2.0 * d.ratio * 2.0 * std::numbers::pi * *d.frequency : 0.0;  // Eq. 14
 }
 
-constexpr double kShortestStep = 1e-9;  // s: the number of steps must stay one that is known exactly
+constexpr double kShortestStep = 1e-9;  // s, so that the number of steps of any run fits into 64 bits
+
+/// Faces of a part of the base are as that of the base: they add no compliance and no mass to a contact.
+kernels::Face face_of(const geometry::Face& face, const cases::Block& block, const cases::Material& material) {
+  kernels::Face f{.normal = face.normal, .distance = face.distance, .material = block.material};
+  if (block.ground >= 0) return f;
+  f.compliance_n = face.distance / plane_strain_modulus(material);  // Eq. 1
+  f.compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young;
+  f.mass = material.density * face.distance;  // Eq. 10
+  return f;
+}
 
 }  // namespace
 
@@ -128,16 +138,6 @@ void set_initial_velocities(World& w) {
     e.lx[i] = l.x, e.ly[i] = l.y, e.lz[i] = l.z;
   }
   e.store_velocity_rows();
-}
-
-/// Faces of a part of the base are as that of the base: they add no compliance and no mass to a contact.
-kernels::Face face_of(const geometry::Face& face, const cases::Block& block, const cases::Material& material) {
-  kernels::Face f{.normal = face.normal, .distance = face.distance, .material = block.material};
-  if (block.ground >= 0) return f;
-  f.compliance_n = face.distance / plane_strain_modulus(material);  // Eq. 1
-  f.compliance_s = face.distance * 2.0 * (1.0 + material.poisson) / material.young;
-  f.mass = material.density * face.distance;  // Eq. 10
-  return f;
 }
 
 void set_up_faces(World& w) {

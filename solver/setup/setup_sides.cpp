@@ -51,11 +51,6 @@ std::vector<geometry::Segment> turned_round(geometry::SegmentList segments, geom
   return points;
 }
 
-/// The base, or a part of it.
-bool is_ground(const World& w, std::int32_t element) {
-  return element == w.elements.base || w.model.blocks[static_cast<std::size_t>(element)].ground >= 0;
-}
-
 /// \param store  keeps points that the assembly does not have
 std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   const geometry::Assembly& a = w.model.assembly;
@@ -65,7 +60,7 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const geometry::Joint& j = a.joints[i];
     const bool on_base = j.element_b == geometry::kBase;
-    const bool on_ground = on_base || is_ground(w, j.element_b);  // which has no points
+    const bool on_ground = on_base || w.is_ground(j.element_b);  // which has no points
     const bool one = on_ground || (j.merged && w.options.merge_sides);
     const NewSide& first = sides.emplace_back(
         NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),

@@ -288,6 +288,11 @@ struct World {
   [[nodiscard]] kernels::ContactOptions contact_of(int level) const noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
+  /// The base, or a part of it.
+  [[nodiscard]] bool is_ground(std::int32_t element) const noexcept {
+    return faces[static_cast<std::size_t>(elements.first_face[static_cast<std::size_t>(element)])].is_ground();
+  }
+
   /// s, by which an element is moved on at a time.
   [[nodiscard]] double step_of_element(std::size_t e) const noexcept { return step_of(batch_level(e / kernels::kBatch)); }
   [[nodiscard]] int batch_level(std::size_t batch) const noexcept { return multirate.on() ? moved_at[batch] : 0; }

@@ -60,7 +60,7 @@ TEST_CASE("versions: physics 14 has the results of 13, but for cases with parts 
   const std::string earlier = table("earlier.csv", "bam-like#1", "0.1.0 (physics 13)"),
                     later = table("later.csv", "bam-like#2", "0.1.0 (physics 14)");
   CHECK(shell::code_of(script("outcomes.py") + earlier + later + " >/dev/null") == 0);
-  const std::string mine = folder.write("mine.toml", "include = \"stone-house\"\n"), out = folder.path("differ"),
+  const std::string mine = folder.write("mine.toml", "include = [\"flat20n\", \"stone-house\"]\n"), out = folder.path("differ"),
                     level = folder.write("level.toml", "[analysis]\nkind = \"pushover\"\nlevel = true\n");
   REQUIRE(shell::code_of("/usr/bin/python3 -c 'import sys; sys.path.insert(0, \"" + shell::source("scripts/study") +
                          "\"); import versions; print(*(versions.differs(c, o) for c, o in [(\"stone-house\", []), (\"" + mine +
