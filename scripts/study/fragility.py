@@ -22,7 +22,7 @@ from scipy import linalg, optimize, special
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import run_file  # noqa: E402
-from versions import results_of  # noqa: E402
+from outcomes import one_version  # noqa: E402
 
 GROUP = ("case", "direction", "record", "options")
 STATES = ("1", "2", "3", "4", "5", "collapse")
@@ -54,6 +54,11 @@ class Fit:
         a, b = self.coefficients
         slopes = np.array([[-1.0 / b, a / b**2], [0.0, -1.0 / b]])
         return np.sqrt(np.diag(slopes @ self.covariance @ slopes.T))
+
+    def bands_of_95(self):
+        """Lower and upper end of the median, and of the dispersion."""
+        factors = np.exp(self.quantile * self.log_errors())
+        return [(value / factor, value * factor) for value, factor in zip((self.median, self.dispersion), factors)]
 
     def band(self, x):
         """Lower end, curve, upper end at x."""
@@ -105,7 +110,7 @@ def by_house(score, information, seeds):
     return bread @ meat @ bread, special.stdtrit(free, UPPER)
 
 
-def fit(x, reached, seeds):
+def likeliest(x, reached, seeds):
     """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
     design = np.column_stack([np.ones_like(x), np.log(x)])
 
@@ -119,6 +124,15 @@ def fit(x, reached, seeds):
     if houses:
         return Fit(coefficients, *houses, "by seed")
     return Fit(coefficients, np.linalg.inv(information), special.ndtri(UPPER), "by run")
+
+
+def fit(x, reached, seeds):
+    """The curve, and why there is none: one of the two is None or empty."""
+    remark = remark_of(x, reached)
+    result = None if remark else likeliest(x, reached, seeds)
+    if result and result.coefficients[1] <= 0:
+        return None, RARER
+    return result, remark
 
 
 def tells(row, state):
@@ -165,11 +179,9 @@ def curves(rows, states, peak):
 def table_row(name, state, x, reached, result, remark):
     row = {"curve": name, "state": state, "runs": len(x), "reached": int(reached.sum()), "remark": remark}
     if result:
-        median_error, dispersion_error = result.quantile * result.log_errors()
-        row |= {"bands": result.bands, "median": result.median, "median_low": result.median * math.exp(-median_error),
-                "median_high": result.median * math.exp(median_error), "dispersion": result.dispersion,
-                "dispersion_low": result.dispersion * math.exp(-dispersion_error),
-                "dispersion_high": result.dispersion * math.exp(dispersion_error)}
+        median, dispersion = result.bands_of_95()
+        row |= {"bands": result.bands, "median": result.median, "median_low": median[0], "median_high": median[1],
+                "dispersion": result.dispersion, "dispersion_low": dispersion[0], "dispersion_high": dispersion[1]}
     return {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()}
 
 
@@ -201,16 +213,11 @@ def main():
     refuse_table(a.table, (a.output, a.csv))
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
-    versions = {row.get("version", "") for row in rows}
-    if len(set(map(results_of, versions))) > 1:
-        sys.exit(f"{a.table}: holds runs of versions {' and '.join(sorted(versions))}, whose results may differ; wanted a table of one")
+    one_version({a.table: rows})
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
     numbers, out = {}, []
     for name, state, x, reached, seeds in curves(rows, a.states, a.peak or 1.0):
-        remark = remark_of(x, reached)
-        result = None if remark else fit(x, reached, seeds)
-        if result and result.coefficients[1] <= 0:
-            result, remark = None, RARER
+        result, remark = fit(x, reached, seeds)
         draw(panels[a.states.index(state)], numbers.setdefault(name, len(numbers)), name, x, reached, result)
         out.append(table_row(name, state, x, reached, result, remark))
     for axes, state in zip(panels, a.states):

@@ -127,7 +127,26 @@ TEST_CASE("fragility: runs of two versions are no one table") {
   folder.write("table.csv", table);
   CHECK(code_of(script("fragility.py") + folder.path("table.csv") + " -o " + folder.path("f.svg") + " --csv " + folder.path("c.csv") +
                 " >" + folder.path("log") + " 2>&1") == 1);
-  CHECK(text_of(folder.path("log")).find("versions 0.1.0 (physics 7) and 0.1.0 (physics 8)") != std::string::npos);
+  CHECK(text_of(folder.path("log")).find("a run of version 0.1.0 (physics 8), and one of ") != std::string::npos);
+}
+
+TEST_CASE("fragility: its tables have the grades of all runs, and the median of each state or where it lies") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  const std::string table = folder.write("table.csv", two_levels(true));
+  const auto made = [&](const char* which) {
+    REQUIRE_MESSAGE(code_of(script("fragility_tables.py") + which + " " + table + " >" + folder.path("log") + " 2>&1") == 0,
+                    text_of(folder.path("log")));
+    return text_of(folder.path("log"));
+  };
+  CHECK(made("grades") ==
+        "| scale of the motion | house |\n|---|---|\n"
+        "| 0.5 | 2c, 2, 2, 2 |\n| 2 | 5c, 5c, 4c, 4 |\n");
+  const std::string medians = made("medians");
+  CHECK(medians.find("| state | house |\n|---|---|\n| grade 2 | below 0.5 |\n| grade 3 | between 0.5 and 2 |\n") == 0);
+  CHECK(medians.find("| collapse | 1.00 (") != std::string::npos);
+  CHECK(medians.find("); 1.03 |\n") != std::string::npos);  // 2 ln 2 / (2 kQuartile)
+  CHECK(code_of(script("fragility_tables.py") + "shares " + table + " >" + folder.path("log") + " 2>&1") == 1);
 }
 
 TEST_CASE("fragility: what has no walls has no grades, but may collapse") {
