@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "cases/house/house_decks.h"
@@ -231,7 +232,11 @@ void add_deck(const PlannedDeck& planned, const std::string& name, std::size_t n
   for (const DeckBar& bar : planned.bars) {
     TieBar tie;
     tie.name = bill.name + " " + std::to_string(++bill.ties);
-    for (std::size_t k = 0; k < 2; ++k) tie.ends[k] = {{element_at(model, bar.ends[k]), 1.0, bar.ends[k]}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int32_t element = element_at(model, bar.ends[k]);
+      if (element < 0) throw std::logic_error("a bar of the " + name + " ends at " + point_text(bar.ends[k]) + " m, in no element");
+      tie.ends[k] = {{element, 1.0, bar.ends[k]}};
+    }
     tie.length = norm(bar.ends[1] - bar.ends[0]);
     tie.stiffness = bar.stiffness;
     tie.yield = bar.strength.value_or(kNever);

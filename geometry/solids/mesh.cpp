@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -97,17 +98,26 @@ class Regions {
 
   /// By face, the number of its region.
   const std::vector<std::int32_t>& grow() {
-    std::vector<std::int32_t> seeds(mesh_.faces.size());
-    std::iota(seeds.begin(), seeds.end(), 0);
-    const auto area = [&](std::int32_t f) { return plane_[static_cast<std::size_t>(f)].area; };
-    std::stable_sort(seeds.begin(), seeds.end(), [&](auto a, auto b) { return area(a) > area(b) * (1.0 + 1e-9); });
-    for (const std::int32_t seed : seeds) {
+    for (const std::int32_t seed : largest_first()) {
       if (of_[static_cast<std::size_t>(seed)] < 0) grow_from(seed);
     }
     return of_;
   }
 
  private:
+  /// Faces by area. Those that are as large but for round-off keep their order, so that it is the same on every machine.
+  [[nodiscard]] std::vector<std::int32_t> largest_first() const {
+    std::vector<std::int32_t> faces(mesh_.faces.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    const auto area = [&](std::int32_t f) { return plane_[static_cast<std::size_t>(f)].area; };
+    std::ranges::stable_sort(faces, std::greater{}, area);
+    for (auto first = faces.begin(); first != faces.end();) {
+      const auto last = std::find_if(first, faces.end(), [&](std::int32_t f) { return area(*first) > area(f) * (1.0 + 1e-9); });
+      std::sort(first, last);
+      first = last;
+    }
+    return faces;
+  }
   void grow_from(std::int32_t seed) {
     std::vector<std::int32_t> front{seed};
     of_[static_cast<std::size_t>(seed)] = seed;

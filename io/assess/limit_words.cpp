@@ -171,7 +171,7 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
                            ? std::string("exact")
                            : format("%d facets %s it: friction is too %s by up to %.2f %%", asked.options.facets,
                                     asked.options.outer ? "round" : "in", asked.options.outer ? "high" : "low", 100.0 * r.cone_error));
-  if (r.contacts.bonded > 0) put("bonds", std::to_string(r.contacts.bonded) + " joints have mortar, whose strength is not counted");
+  if (r.contacts.bonded > 0) put("bonds", std::to_string(r.contacts.bonded) + " joints have tension or cohesion, which is not counted");
   if (r.has_loads) put("loads", "those of the case act in full and do not grow");
   const auto multiplier = [&](const solver::LimitState& s) {
     return format("%.5f", s.multiplier) + (!r.is_tilt ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));

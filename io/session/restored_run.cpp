@@ -31,16 +31,16 @@ void fill_stones(RestoredRun& r) {
 void bring_back(RestoredRun& r, const solver::SavedState& state) {
   const CheckpointFacts now = facts_of(*r.sim, "", {}, false);
   const CheckpointFacts& then = r.facts;
-  try {
-    solver::restore(*r.sim, r.plan, state);
-  } catch (const solver::StateError& e) {
-    throw FileError(r.path, e.what());
-  }
   if (now.model_hash != then.model_hash) {
     throw FileError(r.path,
                     "is of a model that this program, or the mathematical library of this machine, builds differently from the "
                     "same case (written by " +
                         then.program + "; this is " + now.program + "): run the case anew");
+  }
+  try {
+    solver::restore(*r.sim, r.plan, state);
+  } catch (const solver::StateError& e) {
+    throw FileError(r.path, e.what());
   }
   if (now.program != then.program) {
     std::fprintf(stderr, "voussoir: warning: the run was begun by another build (%s; this is %s): it goes on, but not to the same bits\n",

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <optional>
+#include <utility>
 
 #include "io/files/errors.h"
 #include "io/measures/capacity_file.h"
@@ -211,13 +213,17 @@ std::vector<std::string> cut_names(const cases::Case& c) {
 
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every) {
-  const Signals signals;
+  std::optional<Signals> signals(std::in_place);
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   try {
     const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
     watch.finish();
     const std::uint64_t hash = solver::state_hash(sim.world());
     results.state_hash(hash);
+    if (r.stopped) {  // measures of a large run take long: what is known is on disk before, and another signal ends the program
+      results.flush();
+      signals.reset();
+    }
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     print_summary(r.summary, hash, folder);

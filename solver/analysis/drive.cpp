@@ -215,7 +215,7 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
       d.compliance += power * power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
     }
   }
-  if (d.compliance <= 0.0) d.compliance = g / square_of(d.frequency);
+  if (!(d.compliance > 0.0)) d.compliance = g / square_of(d.frequency);
   d.stiffness = a.share.value_or(a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
   if (square > 0.0) d.stiffness = std::min(d.stiffness, kStepMargin * 4.0 / (w.dt * w.dt) * d.weight / square);
   d.first = kFirstFactor * (d.compliance + 1.0 / d.stiffness);

@@ -26,6 +26,7 @@ cases::Case undamped(cases::Case c) {
   c.damping = {};
   c.loads.clear();
   c.analysis = {};
+  c.time.multirate = 1;  // samples are no whole cycles apart
   c.output.history_interval = kImpulseInterval;  // an automatic step divides it
   if (c.time.step) c.time.step = dividing_step(*c.time.step);
   return c;

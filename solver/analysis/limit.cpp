@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "cases/gravity.h"
+#include "cases/loads.h"
 #include "solver/analysis/linear_programme.h"
 #include "solver/world/errors.h"
 
@@ -116,13 +118,16 @@ class Problem {
       act(static_cast<std::int32_t>(b), body.centre, (body.mass / unit_) * g, dead_);
       act(static_cast<std::int32_t>(b), body.centre, (body.mass * norm(g) / unit_) * live_, live_forces_);
     }
-    for (const cases::Load& load : c.loads) {
-      for (const std::int32_t e : cases::elements_named(model, load.block)) set_load(load, model, static_cast<std::size_t>(e));
+    for (std::size_t i = 0; i < c.loads.size(); ++i) {
+      const cases::Load& load = c.loads[i];
+      if (load.history) {
+        throw cases::InputError("load[" + std::to_string(i) + "].history", "does not go with limit analysis, which knows no time; allowed: force");
+      }
+      for (const std::int32_t e : cases::loaded_elements(model, load, i)) set_load(load, model, static_cast<std::size_t>(e));
     }
   }
   void set_load(const cases::Load& load, const cases::Model& model, std::size_t element) {
     const std::int32_t body = contacts_.body_of[element];
-    if (body < 0) return;  // a fixed stone, of a group
     act(body, load.at.value_or(model.assembly.elements[element].mass.centroid), load.force / unit_, dead_);
     for_each_row(body, {}, load.moment / (unit_ * length_), [&](std::size_t row, double value) { dead_[row] += value; });
   }

@@ -110,6 +110,8 @@ std::vector<Vec3> points_of(const geometry::Joint& joint, const std::optional<Li
   return all;
 }
 
+bool has_bond(const cases::JointLaw& law) { return !law.stiffens() && (law.tension > 0.0 || law.cohesion > 0.0); }
+
 }  // namespace
 
 LimitContacts limit_contacts(const cases::Model& model, Vec3 live, bool reduce) {
@@ -125,8 +127,10 @@ LimitContacts limit_contacts(const cases::Model& model, Vec3 live, bool reduce) 
     const geometry::Joint& joint = model.assembly.joints[j];
     std::int32_t a = body(joint.element_a), b = body(joint.element_b);
     if (a == b) continue;  // of one body, or both fixed
-    if (model.joint_law[j] != 0) ++out.bonded;
-    const double degrees = model.contact_friction[material(joint.element_a) * materials + material(joint.element_b)];
+    const cases::JointLaw& law = model.laws[static_cast<std::size_t>(model.joint_law[j])].value;
+    if (has_bond(law)) ++out.bonded;
+    const double of_materials = model.contact_friction[material(joint.element_a) * materials + material(joint.element_b)];
+    const double degrees = law.residual_friction.value_or(of_materials);
     const bool turned = a < 0;
     if (turned) std::swap(a, b);
     for (const Vec3 at : points_of(joint, out.plane)) {

@@ -24,7 +24,7 @@ struct LimitPoint {
   std::int32_t joint = 0;      // of the assembly
   std::int32_t a = 0, b = -1;  // bodies; −1: the base, or a fixed block
   Vec3 at, normal;             // m; outward of a
-  double friction = 0.0;       // tan φ of the two materials in contact
+  double friction = 0.0;       // tan φ of the joint without its bond
 };
 
 /// Blocks that are prisms across one vertical plane, all as thick, with a live force in that plane: what lies behind one another is one
@@ -39,7 +39,7 @@ struct LimitContacts {
   std::vector<std::int32_t> body_of;  // by element; −1: fixed
   std::vector<LimitPoint> points;
   std::optional<LimitPlane> plane;
-  std::int32_t bonded = 0;  // joints with a bond that is not counted
+  std::int32_t bonded = 0;  // joints with tension or cohesion, which do not count
 };
 
 /// \param live  horizontal unit vector \param reduce  to a plane, where the model allows it

@@ -28,6 +28,7 @@ namespace voussoir::solver {
 namespace {
 
 constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
+constexpr double kLargestTurn = 0.5;         // rad in a step of its own: what turns faster has no true orientation, THEORY (24)
 constexpr std::int64_t kGuardInterval = 20;  // steps
 constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
@@ -212,9 +213,10 @@ double Simulation::fastest_square() {
     const auto k = static_cast<std::size_t>(i);
     return std::pair{e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k], e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]};
   };
+  const auto step = [&](std::int64_t i) { return world_->step_of_element(static_cast<std::size_t>(i)); };
   const auto sound = [&](std::int64_t i) {
     const auto [v2, w2] = squares(i);
-    return v2 < kFastest * kFastest && std::isfinite(w2);
+    return v2 < kFastest * kFastest && w2 * step(i) * step(i) < kLargestTurn * kLargestTurn;
   };
   // By the threads that have the rows: one alone would fetch all of them, and the others fetch theirs back.
   const double most = over_elements(*world_, update_shares_, [&](std::int64_t first, std::int64_t last) {
@@ -226,11 +228,13 @@ double Simulation::fastest_square() {
   for (std::int32_t i = 0; i < e.count; ++i) {
     if (sound(i)) continue;
     const auto k = static_cast<std::size_t>(i);
+    const auto [v2, w2] = squares(i);
     char text[400];
     std::snprintf(text, sizeof text,
-                  "%s moves at %.3g m/s at t = %.6f s (allowed: under %g m/s): the step of %.3g s is probably too large; try --dt %.3g",
-                  cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(squares(i).first), time(), kFastest, world_->dt,
-                  0.5 * world_->dt);
+                  "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
+                  "probably too large; try --dt %.3g",
+                  cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
+                  world_->dt, 0.5 * world_->dt);
     throw NumericalError(text);
   }
   return most;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cases/census.h"
+#include "cases/loads.h"
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
 #include "solver/world/first_touch.h"
@@ -84,10 +85,7 @@ void set_up_patches(World& w) {
 void set_up_loads(World& w, const cases::Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
-    const std::vector<std::int32_t> elements = cases::elements_named(w.model, l.block);
-    if (elements.empty()) throw cases::InputError("load[" + std::to_string(i) + "].block", "= \"" + l.block + "\" is the name of no block");
-    for (const std::int32_t e : elements) {
-      if (w.model.blocks[static_cast<std::size_t>(e)].fixed) continue;  // of a group
+    for (const std::int32_t e : cases::loaded_elements(w.model, l, i)) {
       PointLoad p{e, l.force, l.moment, {}, l.ramp[0], l.ramp[1], nullptr, l.follows, l.grows};
       if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
         p.history = &w.model.support_motions[static_cast<std::size_t>(h)];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/assess/limit_command.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -57,6 +58,8 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
   const cases::Model model = build_on_all_threads(c.value);
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
+  if (std::ranges::any_of(c.value.loads, &cases::Load::grows))
+    std::fprintf(stderr, "voussoir: warning: limit analysis takes loads with grows = true as dead loads, at their full size\n");
   const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
   if (on_terminal) std::fputc('\n', stderr);
   std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);

@@ -10,6 +10,7 @@
 
 #include "solver/analysis/limit_mechanism.h"
 #include "solver/analysis/linear_programme.h"
+#include "solver/run/simulation.h"
 #include "solver/world/errors.h"
 
 // Limit analysis against closed forms: blocks on a plane, stacks, loads, a tilted base.
@@ -116,6 +117,22 @@ TEST_CASE("limit: a block slides; Coulomb's slip does not lift it") {
   CHECK(level.z / level.x == doctest::Approx(0.01 * tangent(15.0)).epsilon(1e-3));  // what the iterations leave of it
 }
 
+TEST_CASE("limit: the friction of a joint is that of its law without the bond; only tension and cohesion are a bond") {
+  cases::Case c = one_block(15.0);
+  cases::JointLaw& law = c.joint_laws["bed"];
+  law.friction = 40.0, law.compression = 1e6;  // as cases/README.md writes a dry joint: no tension, no cohesion
+  c.joints.default_law = "bed";
+  CHECK(analysed(c).associated.multiplier == doctest::Approx(tangent(15.0)).epsilon(1e-9));
+  CHECK(analysed(c).contacts.bonded == 0);
+  law.residual_friction = 10.0;
+  CHECK(analysed(c).associated.multiplier == doctest::Approx(tangent(10.0)).epsilon(1e-9));
+  law.cohesion = 1e4;
+  CHECK(analysed(c).associated.multiplier == doctest::Approx(tangent(10.0)).epsilon(1e-9));
+  CHECK(analysed(c).contacts.bonded == 1);
+  law.normal_stiffness = law.shear_stiffness = 1e9, law.maximum_closure = 1e-3;  // such a joint has no bond, whatever its cohesion
+  CHECK(analysed(c).contacts.bonded == 0);
+}
+
 TEST_CASE("limit: facets in the friction cone and round it bracket the cone") {
   // A dead force across the live one of a tenth of the weight turns the shear away from the corner of a facet.
   const double exact = std::sqrt(tangent(15.0) * tangent(15.0) - 0.01);
@@ -174,7 +191,6 @@ TEST_CASE("limit: a load on a group acts on each of its stones that is free, one
     return analysed(c, towards(90.0)).associated.multiplier;
   };
   const double all = multiplier({"one", "other"});
-  CHECK(multiplier({"fixed"}) == multiplier({}));
   CHECK(all < multiplier({}) - 0.05);
   CHECK(multiplier({"group"}) == all);
   CHECK(multiplier({"cut"}) == multiplier({"cut/2"}));
@@ -237,6 +253,17 @@ TEST_CASE("limit: what cannot be answered is refused in words") {
   cases::Case fixed = one_block(30.0);
   fixed.blocks[0].fixed = true;
   CHECK(refusal(fixed).starts_with("has no block that could move"));
+  cases::Case shaken = one_block(30.0);
+  shaken.loads.push_back(force_on("block", {}));
+  shaken.loads[0].history = "push.csv";
+  CHECK(refusal(shaken) == "load[0].history: does not go with limit analysis, which knows no time; allowed: force");
+  cases::Case loaded = stones();
+  loaded.loads.push_back(force_on("fixed", {0.0, 1.0, 0.0}));
+  CHECK(refusal(loaded) == "load[0].block: \"fixed\" is fixed, a load cannot move it");
+  const cases::Model built = cases::build_model(loaded);
+  CHECK_THROWS_AS(solver::Simulation(loaded, built, {}, {}), cases::InputError);  // a run refuses it, too
+  loaded.loads[0].block = "group";
+  CHECK(refusal(loaded) == "none");
   cases::Case boxed = one_block(30.0);  // between two fixed blocks as high as itself
   for (const double x : {-0.2, kWidth}) {
     boxed.blocks.push_back(box("stop" + std::to_string(boxed.blocks.size()), {x, 0, 0}, {x + 0.2, kDepth, kHeight}));

@@ -306,6 +306,31 @@ TEST_CASE("a step far too large stops with the element, the speed and what to tr
   }
 }
 
+TEST_CASE("what turns too far in a step stops the run, though it does not move away") {
+  cases::Case c = small_wall(3, 4);
+  cases::BlockSpec b = brick(0, 9, 5.0, 5.2);
+  b.name = "top", b.free = true;
+  c.blocks.push_back(b);
+  const auto spun = [&](double rate) {
+    c.blocks.back().angular_velocity = {0.0, 0.0, rate};
+    const cases::Model m = cases::build_model(c);
+    solver::Simulation s(c, m, {}, {});
+    for (int i = 0; i < 40; ++i) s.step({});
+    return s.dt();
+  };
+  const double largest = 0.5 / spun(100.0);
+  CHECK_NOTHROW(spun(0.9 * largest));
+  try {
+    spun(1.1 * largest);
+    FAIL("it went on");
+  } catch (const solver::NumericalError& e) {
+    const std::string what = e.what();
+    INFO(what);
+    CHECK(what.starts_with("block \"top\" (element "));
+    CHECK(what.find(" and turns at ") != std::string::npos);
+  }
+}
+
 TEST_CASE("a block with more faces than a patch can number is refused, one of 162 is not") {
   cases::Case c = small_wall(1, 1);
   cases::BlockSpec b;
