@@ -157,25 +157,4 @@ void set_part(const std::string& part, Block& block) {
   if (name.ends_with(" wall") || name.ends_with(" gable")) block.kind = PartKind::walling;
 }
 
-void check_loads(const Case& c) {
-  for (std::size_t i = 0; i < c.loads.size(); ++i) {
-    const Load& load = c.loads[i];
-    const auto named = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const BlockSpec& b) { return b.name == load.block; });
-    if (named == c.blocks.end() && !is_stone_or_group(c, load.block)) {
-      throw InputError(indexed_key("load", i, "block"),
-                       "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
-    }
-    if (named != c.blocks.end() && named->halves) {
-      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is in halves; allowed: a block in one piece");
-    }
-    if (named != c.blocks.end() && named->fixed) {
-      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
-    }
-    if (!(load.ramp[0] <= load.ramp[1])) {
-      throw InputError(indexed_key("load", i, "ramp"),
-                       "begins at " + text(load.ramp[0]) + " s, after its end at " + text(load.ramp[1]) + " s");
-    }
-  }
-}
-
 }  // namespace voussoir::cases

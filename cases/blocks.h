@@ -18,7 +18,4 @@ SupportHistory support_history(const SupportMotion& motion, const std::string& k
 /// "front gable, storey 2"). \param part  empty: nothing changes
 void set_part(const std::string& part, Block& block);
 
-/// Checks that every load names a free-standing block that can move. \throw InputError with the key at fault.
-void check_loads(const Case& c);
-
 }  // namespace voussoir::cases

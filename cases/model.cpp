@@ -10,6 +10,7 @@
 #include "cases/solids/ground.h"
 #include "cases/house/house.h"
 #include "cases/joint_rules.h"
+#include "cases/loads/loads.h"
 #include "cases/loose_model.h"
 #include "cases/names.h"
 #include "cases/numbering.h"

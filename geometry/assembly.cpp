@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/assembly.h"
 
-#include <numeric>
 #include <vector>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/joints.h"
 #include "geometry/message.h"
 #include "geometry/parallel/ranges.h"
@@ -54,24 +54,10 @@ std::vector<FaceGrid> make_elements(std::span<const Part> parts, int threads, As
   return grids;
 }
 
-/// Sets of blocks that hold together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Every block stands on the base or an anchored one, if only by way of others.
 void check_held(std::span<const Part> parts, const std::vector<Contact>& contacts) {
   const std::size_t ground = parts.size();
-  Groups groups(parts.size() + 1);
+  DisjointSets groups(parts.size() + 1);
   std::vector<bool> touches(parts.size(), false);
   for (const Contact& c : contacts) {
     const auto a = static_cast<std::size_t>(c.element_a), b = c.element_b == kBase ? ground : static_cast<std::size_t>(c.element_b);
@@ -83,7 +69,7 @@ void check_held(std::span<const Part> parts, const std::vector<Contact>& contact
     if (parts[i].anchored) groups.join(i, ground);
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (groups.of(i) == groups.of(ground)) continue;
+    if (groups.same(i, ground)) continue;
     const Box3 box = bounds(*parts[i].shape);
     throw ModelError(block_prefix(static_cast<int>(i)) + (touches[i] ? "is held by nothing, nor is what it touches" : "touches nothing") +
                          " (it reaches from (" + figure(box.low.x) + ", " + figure(box.low.y) + ", " + figure(box.low.z) + ") to (" +

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/grid.h"
 
 namespace voussoir::geometry {
@@ -53,16 +53,17 @@ class Finder {
   void try_solids(std::size_t i, std::size_t j) {
     const RoughSolid &a = solids_[i], &b = solids_[j];
     const double snap = std::max(a.snap, b.snap);
-    const std::optional<double> gap = a.gap && b.gap && *a.gap == *b.gap ? a.gap : std::nullopt;
+    const bool bedded = a.gap && a.gap == b.gap;
+    const double gap = bedded ? *a.gap : 0.0;
     for (std::size_t f = faces_.first[i]; f < faces_.first[i + 1]; ++f) {
       for (std::size_t g = faces_.first[j]; g < faces_.first[j + 1]; ++g) {
-        const auto near = facing(faces_.face[f], faces_.face[g], snap + gap.value_or(0.0));
+        const auto near = facing(faces_.face[f], faces_.face[g], snap + gap);
         if (!near || !(near->area > kLeastArea)) continue;
         const bool exact = near->high <= kExact && near->low >= -kExact && near->tilt <= kExact;
         const bool wide = near->width > snap;
         if (exact || (wide && near->high <= snap && near->low >= -snap)) {
           contacts.push_back({f, g, exact});
-        } else if (gap && wide && near->high <= *gap + snap && near->low >= *gap - snap) {
+        } else if (bedded && wide && near->high <= gap + snap && near->low >= gap - snap) {
           beds.push_back({f, g, false});
         }
       }
@@ -99,17 +100,11 @@ RoughFaces faces_of(std::span<const RoughSolid> solids) {
 std::vector<FaceGroup> face_groups(std::span<const RoughSolid> solids, const RoughFaces& faces, std::optional<double> base_z) {
   Finder finder(solids, faces);
   finder.find();
-  std::vector<std::size_t> parent(faces.face.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  DisjointSets sets(faces.face.size());
   std::vector<std::uint8_t> touches(faces.face.size(), 0), inexact(faces.face.size(), 0), base(faces.face.size(), 0),
       bed(faces.face.size(), 0);
   const auto join = [&](const Pair& p) {
-    const std::size_t a = root(p.a), b = root(p.b);
-    parent[std::max(a, b)] = std::min(a, b);
+    sets.join(p.a, p.b);
     if (!p.exact) inexact[p.a] = 1;
   };
   for (const Pair& p : finder.contacts) {
@@ -130,7 +125,7 @@ std::vector<FaceGroup> face_groups(std::span<const RoughSolid> solids, const Rou
   std::vector<FaceGroup> groups;
   for (std::size_t f = 0; f < faces.face.size(); ++f) {
     if (touches[f] == 0 && bed[f] == 0) continue;
-    std::int32_t& n = number[root(f)];
+    std::int32_t& n = number[sets.of(f)];
     if (n < 0) {
       n = static_cast<std::int32_t>(groups.size());
       groups.emplace_back();

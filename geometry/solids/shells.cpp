@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "geometry/disjoint_sets.h"
 
 namespace voussoir::geometry {
 
@@ -14,14 +15,14 @@ namespace {
 
 /// One use of an edge by a face, its ends in ascending order.
 struct Use {
-  std::int32_t low, high, face;
+  std::int32_t low, high;
+  std::size_t face;
   bool forward;  // the face runs from low to high
 };
 
 class Shells {
  public:
-  explicit Shells(const Mesh& m) : mesh_(m), parent_(m.faces.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+  explicit Shells(const Mesh& m) : mesh_(m), shells_(m.faces.size()) {
     for (std::size_t f = 0; f < m.faces.size(); ++f) normal_.push_back(loop_plane(m, f).normal);
   }
 
@@ -31,7 +32,7 @@ class Shells {
       const auto& loop = mesh_.faces[f];
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::int32_t a = loop[i], b = loop[(i + 1) % loop.size()];
-        uses.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), a < b});
+        uses.push_back({std::min(a, b), std::max(a, b), f, a < b});
       }
     }
     std::stable_sort(uses.begin(), uses.end(),
@@ -46,29 +47,19 @@ class Shells {
   }
 
  private:
-  std::int32_t root(std::int32_t f) {
-    while (parent_[static_cast<std::size_t>(f)] != f)
-      f = parent_[static_cast<std::size_t>(f)] = parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(f)])];
-    return f;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    const std::int32_t ra = root(a), rb = root(b);
-    parent_[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
-  }
-
   /// From the edge into the face, in its plane.
   [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const {
-    return cross(normal_[static_cast<std::size_t>(u.face)], u.forward ? along : -along);
+    return cross(normal_[u.face], u.forward ? along : -along);
   }
 
   void pair_up(const std::vector<Use>& uses) {
-    if (uses.size() == 2) return join(uses[0].face, uses[1].face);
+    if (uses.size() == 2) return shells_.join(uses[0].face, uses[1].face);
     const Vec3 edge = mesh_.vertices[static_cast<std::size_t>(uses[0].high)] - mesh_.vertices[static_cast<std::size_t>(uses[0].low)];
     const double length = norm(edge);
     if (!(length > 0.0)) return;
     const Vec3 along = edge / length;
     for (const Use& u : uses) {
-      const Vec3 from = inward(u, along), behind = -normal_[static_cast<std::size_t>(u.face)];
+      const Vec3 from = inward(u, along), behind = -normal_[u.face];
       const Use* next = nullptr;
       double least = 1e300;
       for (const Use& other : uses) {
@@ -78,16 +69,16 @@ class Shells {
         if (angle < 1e-6) angle += 2.0 * std::numbers::pi;  // the same place is a neighbour's face against this one
         if (angle < least) least = angle, next = &other;
       }
-      if (next != nullptr) join(u.face, next->face);
+      if (next != nullptr) shells_.join(u.face, next->face);
     }
   }
 
   std::vector<Mesh> meshes() {
-    std::vector<std::int32_t> number(parent_.size(), -1);
+    std::vector<std::int32_t> number(mesh_.faces.size(), -1);
     std::vector<Mesh> out;
     std::vector<std::vector<std::int32_t>> place;  // of the vertices of each, by the whole's number, sorted
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      std::int32_t& n = number[static_cast<std::size_t>(root(static_cast<std::int32_t>(f)))];
+      std::int32_t& n = number[shells_.of(f)];
       if (n < 0) {
         n = static_cast<std::int32_t>(out.size());
         out.emplace_back();
@@ -112,7 +103,7 @@ class Shells {
   }
 
   const Mesh& mesh_;
-  std::vector<std::int32_t> parent_;
+  DisjointSets shells_;  // of faces
   std::vector<Vec3> normal_;
 };
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "io/files/errors.h"
 #include "io/replay/joint_openings.h"
 
@@ -21,24 +22,6 @@ constexpr double kTurns = 2e-3;               // rad: two bodies that turn less 
 constexpr double kSlides = 2e-3;              // m: two bodies that move less along their joints do not slide
 constexpr double kShort = 0.3;                // m
 constexpr double kNear = 0.5, kBeside = 0.1;  // m: a hinge lies among the joints between its bodies, or half a brick beside them
-
-/// Disjoint sets.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t root(std::int32_t i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void join(std::int32_t i, std::int32_t j) {
-    i = root(i), j = root(j);
-    at(std::max(i, j)) = std::min(i, j);
-  }
-
- private:
-  std::int32_t& at(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<std::int32_t> parent_;
-};
 
 /// Axis times sine of the angle: the rotation vector as long as that is small.
 Vec3 turn_of(const Mat3& r) { return 0.5 * Vec3{r.r2.y - r.r1.z, r.r0.z - r.r2.x, r.r1.x - r.r0.y}; }
@@ -69,7 +52,7 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
 }
 
 std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<Pose>& poses) const {
-  Sets sets(start_.size() + 1);  // the last is the base
+  geometry::DisjointSets sets(start_.size() + 1);  // the last is the base
   const auto base = static_cast<std::int32_t>(start_.size());
   if (!part_.empty() && time >= part_from_) {
     std::vector<std::int32_t> given = part_;
@@ -80,10 +63,10 @@ std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<
   for (const Joint& j : joints_) {
     const Vec3 at_b = j.b < 0 ? j.from_b : poses[static_cast<std::size_t>(j.b)].point(j.from_b);
     const bool apart = j.time <= time && norm(at_b - poses[static_cast<std::size_t>(j.a)].point(j.from_a)) >= kMovesAsOne;
-    if (!apart) sets.join(j.a, j.b < 0 ? base : j.b);
+    if (!apart) sets.join(static_cast<std::size_t>(j.a), static_cast<std::size_t>(j.b < 0 ? base : j.b));
   }
   std::vector<std::int32_t> component(start_.size() + 1);
-  for (std::int32_t i = 0; i <= base; ++i) component[static_cast<std::size_t>(i)] = sets.root(i);
+  for (std::size_t i = 0; i < component.size(); ++i) component[i] = static_cast<std::int32_t>(sets.of(i));
   return component;
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "cases/gravity.h"
-#include "cases/loads.h"
+#include "cases/loads/gravity.h"
+#include "cases/loads/loads.h"
 #include "solver/analysis/linear_programme.h"
 #include "solver/world/errors.h"
 

@@ -7,9 +7,10 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
+
+#include "geometry/disjoint_sets.h"
 
 namespace voussoir::solver {
 namespace {
@@ -26,25 +27,11 @@ Vec3 against(const LimitContacts& c, const LimitState& s, const LimitPoint& p) {
   return of(p.b) - of(p.a);
 }
 
-/// Disjoint sets of bodies; the last is the ground.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 }  // namespace
 
 Mechanism mechanism_of(const LimitContacts& c, const LimitState& s) {
   const std::size_t n = c.bodies.size();
-  Sets sets(n + 1);
+  geometry::DisjointSets sets(n + 1);  // of bodies; the last is the ground
   const auto place = [&](std::int32_t body) { return body < 0 ? n : static_cast<std::size_t>(body); };
   std::map<std::int32_t, double> apart;  // by joint
   for (const LimitPoint& p : c.points) {
@@ -56,11 +43,11 @@ Mechanism mechanism_of(const LimitContacts& c, const LimitState& s) {
   std::map<std::size_t, MechanismPart> by_root;
   Mechanism out;
   for (std::size_t b = 0; b < n; ++b) {
-    if (sets.root(b) == sets.root(n)) {
+    if (sets.same(b, n)) {
       out.standing += c.bodies[b].mass;
       continue;
     }
-    MechanismPart& part = by_root[sets.root(b)];
+    MechanismPart& part = by_root[sets.of(b)];
     part.bodies.push_back(static_cast<std::int32_t>(b));
     part.mass += c.bodies[b].mass;
     part.centre += c.bodies[b].mass * c.bodies[b].centre;

@@ -10,37 +10,17 @@
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
+#include "solver/contact/placed_element.h"
 #include "solver/setup/patch_order.h"
 
 namespace voussoir::solver {
 
 namespace {
 
-struct Body {
-  Vec3 x;  // centroid
-  Mat3 r;  // orientation
-};
-
-Body body(const World& w, std::int32_t e) {
-  const auto i = static_cast<std::size_t>(e);
-  const kernels::Pose p = kernels::load_pose(w.elements.pose.data(), e);
-  return {w.elements.body[i].ref + p.u, Mat3{} + p.d};
-}
-
 /// As it stood when it was searched last.
-Body body_then(const World& w, std::int32_t e) {
+PlacedElement placed_then(const World& w, std::int32_t e) {
   const Travel::Pose p = w.travel.searched_pose(e);
   return {w.elements.body[static_cast<std::size_t>(e)].ref + p.u, p.r};
-}
-
-Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
-/// Box round an element in that pose.
-geometry::Box3 element_box(const World& w, std::int32_t e, const Body& b) {
-  const auto i = static_cast<std::size_t>(e);
-  const Vec3 h{w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
-  const Vec3 half{dot(absolute(b.r.r0), h), dot(absolute(b.r.r1), h), dot(absolute(b.r.r2), h)};
-  return {b.x - half, b.x + half};
 }
 
 bool overlap(const geometry::Box3& a, const geometry::Box3& b, double margin) {
@@ -53,7 +33,7 @@ struct PlacedPatch {
   Vec3 centre, es, et;  // of its rectangle; half edges
   geometry::Box3 box;
 };
-PlacedPatch placed(const kernels::Patch& k, const Body& b) {
+PlacedPatch placed(const kernels::Patch& k, const PlacedElement& b) {
   const Vec3 middle = k.centre + 0.5 * (k.s_low + k.s_high) * k.es + 0.5 * (k.t_low + k.t_high) * k.et;
   PlacedPatch r;
   r.centre = b.x + b.r * middle;
@@ -65,7 +45,7 @@ PlacedPatch placed(const kernels::Patch& k, const Body& b) {
 }
 
 /// Distance [m] that one face of the element, the best, keeps between it and the whole patch.
-double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const Body& b) {
+double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const PlacedElement& b) {
   const auto i = static_cast<std::size_t>(element);
   const Mat3 back = transposed(b.r);
   const Vec3 centre = back * (p.centre - b.x), es = back * p.es, et = back * p.et;
@@ -81,7 +61,7 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const 
 /// An element in its pose.
 struct Here {
   std::int32_t element = 0;
-  Body body;
+  PlacedElement body;
   geometry::Box3 box;
 };
 
@@ -141,7 +121,7 @@ void search_own_patches(const SearchPass& t, const Here& here, std::span<const H
       if (apart) found.add(*p, count++, candidate_at(w, *p, other.element, *apart));
     };
     for (const Here& other : near) consider(other);
-    if (over_base) consider({el.base, body(w, el.base), {}});
+    if (over_base) consider({el.base, placed_element(w, el.base), {}});
     room.candidates[static_cast<std::size_t>(*p)] = count;
   }
 }
@@ -160,7 +140,7 @@ void search_patches_around(const SearchPass& t, const Here& here, std::span<cons
   }
 }
 
-Here here(const World& w, std::int32_t e) { return {e, body(w, e), w.contacts.room.box[static_cast<std::size_t>(e)]}; }
+Here here(const World& w, std::int32_t e) { return {e, placed_element(w, e), w.contacts.room.box[static_cast<std::size_t>(e)]}; }
 
 /// Room of a thread for the neighbours of one element.
 struct Neighbours {
@@ -208,7 +188,7 @@ double mark_moved(World& w, double farther_than) {
     const double m = w.travel.displacement(w.elements, e);
     const bool again = m > farther_than;
     room.re_search.element[i] = room.looked_at[i] = again ? 1 : 0;
-    room.box[i] = element_box(w, e, body(w, e));
+    room.box[i] = box_of(w, e, placed_element(w, e));
     if (again) {
       w.travel.remember(w.elements, e);
     } else {
@@ -242,7 +222,7 @@ void place_in_grid(World& w) {
   std::vector<geometry::Box3> box = room.box;
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
-    if (room.re_search.element[i] == 0) box[i] = element_box(w, e, body_then(w, e));
+    if (room.re_search.element[i] == 0) box[i] = box_of(w, e, placed_then(w, e));
   }
   c.grid.build(box);
   room.stale = false;

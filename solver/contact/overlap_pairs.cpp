@@ -6,40 +6,21 @@
 #include <utility>
 
 #include "solver/contact/overlap_contact.h"
+#include "solver/contact/placed_element.h"
 
 namespace voussoir::solver {
 
 namespace {
-
-Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
-Mat3 orientation(const World& w, std::int32_t e) { return Mat3{} + kernels::load_pose(w.elements.pose.data(), e).d; }
-
-Vec3 centroid(const World& w, std::int32_t e) {
-  return w.elements.body[static_cast<std::size_t>(e)].ref + kernels::load_pose(w.elements.pose.data(), e).u;
-}
-
-Vec3 half_extents(const World& w, std::int32_t e) {
-  const auto i = static_cast<std::size_t>(e);
-  return {w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
-}
-
-/// Box round an element as it stands.
-geometry::Box3 box_of(const World& w, std::int32_t e) {
-  const Mat3 r = orientation(w, e);
-  const Vec3 h = half_extents(w, e), x = centroid(w, e);
-  const Vec3 half{dot(absolute(r.r0), h), dot(absolute(r.r1), h), dot(absolute(r.r2), h)};
-  return {x - half, x + half};
-}
 
 double largest(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
 /// m; the two overlap by no more than this: along the axes of the boxes round them that turn with them. For two bricks it is the least
 /// overlap along the normals of their faces, so only pairs that need crossed edges to be told apart are looked at by more than this.
 double overlap_at_most(const World& w, std::int32_t a, std::int32_t b) {
-  if (b == w.elements.base) return centroid(w, b).z - box_of(w, a).low.z;
-  const Mat3 ra = transposed(orientation(w, a)), rb = transposed(orientation(w, b));  // rows: the axes of the boxes
-  const Vec3 ha = half_extents(w, a), hb = half_extents(w, b), apart = centroid(w, b) - centroid(w, a);
+  const PlacedElement at_a = placed_element(w, a), at_b = placed_element(w, b);
+  if (b == w.elements.base) return at_b.x.z - box_of(w, a, at_a).low.z;
+  const Mat3 ra = transposed(at_a.r), rb = transposed(at_b.r);  // rows: the axes of the boxes
+  const Vec3 ha = half_extents(w, a), hb = half_extents(w, b), apart = at_b.x - at_a.x;
   const Mat3 cosines{absolute(rb * ra.r0), absolute(rb * ra.r1), absolute(rb * ra.r2)};  // of axes of a, by row, with those of b
   const Vec3 along_a = absolute(ra * apart), along_b = absolute(rb * apart);
   const double gap_a = largest(along_a - ha - cosines * hb), gap_b = largest(along_b - hb - transposed(cosines) * ha);

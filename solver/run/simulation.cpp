@@ -12,7 +12,7 @@
 #include <numbers>
 #include <utility>
 
-#include "cases/gravity.h"
+#include "cases/loads/gravity.h"
 #include "kernels/prefetch.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"

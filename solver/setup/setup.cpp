@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cases/census.h"
-#include "cases/loads.h"
+#include "cases/loads/loads.h"
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
 #include "solver/world/first_touch.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/gravity.h"
+#include "cases/loads/gravity.h"
 
 #include <cmath>
 #include <numbers>
