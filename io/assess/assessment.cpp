@@ -127,7 +127,6 @@ void read_base_shear(const Hdf5File& run, Assessment& out) {
   out.base_shear_over_weight = out.weight > 0 ? out.base_shear.value / out.weight : kNone;
 }
 
-/// Goes through the frames once.
 /// Heights of storeys above the base must lie in the walls.
 void check_levels(const Building& b, const std::vector<double>& heights) {
   double top = 0.0;
@@ -139,6 +138,7 @@ void check_levels(const Building& b, const std::vector<double>& heights) {
   }
 }
 
+/// Goes through the frames once.
 class Assessor {
  public:
   Assessor(const Hdf5File& run, const Building& building, const std::vector<double>& heights)

@@ -7,7 +7,7 @@ namespace {
 
 std::string comment_of(const KeyInfo& info, bool with_shape) {
   std::vector<std::string> parts;
-  const std::string limits = info.limits.text();
+  const std::string limits = with_shape ? info.limits.full_text() : info.limits.text();
   const bool words = info.shape.find(" | ") != std::string::npos;
   if (!info.unit.empty()) parts.push_back(info.unit);
   if (words || with_shape) parts.push_back(info.shape);
@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
 
 std::string markdown_row(const KeyInfo& info, const std::string& default_text) {
   const std::string by_default = info.required ? "*required*" : default_text.empty() ? "none" : "`" + default_text + "`";
-  const std::string limits = info.limits.text();
+  const std::string limits = info.limits.full_text();
   const std::string allowed = info.shape + (limits.empty() ? "" : "; " + limits);
   return "| `" + info.name + "` | " + by_default + " | " + info.unit + " | " + escaped(allowed) + " | " + escaped(info.sentence) + " |\n";
 }
@@ -48,15 +48,16 @@ bool RuleCheck::given(std::string_view key) const {
   return entry != nullptr && !entry->node.removed();
 }
 
-void RuleCheck::fault(const std::string& key, const std::string& problem) const {
+Fault RuleCheck::at(const std::string& key, const std::string& problem) const {
   const std::string key_path = key.empty() ? path : path_to(path, key);
   const auto known = reading.known().find(key_path);
-  if (known != reading.known().end()) {
-    reading.fault({known->second.source, key_path, known->second.value, problem});
-  } else {
-    reading.fault({table.source, key_path, "", problem});
-  }
+  if (known == reading.known().end()) return {table.source, key_path, "", problem};
+  return {known->second.source, key_path, known->second.value, problem};
 }
+
+void RuleCheck::fault(const std::string& key, const std::string& problem) const { reading.fault(at(key, problem)); }
+
+void RuleCheck::doubt(const std::string& key, const std::string& problem) const { reading.doubt(at(key, problem)); }
 
 void Lines::header(const Header& at, const std::string& sentence) {
   if (markdown) {

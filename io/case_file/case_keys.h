@@ -177,6 +177,11 @@ struct RuleCheck {
   [[nodiscard]] bool given(std::string_view key) const;
   /// Reports the key, or the table if key is empty.
   void fault(const std::string& key, const std::string& problem) const;
+  /// Likewise of what is let through, but is likely a slip.
+  void doubt(const std::string& key, const std::string& problem) const;
+
+ private:
+  [[nodiscard]] Fault at(const std::string& key, const std::string& problem) const;
 };
 
 /// All keys of struct S, and the rules between them (called only when each key by itself is good).

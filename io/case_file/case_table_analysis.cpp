@@ -105,7 +105,8 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   }
   const bool grow = std::ranges::any_of(c.loads, &Load::grows);
   const bool given = a.kind == AnalysisKind::cyclic || (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::given);
-  if (given && !grow) check.fault("analysis.kind", "needs a [[load]] with grows = true");
+  if (given && !grow)
+    check.fault(a.kind == AnalysisKind::cyclic ? "analysis.kind" : "analysis.pattern", "needs a [[load]] with grows = true");
   if (!given && grow) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
   if (a.kind == AnalysisKind::settlement && !a_support_moves(c))
     check.fault("analysis.kind", "needs a fixed block with [block.motion] or a [[base.part]] with motion, which moves");

@@ -220,7 +220,7 @@ Table<Motion> motion_table() {
        file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
        file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
        choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"),
-       value<S>("dt", &S::dt, "s", within(1e-6, 10.0), "between samples of the files, where a format does not say (one column)"),
+       value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(1e-4, 0.1), "between samples of the files, where a format does not say (one column)"),
        value<S>(
            "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0),
            "of the record: the sample nearest to it shakes first, at time zero; none: its start"),

@@ -45,7 +45,7 @@ Table<Roof> roof_table() {
            value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
            value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),
            value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "vault, gables: number in a ring"),
-           value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0),
+           value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(2.0, 700.0),
                     "flat, vault, pitched: mass on the upper surface, added to the roof's elements"),
            value<S>("pitch", &S::pitch, "degrees", within(5.0, 60.0), "pitched: of the rafters"),
            value<S>("spacing", &S::spacing, "m", above(0.0),
@@ -138,7 +138,7 @@ Table<Storey> storey_table() {
   using S = Storey;
   return {
       "a storey upon those before it; a low one on top is a parapet",
-      {value<S>("height", &S::height, "m", above(0.0), "of its walls"),
+      {value<S>("height", &S::height, "m", above(0.0).usually(0.5, 60.0), "of its walls"),
        value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness; none: as below, and at most that; outer faces are flush"),
        value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "likewise")},
       nullptr};
@@ -189,9 +189,9 @@ Table<House> house_table() {
   return {
       "a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at "
       "high x), before turn",
-      {value<S>("inner_size", &S::inner_size, "m", above(0.0), "inside the walls, along x and y"),
-       value<S>("height", &S::height, "m", above(0.0), "of the walls; of the first storey if there are more"),
-       value<S>("brick", &S::brick, "m", above(0.0), "length, width, height; with mortar, or without it if `mortar` is given"),
+      {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(0.5, 100.0), "inside the walls, along x and y"),
+       value<S>("height", &S::height, "m", above(0.0).usually(0.5, 60.0), "of the walls; of the first storey if there are more"),
+       value<S>("brick", &S::brick, "m", above(0.0).usually(0.02, 3.0), "length, width, height; with mortar, or without it if `mortar` is given"),
        value<S>("mortar", &S::mortar, "m", at_least(0.0),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
@@ -215,8 +215,8 @@ Table<House> house_table() {
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
        value<S>("copies", &S::copies, "", within(1.0, 1000.0), "number of houses along x and y"),
        value<S>("spacing", &S::spacing, "m", above(0.0), "from house to house along x and y"),
-       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness"),
-       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "thickness"),
+       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0).usually(0.05, 5.0), "thickness"),
+       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0).usually(0.05, 5.0), "thickness"),
        value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"),
        table<S>("storey", &S::storeys, storey_table()),
        table<S>("inner_wall", &S::inner_walls, inner_wall_table()),

@@ -13,12 +13,12 @@ void add_bar_keys(std::vector<Key<S>>& keys, Bar bar) {
   const auto member = [bar](auto Tie::*m) {
     return [ bar, m ](auto& s) -> auto& { return bar(s).*m; };
   };
-  keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0), "of its section")));
-  keys.push_back(value<S>("young", member(&Tie::young), "Pa", above(0.0), "modulus; the default is that of steel"));
-  keys.push_back(value<S>("yield", member(&Tie::yield), "Pa", above(0.0), "stress at which it yields; none: elastic"));
+  keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0).usually(1e-7, 0.1), "of its section")));
+  keys.push_back(value<S>("young", member(&Tie::young), "Pa", above(0.0).usually(1e7, 1e12), "modulus; the default is that of steel"));
+  keys.push_back(value<S>("yield", member(&Tie::yield), "Pa", above(0.0).usually(1e5, 5e9), "stress at which it yields; none: elastic"));
   keys.push_back(value<S>("hardening", member(&Tie::hardening), "Pa", at_least(0.0), "slope of stress over strain beyond yield"));
-  keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0), "strain at which it breaks; none: never"));
-  keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0),
+  keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0).usually(1e-3, 1.0), "strain at which it breaks; none: never"));
+  keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0).usually(50.0, 1e7),
                           "force that it would have if its ends did not move; put on with gravity, or at once without settling"));
   keys.push_back(
       value<S>("compression", member(&Tie::compression), "", any(), "bears compression, too, without buckling; else it goes slack"));
@@ -51,10 +51,10 @@ Table<MeshConnectors> connectors_table() {
   using S = MeshConnectors;
   return {"bars through the wall that join the two faces of a mesh at its nodes, in tension and compression",
           {value<S>("every", &S::every, "", within(1.0, 1000.0), "nodes, along and up, from one to the next"),
-           required(value<S>("area", &S::area, "m2", above(0.0), "of the section")),
-           value<S>("young", &S::young, "Pa", above(0.0), "modulus; the default is that of steel"),
-           value<S>("yield", &S::yield, "Pa", above(0.0), "stress at which they yield; none: elastic"),
-           value<S>("elongation", &S::elongation, "", above(0.0), "strain at which they break; none: never")},
+           required(value<S>("area", &S::area, "m2", above(0.0).usually(1e-7, 0.1), "of the section")),
+           value<S>("young", &S::young, "Pa", above(0.0).usually(1e7, 1e12), "modulus; the default is that of steel"),
+           value<S>("yield", &S::yield, "Pa", above(0.0).usually(1e5, 5e9), "stress at which they yield; none: elastic"),
+           value<S>("elongation", &S::elongation, "", above(0.0).usually(1e-3, 1.0), "strain at which they break; none: never")},
           nullptr};
 }
 
@@ -109,7 +109,7 @@ Table<HouseMesh> house_mesh_table() {
                                                 "of the walls that it covers"),
            required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide")),
            value<S>("strength", &S::strength, "N/m", above(0.0), "force at which a strip one metre wide yields; none: elastic"),
-           value<S>("elongation", &S::elongation, "", above(0.0), "strain at which it breaks; none: never"),
+           value<S>("elongation", &S::elongation, "", above(0.0).usually(1e-3, 1.0), "strain at which it breaks; none: never"),
            table<S>("connectors", &S::connectors, connectors_table())},
           [](const S& s, const RuleCheck& check) {
             if (s.to && *s.to <= s.from) check.fault("to", "must be above house.mesh.from");
@@ -164,10 +164,10 @@ Table<Floor> house_floor_table() {
        choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
                                           "where its beams run: from wall to wall, through inner walls"),
        value<S>("beam", &S::beam, "m", above(0.0), "width and height of a beam"),
-       value<S>("spacing", &S::spacing, "m", above(0.0), "from axis to axis; in each room as many as fit, the rest at both ends"),
+       value<S>("spacing", &S::spacing, "m", above(0.0).usually(0.1, 3.0), "from axis to axis; in each room as many as fit, the rest at both ends"),
        value<S>("bearing", &S::bearing, "m", above(0.0), "depth of the pockets in the outer walls, a whole number of brick widths"),
        value<S>("element", &S::element, "m", above(0.0), "length of an element of a beam"),
-       value<S>("load", &S::load, "kg/m2", at_least(0.0), "mass of boards and all on them, added to the beams"),
+       value<S>("load", &S::load, "kg/m2", at_least(0.0).usually(2.0, 700.0), "mass of boards and all on them; each beam has load x spacing x its length"),
        value<S>("joint", &S::joint, "", filled(), "joint law of beams with walls, or \"dry\": friction alone"),
        choice<S, Anchorage S::*, Anchorage>(
            "anchorage", &S::anchorage, "",

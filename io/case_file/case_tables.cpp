@@ -15,7 +15,12 @@ Table<Gravity> gravity_table() {
            value<S>("ramp", &S::ramp, "s", at_least(0.0), "length of the ramp; none: five periods of damping.frequency, else 1 s"),
            value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0),
                     "longest wait for rest after the ramp; then the run goes on with a warning")},
-          nullptr};
+          [](const S& s, const RuleCheck& check) {
+            const double g = norm(s.acceleration);
+            if (g == 0.0) return;
+            if (s.acceleration.z >= 0.0) return check.doubt("acceleration", "does not point down; usually [0, 0, -9.81]");
+            if (g < 9.0 || g > 10.5) check.doubt("acceleration", "is not that of the earth; usually [0, 0, -9.81]");
+          }};
 }
 
 Table<Time> time_table() {
@@ -54,7 +59,7 @@ Table<Damping> damping_table() {
   using S = Damping;
   return {
       "mass damping: ratio at frequency, or alpha",
-      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
+      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0).usually(1e-4, 0.2), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
        frequency_key(), value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond"),
        choice<S, bool S::*, bool>("frame", &S::inertial, "", {{"ground", false}, {"inertial", true}},
@@ -72,8 +77,8 @@ Table<Damping> damping_table() {
 Table<Material> material_table() {
   using S = Material;
   return {"a material of elements",
-          {required(value<S>("density", &S::density, "kg/m3", above(0.0), "mass per volume")),
-           required(value<S>("young", &S::young, "Pa", above(0.0), "Young's modulus")),
+          {required(value<S>("density", &S::density, "kg/m3", above(0.0).usually(200.0, 12000.0), "mass per volume")),
+           required(value<S>("young", &S::young, "Pa", above(0.0).usually(1e6, 5e11), "Young's modulus")),
            required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio")),
            value<S>("inside", &S::inside, "", filled(),
                     "law between the convex pieces of a stone that is not convex, and between the halves of a unit (house.halves, "
@@ -114,15 +119,15 @@ Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {
       "strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
-      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0), "tensile strength f_t")),
-       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0), "cohesion c")),
-       required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
+      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0).usually(100.0, 1e8), "tensile strength f_t")),
+       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0).usually(100.0, 1e8), "cohesion c")),
+       required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
                          "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
-       required(value<S>("compression", &S::compression, "Pa", above(0.0),
+       required(value<S>("compression", &S::compression, "Pa", above(0.0).usually(1e4, 1e9),
                          "compressive strength f_m of the bond; of contacts: contact.compression")),
        value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
-       value<S>("thickness", &S::thickness, "m", at_least(0.0), "of the mortar; 0: no mortar, Eq. 2"),
-       value<S>("young", &S::young, "Pa", at_least(0.0), "Young's modulus of the mortar"),
+       value<S>("thickness", &S::thickness, "m", at_least(0.0).usually(1e-4, 0.1), "of the mortar; 0: no mortar, Eq. 2"),
+       value<S>("young", &S::young, "Pa", at_least(0.0).usually(1e5, 1e11), "Young's modulus of the mortar"),
        value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
        value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0),
                 "mode I, elastic part included: more than f_t^2 / (2 k_n); 0: brittle in tension"),
@@ -131,14 +136,14 @@ Table<JointLaw> joint_law_table() {
        choice<S, SofteningCurve S::*, SofteningCurve>("softening", &S::softening, "",
                                                       {{"exponential", SofteningCurve::exponential}, {"linear", SofteningCurve::linear}},
                                                       "how f_t and c fall over what opens or slides"),
-       value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0),
+       value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
                 "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
        value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
                 "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
                 "fracture_energy_shear"),
-       value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0),
+       value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0).usually(1e6, 1e14),
                 "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
-       value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0), "the same along the joint; both stand, or none"),
+       value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0).usually(1e6, 1e14), "the same along the joint; both stand, or none"),
        value<S>(
            "maximum_closure", &S::maximum_closure, "m", above(0.0),
            "largest closure of a dry joint (Bandis' hyperbola): its stiffness grows from normal_stiffness, without pressure; friction is "
@@ -147,6 +152,7 @@ Table<JointLaw> joint_law_table() {
         check_softening(s, check);
         check_stiffness(s, check);
         check_closure(s, check);
+        if (s.thickness <= 0.0 && s.young > 0.0) check.doubt("young", "has no effect without the thickness of the mortar (m)");
         if (s.thickness <= 0.0) return;
         if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
         if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
@@ -203,7 +209,7 @@ Table<ContactRule> contact_rule_table() {
   using S = ContactRule;
   return {"friction of two materials, whether they were joined or not",
           {required(value<S>("materials", &S::materials, "", filled(), "the two materials; \"base\" counts as one; a pair may stand once")),
-           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0), "angle of friction"))},
+           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0), "angle of friction"))},
           nullptr};
 }
 
@@ -224,7 +230,7 @@ Table<Contact> contact_table() {
   using S = Contact;
   return {
       "contact of faces without a bond",
-      {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0),
+      {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
                 "angle of friction of all pairs of materials, broken joints too, but of those in `between`"),
        value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
        choice<S, Dashpots S::*, Dashpots>("dashpots", &S::dashpots, "",
@@ -233,7 +239,7 @@ Table<Contact> contact_table() {
                                           "dashpot acts while faces touch"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
-       value<S>("compression", &S::compression, "Pa", at_least(0.0),
+       value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(1e4, 1e9),
                 "pressure at which contacts crush: broken joints and bodies that meet at their points; 0: they bear any pressure"),
        value<S>("crushing_energy", &S::crushing_energy, "J/m2", at_least(0.0),
                 "that crushing takes above the residual, more than (compression - residual)^2 / (2 k_n); 0: strength does not fall"),

@@ -78,6 +78,39 @@ void print_bill(const cases::Census& n, const cases::Model& m) {
   }
 }
 
+/// The laws that joints have, as runs see them: strength of the bond, and the friction that is left without it.
+void print_joint_laws(const cases::Model& m) {
+  struct Row {
+    std::int64_t joints = 0;
+    double least = 90.0, most = 0.0;  // degrees, friction without the bond
+  };
+  std::vector<Row> rows(m.laws.size());
+  const std::size_t materials = m.materials.size() + 1;
+  const auto material = [&](std::int32_t e) {
+    return e == geometry::kBase ? materials - 1 : static_cast<std::size_t>(m.blocks[static_cast<std::size_t>(e)].material);
+  };
+  for (std::size_t j = 0; j < m.joint_law.size(); ++j) {
+    const geometry::Joint& joint = m.assembly.joints[j];
+    const auto law = static_cast<std::size_t>(m.joint_law[j]);
+    const double after =
+        m.laws[law].value.residual_friction.value_or(m.contact_friction[material(joint.element_a) * materials + material(joint.element_b)]);
+    Row& row = rows[law];
+    ++row.joints, row.least = std::min(row.least, after), row.most = std::max(row.most, after);
+  }
+  std::printf("\n%-24s %10s %13s %13s %16s %12s %14s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",
+              "friction [°]", "when open [°]");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].joints == 0) continue;
+    const cases::JointLaw& l = m.laws[i].value;
+    const bool bond = i != 0 && !l.stiffens();
+    const auto figure = [&](double v) { return bond ? cases::text(v) : std::string("none"); };
+    std::string after = cases::text(rows[i].least);
+    if (rows[i].most > rows[i].least) after += " to " + cases::text(rows[i].most);
+    std::printf("%-24s %10s %13s %13s %16s %11s %13s\n", m.laws[i].name.c_str(), format_count(rows[i].joints).c_str(),
+                figure(l.tension).c_str(), figure(l.cohesion).c_str(), figure(l.compression).c_str(), figure(l.friction).c_str(), after.c_str());
+  }
+}
+
 /// One friction for all pairs of materials, and those that have their own.
 void print_friction(const cases::Contact& c) {
   std::printf("\nfriction of contacts     %s degrees", cases::text(c.friction).c_str());
@@ -189,6 +222,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_ties(model);
   print_bounded_ties(sim.world().ties, model);
   print_step(n, model, sim.world());
+  print_joint_laws(model);
   print_friction(c.value.contact);
   std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
   print_parts(n);
@@ -199,7 +233,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
   }
-  warn_of_slips(c.value, model);
+  warn_of_slips(c, model, motion);
   std::printf(sound ? "\nno faults found\n" : "\na fault: the first steps go wrong, see estimate\n");
   return sound ? kDone : kInputFault;
 }

@@ -40,7 +40,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);
-  warn_of_slips(c.value, model);
+  warn_of_slips(c, model, motion);
   warn_of_step(c.value, model, sim.world().dt);
 
   cases::Case used = anchored(c.value);

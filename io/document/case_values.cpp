@@ -28,6 +28,15 @@ std::string plain_number(double v) {
   return {buffer.data(), end};
 }
 
+/// 1e6 in place of 1e+06
+std::string short_number(double v) {
+  std::string text = plain_number(v);
+  for (const auto& [sign, without] : {std::pair{"e+0", "e"}, std::pair{"e-0", "e-"}, std::pair{"e+", "e"}}) {
+    if (const std::size_t at = text.find(sign); at != std::string::npos) text.replace(at, std::string_view(sign).size(), without);
+  }
+  return text;
+}
+
 std::string kind_of(const Node& node) {
   constexpr std::array<const char*, 8> kinds{
       "nothing", "a date or time", "true or false", "an integer", "a number with a fraction", "a string in quotes", "an array", "a table"};
@@ -75,6 +84,16 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string Limits::usual_text() const {
+  if (!std::isfinite(usual_low) || !std::isfinite(usual_high)) return "";
+  return "usually " + short_number(usual_low) + " to " + short_number(usual_high);
+}
+
+std::string Limits::full_text() const {
+  const std::string range = text(), usual = usual_text();
+  return range.empty() || usual.empty() ? range + usual : range + ", " + usual;
+}
 
 std::string Limits::text() const {
   const bool bounded_below = std::isfinite(low), bounded_above = std::isfinite(high);
@@ -222,6 +241,10 @@ bool read_value(const Node& node, double& out, const KeyInfo& info, Reading& rea
   } else if (!info.limits.contains(v)) {
     reading.bad_value(node, path, info, "must be " + info.limits.text());
   } else {
+    if (!info.limits.is_usual(v)) {
+      const std::string unit = info.unit.empty() ? "" : " " + info.unit;
+      reading.doubt({node.source, path, short_text(node) + unit, "is unusual; " + info.limits.usual_text() + unit});
+    }
     out = v;
     return true;
   }

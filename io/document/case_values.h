@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/document/case_tree.h"
@@ -19,10 +20,22 @@ struct Limits {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
   bool filled = false;  // a string must not be empty
+  // Of values that buildings have; 0 mostly means "none". What lies outside is let through with a note: its unit may be another.
+  double usual_low = -std::numeric_limits<double>::infinity(), usual_high = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool contains(double v) const noexcept { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
+  [[nodiscard]] bool is_usual(double v) const noexcept { return v == 0.0 || (v >= usual_low && v <= usual_high); }
+  [[nodiscard]] Limits usually(double from, double to) const {
+    Limits l = *this;
+    l.usual_low = from, l.usual_high = to;
+    return l;
+  }
   /// ">= 0", "in [0, 0.5)"; empty: any.
   [[nodiscard]] std::string text() const;
+  /// "usually 200 to 12000"; empty: nothing is known of it.
+  [[nodiscard]] std::string usual_text() const;
+  /// Both: "> 0, usually 200 to 12000".
+  [[nodiscard]] std::string full_text() const;
 };
 inline Limits any() { return {}; }
 inline Limits filled() {
@@ -89,6 +102,8 @@ class Reading {
   void wrong_type(const Node& node, const std::string& path, const KeyInfo& info);
   void bad_value(const Node& node, const std::string& path, const KeyInfo& info, const std::string& problem);
   void unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed);
+  /// A value that is let through, but is likely a slip.
+  void doubt(Fault doubt) { doubts_.push_back(std::move(doubt)); }
   void missing_key(const Node& table, const std::string& table_path, const KeyInfo& info);
   void know(const std::string& path, const Node& node, const std::string& unit);
   /// The entries of a table; otherwise a fault, and nullptr.
@@ -97,11 +112,14 @@ class Reading {
 
   [[nodiscard]] int faults() const noexcept { return count_; }
   [[nodiscard]] const std::optional<Fault>& first() const noexcept { return first_; }
+  /// In the order of reading.
+  [[nodiscard]] const std::vector<Fault>& doubts() const noexcept { return doubts_; }
   [[nodiscard]] const std::map<std::string, Known>& known() const noexcept { return known_; }
 
  private:
   std::map<std::string, Known> known_;
   std::optional<Fault> first_;
+  std::vector<Fault> doubts_;
   int count_ = 0;
 };
 

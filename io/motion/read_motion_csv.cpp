@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -67,15 +68,21 @@ Layout layout_of(const std::string& path, long line, const Fields& fields, const
                       ", or dt beside it, in s (motion.dt in a case, dt in record.toml, --dt of voussoir motion)");
 }
 
+/// Commas part columns; between semicolons they are decimal ones.
+std::string hint(const Fields& fields) {
+  const bool both = std::ranges::any_of(fields, [](const auto& f) { return f.find(';') != f.npos; });
+  return both ? "; decimals need a point, not a comma" : "";
+}
+
 std::array<double, 2> numbers_of(const std::string& path, long line, const Fields& fields) {
   if (fields.size() != 2) {
-    throw FileError(path, line, (fields.size() < 2 ? "one column" : "more than two columns") + std::string("; ") + kColumns);
+    throw FileError(path, line, (fields.size() < 2 ? "one column" : "more than two columns") + std::string("; ") + kColumns + hint(fields));
   }
   std::array<double, 2> numbers{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto number = finite_number(fields[i]);
     if (!number) {
-      throw FileError(path, line, std::string(i == 0 ? "time " : "acceleration ") + shown(fields[i]) + " is no finite number");
+      throw FileError(path, line, std::string(i == 0 ? "time " : "acceleration ") + shown(fields[i]) + " is no finite number" + hint(fields));
     }
     numbers[i] = *number;
   }
@@ -87,6 +94,22 @@ double value_of(const std::string& path, long line, const Fields& fields) {
   const auto number = finite_number(fields[0]);
   if (!number) throw FileError(path, line, "acceleration " + shown(fields[0]) + " is no finite number");
   return *number;
+}
+
+/// The first row whose step is not that of most rows is told: behind a gap, all times are off.
+void refuse_gap(const std::string& path, const std::vector<Row>& rows) {
+  constexpr double kGap = 1e-3;  // of a step
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(rows[i].time - rows[i - 1].time);
+  std::vector<double> sorted = steps;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const auto gap = std::ranges::find_if(steps, [&](double s) { return std::abs(s - *middle) > kGap * *middle; });
+  if (gap == steps.end()) return;
+  const Row& row = rows[static_cast<std::size_t>(gap - steps.begin()) + 1];
+  throw FileError(path, row.line,
+                  "time " + cases::text(row.time) + " s is " + cases::text(*gap) + " s after the row before, and most steps are " +
+                      cases::text(*middle) + " s; allowed: equal steps, to a millionth");
 }
 
 /// The step of the rows, checked to be the same everywhere.
@@ -102,6 +125,7 @@ double step_of(const std::string& path, const std::vector<Row>& rows) {
   }
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (std::abs(rows[i].time - static_cast<double>(i) * dt) > kTolerance * dt + 1e-14 * span) {
+      refuse_gap(path, rows);
       throw FileError(path, rows[i].line,
                       "time " + cases::text(rows[i].time) + " s is not a multiple of the mean step, " + cases::text(dt) +
                           " s; allowed: equal steps, to a millionth");

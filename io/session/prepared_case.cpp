@@ -4,10 +4,12 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "cases/followed_points.h"
 #include "cases/joint_rules.h"
@@ -20,7 +22,10 @@ namespace {
 
 constexpr double kOff = 0.20;                 // of the model's own frequency
 constexpr std::size_t kMostElements = 10000;  // above it modes take minutes
-constexpr std::array kAxes{"x", "y"};
+constexpr std::array kAxes{"x", "y", "z"};
+// Records stronger than that: none is known (Tohoku 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
+constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
+constexpr double kMostOfRun = 0.8;                                                         // that a motion shakes at least
 
 void warn(const std::string& text) { std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str()); }
 
@@ -48,6 +53,7 @@ void warn_of_frequency(const cases::Case& c, const cases::Model& model) {
   std::array<solver::MainMode, 2> modes;
   try {
     modes = solver::main_modes(c, model);
+    if (modes[0].number == 0 && modes[1].number == 0) modes = solver::main_modes(c, model, solver::DryJoints::closed);
   } catch (const solver::NumericalError&) {
     return;  // nothing to compare with
   }
@@ -61,6 +67,45 @@ void warn_of_frequency(const cases::Case& c, const cases::Model& model) {
   if (own.empty()) return;
   warn("damping.frequency = " + four_digits(*c.damping.frequency) + " Hz is more than 20 % off the model's own: " + own +
        "; damping.frequency = \"auto\" takes that of y");
+}
+
+/// Whether the case's own file, or an override, has this table: what it includes may hold more than it needs.
+bool is_own(const LoadedCase& c, const std::string& key) {
+  const auto place = c.keys.find(key);
+  return place != c.keys.end() && !place->second.included;
+}
+
+void warn_of_unused(const LoadedCase& c, const cases::Model& m) {
+  std::vector<bool> law(m.laws.size(), false), material(m.materials.size(), false);
+  const auto mark = [](std::vector<bool>& used, const auto& all, std::int32_t i) {
+    for (; i >= 0 && !used[static_cast<std::size_t>(i)]; i = all[static_cast<std::size_t>(i)].made_from) used[static_cast<std::size_t>(i)] = true;
+  };
+  for (const std::int32_t l : m.joint_law) mark(law, m.laws, l);
+  for (const cases::Block& b : m.blocks) mark(material, m.materials, b.material);
+  const auto tell = [&](const std::string& table, const std::string& name, const char* what) {
+    const std::string key = table + "." + name;
+    if (is_own(c, key)) warn(c.describe(cases::InputError(key, what)));
+  };
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    if (!law[i]) tell("joint_laws", m.laws[i].name, "is the law of no joint");
+  }
+  for (std::size_t i = 0; i < material.size(); ++i) {
+    if (!material[i]) tell("materials", m.materials[i].name, "is the material of no element");
+  }
+}
+
+void warn_of_motion(const cases::Case& c, const cases::GroundMotion& motion) {
+  double end = 0.0;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const cases::MotionFigures f = cases::figures(motion.axis[axis]);
+    end = std::max(end, f.duration);
+    if (f.peak_acceleration <= kMostAcceleration && f.peak_velocity <= kMostVelocity && f.peak_displacement <= kMostDisplacement) continue;
+    warn("the motion along " + std::string(kAxes[axis]) + " is stronger than any record: peaks of " + four_digits(f.peak_acceleration) +
+         " m/s2, " + four_digits(f.peak_velocity) + " m/s and " + four_digits(f.peak_displacement) +
+         " m; are motion.unit, motion.dt, motion.scale and motion.baseline right?");
+  }
+  if (end > 0.0 && end < kMostOfRun * c.time.duration)
+    warn("the motion ends at " + four_digits(end) + " s: the ground is still until the run ends, at " + four_digits(c.time.duration) + " s");
 }
 
 }  // namespace
@@ -90,9 +135,11 @@ void fill_own_frequency(cases::Case& c) {
                held ? ", with joints without a bond held as if bonded" : "");
 }
 
-void warn_of_slips(const cases::Case& c, const cases::Model& model) {
-  for (const std::string& rule : cases::unused_joint_rules(c, model)) warn(rule);
-  warn_of_frequency(c, model);
+void warn_of_slips(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
+  for (const std::string& rule : cases::unused_joint_rules(c.value, model)) warn(rule);
+  warn_of_unused(c, model);
+  warn_of_motion(c.value, motion);
+  warn_of_frequency(c.value, model);
 }
 
 }  // namespace voussoir::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/model.h"
+#include "cases/motion.h"
 #include "io/case_file/case_file.h"
 
 /// Between the case as it was read and what a command does with it: what cannot be told before the model is built.
@@ -19,9 +20,10 @@ cases::Model prepared_model(const cases::Case& c);
 /// case as used says it. Tells which mode on standard error. \throw cases::InputError if no mode moves the building along y
 void fill_own_frequency(cases::Case& c);
 
-/// What in a case is likely a slip, told on standard error: rules of joints.between that never apply; a damping.frequency that is neither
-/// within 20 % of the model's main frequency along y nor of that along x. Modes are computed for that (a house: 2 s), unless the model has
-/// more than 10,000 elements.
-void warn_of_slips(const cases::Case& c, const cases::Model& model);
+/// What in a case is likely a slip, told on standard error: rules of joints.between that never apply; materials and joint laws of the case's
+/// own file that nothing has; a motion that is stronger than any record, or that ends before 80 % of the run; a damping.frequency that is
+/// neither within 20 % of the model's main frequency along y nor of that along x. Modes are computed for that (a house: 2 s), unless the
+/// model has more than 10,000 elements. (Values that are unusual by themselves are LoadedCase::notes.)
+void warn_of_slips(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion);
 
 }  // namespace voussoir::io

@@ -13,6 +13,7 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 import tomllib
 from concurrent import futures
 
@@ -238,7 +239,20 @@ def identity(case, overrides):
     return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
 
 
+def check_overridden(study, path):
+    """An override of what the runs differ in, or all have, would do nothing, and its name in the table would be wrong."""
+    by_study = {"motion.direction": "directions", "motion.record": "records", "motion.scale": "scales", "scatter.seed": "seeds",
+                "time.duration": "duration"}
+    named = {"set": study["set"], **{f"options.{name}": overrides for name, overrides in study["options"].items()}}
+    for where, overrides in named.items():
+        for override in overrides:
+            axis = by_study.get(override.split("=")[0].strip())
+            if axis and study[axis] not in (None, []):
+                raise StudyError(f"{path}: {where}: \"{override}\" has no effect beside `{axis}`; allowed: one of the two")
+
+
 def expand(study, path):
+    check_overridden(study, path)
     axes = [study[key] or [None] for key in ("cases", "directions", "records", "scales")]
     runs = [one_run(study, path.parent, *values)
             for values in itertools.product(*axes, study["options"], study["seeds"] or [None])]
@@ -259,27 +273,37 @@ def call(words):
 
 
 def first_of_each(runs):
-    """Runs that have each case with each set of options, and each record, at least once."""
+    """Runs that have each case with each set of options and in each direction, and each record, at least once."""
     seen = set()
     for run in runs:
-        new = {(run["case"], run["axes"]["options"]), run["axes"]["record"]} - seen
+        axes = run["axes"]
+        new = {(run["case"], "options", axes["options"]), (run["case"], "direction", axes["direction"]), axes["record"]} - seen
         if new:
             seen |= new
             yield run
 
 
 def check_cases(path, runs, voussoir):
-    """Asks the program whether it can build each case with each set of options, and read each record. Of several faults, the study's first is told."""
+    """Asks the program whether it can build each case with each set of options and in each direction, and read each record. Of several faults,
+    the study's first is told. What the program only warns of is told of the first run that has it."""
     def check(run):
         return call([voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)])
 
     tried = list(first_of_each(runs))
     with futures.ThreadPoolExecutor(4) as pool:
         answers = pool.map(check, tried)
+        warned = set()
         for run, done in zip(tried, answers):
+            said = done.stderr.splitlines()
+            warnings = [line for line in said if line.startswith(("voussoir: note: ", "voussoir: warning: "))]
             if done.returncode != 0:
                 pool.shutdown(wait=False, cancel_futures=True)
-                raise StudyError(f"{path}: run {run['name']}: {done.stderr.strip() or done.stdout.strip()}")
+                faults = [line for line in said if line not in warnings and not line.startswith('voussoir: damping.frequency = "auto": ')]
+                raise StudyError(f"{path}: run {run['name']}: " + ("\n".join(faults) or done.stdout.strip()))
+            for line in warnings:
+                if line not in warned:
+                    print(f"{path}: run {run['name']}: {line.removeprefix('voussoir: ')}", file=sys.stderr)
+            warned.update(warnings)
 
 
 def check_folder(folder, runs, version):

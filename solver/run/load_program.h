@@ -56,7 +56,7 @@ class LoadProgram {
 
  private:
   friend struct FieldTable;
-  struct State {
+  struct State {  // doubles alone, counters and flags too: checkpoints hold it as one row of them (state/field_table.cpp)
     double factor = 0.0, factor_before = 0.0;       // at this step and the last
     double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: the rate of q over the last interval
     double looks = 0.0;                             // samples of base shear and load factor since the last means

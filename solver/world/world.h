@@ -42,8 +42,12 @@ struct Options {
 struct Elements {
   std::int32_t count = 0, base = 0;
   std::int64_t rows = 0;
-  // State.
-  Array<double> ux, uy, uz, qw, qx, qy, qz, vx, vy, vz, lx, ly, lz, wx, wy, wz;
+  // State, along the global axes, velocities half a step behind positions (THEORY.md (22) to (24)).
+  Array<double> ux, uy, uz;      // m, displacement of the centroid, over the ground
+  Array<double> qw, qx, qy, qz;  // unit quaternion of the orientation
+  Array<double> vx, vy, vz;      // m/s, over the ground
+  Array<double> lx, ly, lz;      // kg m2/s, angular momentum about the centroid
+  Array<double> wx, wy, wz;      // rad/s
   Array<double> tally;        // J, see kernels::Tally
   Array<double> alpha;        // 1/s (changes where debris loses its damping)
   Array<std::int32_t> bonds;  // bonded segment sides left
@@ -243,7 +247,7 @@ struct Ties {
 /// Loads and supports that act on single elements.
 struct PointLoad {
   std::int32_t element = 0;
-  Vec3 force, moment, arm;                         // arm: from the centroid, body axes
+  Vec3 force, moment, arm;                         // N, N m; m, from the centroid, body axes
   double ramp_begin = 0, ramp_end = 0;             // s
   const cases::SupportHistory* history = nullptr;  // of the force, in place of the ramp
   bool follows = false;                            // force and moment turn with the element
