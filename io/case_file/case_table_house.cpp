@@ -138,7 +138,7 @@ Table<Storey> storey_table() {
   using S = Storey;
   return {
       "a storey upon those before it; a low one on top is a parapet",
-      {value<S>("height", &S::height, "m", above(0.0).usually(0.5, 60.0), "of its walls"),
+      {value<S>("height", &S::height, "m", above(0.0).usually(0.1, 60.0), "of its walls"),
        value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness; none: as below, and at most that; outer faces are flush"),
        value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "likewise")},
       nullptr};
@@ -189,8 +189,8 @@ Table<House> house_table() {
   return {
       "a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at "
       "high x), before turn",
-      {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(0.5, 100.0), "inside the walls, along x and y"),
-       value<S>("height", &S::height, "m", above(0.0).usually(0.5, 60.0), "of the walls; of the first storey if there are more"),
+      {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(0.1, 100.0), "inside the walls, along x and y"),
+       value<S>("height", &S::height, "m", above(0.0).usually(0.1, 60.0), "of the walls; of the first storey if there are more"),
        value<S>("brick", &S::brick, "m", above(0.0).usually(0.02, 3.0), "length, width, height; with mortar, or without it if `mortar` is given"),
        value<S>("mortar", &S::mortar, "m", at_least(0.0),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),

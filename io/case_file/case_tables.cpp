@@ -119,11 +119,11 @@ Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {
       "strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
-      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0).usually(100.0, 1e8), "tensile strength f_t")),
-       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0).usually(100.0, 1e8), "cohesion c")),
+      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0).usually(100.0, 1e13), "tensile strength f_t")),
+       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0).usually(100.0, 1e13), "cohesion c")),
        required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
                          "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
-       required(value<S>("compression", &S::compression, "Pa", above(0.0).usually(1e4, 1e9),
+       required(value<S>("compression", &S::compression, "Pa", above(0.0).usually(1e4, 1e13),
                          "compressive strength f_m of the bond; of contacts: contact.compression")),
        value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
        value<S>("thickness", &S::thickness, "m", at_least(0.0).usually(1e-4, 0.1), "of the mortar; 0: no mortar, Eq. 2"),
@@ -239,7 +239,7 @@ Table<Contact> contact_table() {
                                           "dashpot acts while faces touch"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
-       value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(1e4, 1e9),
+       value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(1e4, 1e13),
                 "pressure at which contacts crush: broken joints and bodies that meet at their points; 0: they bear any pressure"),
        value<S>("crushing_energy", &S::crushing_energy, "J/m2", at_least(0.0),
                 "that crushing takes above the residual, more than (compression - residual)^2 / (2 k_n); 0: strength does not fall"),
