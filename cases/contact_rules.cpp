@@ -41,4 +41,15 @@ std::vector<double> contact_friction(const Contact& contact, std::span<const Nam
   return friction;
 }
 
+double friction_without_bond(const Model& model, std::size_t joint) {
+  const JointLaw& law = model.laws[static_cast<std::size_t>(model.joint_law[joint])].value;
+  if (law.residual_friction) return *law.residual_friction;
+  const std::size_t base = model.materials.size();
+  const auto material = [&](std::int32_t element) {
+    return element == geometry::kBase ? base : static_cast<std::size_t>(model.blocks[static_cast<std::size_t>(element)].material);
+  };
+  const geometry::Joint& j = model.assembly.joints[joint];
+  return model.contact_friction[material(j.element_a) * (base + 1) + material(j.element_b)];
+}
+
 }  // namespace voussoir::cases

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/census.h"
+#include "cases/contact_rules.h"
 #include "cases/levers.h"
 #include "cases/names.h"
 #include "io/case_file/catalogue.h"
@@ -85,16 +86,9 @@ void print_joint_laws(const cases::Model& m) {
     double least = 90.0, most = 0.0;  // degrees, friction without the bond
   };
   std::vector<Row> rows(m.laws.size());
-  const std::size_t materials = m.materials.size() + 1;
-  const auto material = [&](std::int32_t e) {
-    return e == geometry::kBase ? materials - 1 : static_cast<std::size_t>(m.blocks[static_cast<std::size_t>(e)].material);
-  };
   for (std::size_t j = 0; j < m.joint_law.size(); ++j) {
-    const geometry::Joint& joint = m.assembly.joints[j];
-    const auto law = static_cast<std::size_t>(m.joint_law[j]);
-    const double after =
-        m.laws[law].value.residual_friction.value_or(m.contact_friction[material(joint.element_a) * materials + material(joint.element_b)]);
-    Row& row = rows[law];
+    const double after = cases::friction_without_bond(m, j);
+    Row& row = rows[static_cast<std::size_t>(m.joint_law[j])];
     ++row.joints, row.least = std::min(row.least, after), row.most = std::max(row.most, after);
   }
   std::printf("\n%-24s %10s %13s %13s %16s %12s %14s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",

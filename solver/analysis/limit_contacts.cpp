@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/contact_rules.h"
 #include "geometry/polygon.h"
 
 namespace voussoir::solver {
@@ -118,19 +119,13 @@ LimitContacts limit_contacts(const cases::Model& model, Vec3 live, bool reduce) 
   LimitContacts out;
   if (reduce) out.plane = plane_of(model, live);
   find_bodies(model, out);
-  const std::size_t materials = model.materials.size() + 1;
-  const auto material = [&](std::int32_t e) {
-    return e == geometry::kBase ? materials - 1 : static_cast<std::size_t>(model.blocks[static_cast<std::size_t>(e)].material);
-  };
   const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : out.body_of[static_cast<std::size_t>(e)]; };
   for (std::size_t j = 0; j < model.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = model.assembly.joints[j];
     std::int32_t a = body(joint.element_a), b = body(joint.element_b);
     if (a == b) continue;  // of one body, or both fixed
-    const cases::JointLaw& law = model.laws[static_cast<std::size_t>(model.joint_law[j])].value;
-    if (has_bond(law)) ++out.bonded;
-    const double of_materials = model.contact_friction[material(joint.element_a) * materials + material(joint.element_b)];
-    const double degrees = law.residual_friction.value_or(of_materials);
+    if (has_bond(model.laws[static_cast<std::size_t>(model.joint_law[j])].value)) ++out.bonded;
+    const double degrees = cases::friction_without_bond(model, j);
     const bool turned = a < 0;
     if (turned) std::swap(a, b);
     for (const Vec3 at : points_of(joint, out.plane)) {
