@@ -152,7 +152,7 @@ Table<JointLaw> joint_law_table() {
         check_softening(s, check);
         check_stiffness(s, check);
         check_closure(s, check);
-        if (s.thickness <= 0.0 && s.young > 0.0) check.doubt("young", "has no effect without the thickness of the mortar (m)");
+        if (s.thickness <= 0.0 && s.young > 0.0) check.doubt("young", "has no effect without the thickness of the mortar (m), or stones.gap");
         if (s.thickness <= 0.0) return;
         if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
         if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");

@@ -91,7 +91,7 @@ void print_joint_laws(const cases::Model& m) {
     Row& row = rows[static_cast<std::size_t>(m.joint_law[j])];
     ++row.joints, row.least = std::min(row.least, after), row.most = std::max(row.most, after);
   }
-  std::printf("\n%-24s %10s %13s %13s %16s %12s %14s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",
+  std::printf("\n%-24s %10s %13s %13s %16s %13s %15s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",
               "friction [°]", "when open [°]");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].joints == 0) continue;
@@ -100,7 +100,7 @@ void print_joint_laws(const cases::Model& m) {
     const auto figure = [&](double v) { return bond ? cases::text(v) : std::string("none"); };
     std::string after = cases::text(rows[i].least);
     if (rows[i].most > rows[i].least) after += " to " + cases::text(rows[i].most);
-    std::printf("%-24s %10s %13s %13s %16s %11s %13s\n", m.laws[i].name.c_str(), format_count(rows[i].joints).c_str(),
+    std::printf("%-24s %10s %13s %13s %16s %12s %14s\n", m.laws[i].name.c_str(), format_count(rows[i].joints).c_str(),
                 figure(l.tension).c_str(), figure(l.cohesion).c_str(), figure(l.compression).c_str(), figure(l.friction).c_str(), after.c_str());
   }
 }

@@ -104,8 +104,10 @@ void refuse_gap(const std::string& path, const std::vector<Row>& rows) {
   std::vector<double> sorted = steps;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::ranges::nth_element(sorted, middle);
-  const auto gap = std::ranges::find_if(steps, [&](double s) { return std::abs(s - *middle) > kGap * *middle; });
-  if (gap == steps.end()) return;
+  const auto is_other = [step = *middle](double s) { return std::abs(s - step) > kGap * step; };
+  const auto gap = std::ranges::find_if(steps, is_other);
+  const auto others = static_cast<std::size_t>(std::ranges::count_if(steps, is_other));
+  if (gap == steps.end() || 2 * others >= steps.size() || !(*middle > 0.0)) return;  // as of times that are rounded
   const Row& row = rows[static_cast<std::size_t>(gap - steps.begin()) + 1];
   throw FileError(path, row.line,
                   "time " + cases::text(row.time) + " s is " + cases::text(*gap) + " s after the row before, and most steps are " +

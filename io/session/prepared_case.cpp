@@ -23,7 +23,7 @@ namespace {
 constexpr double kOff = 0.20;                 // of the model's own frequency
 constexpr std::size_t kMostElements = 10000;  // above it modes take minutes
 constexpr std::array kAxes{"x", "y", "z"};
-// Records stronger than that: none is known (Tohoku 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
+// Records stronger than that: none is known (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
 constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
 constexpr double kMostOfRun = 0.8;                                                         // that a motion shakes at least
 

@@ -223,6 +223,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     if (r.stopped) {  // measures of a large run take long: what is known is on disk before, and another signal ends the program
       results.flush();
       signals.reset();
+      std::signal(SIGUSR1, SIG_IGN);  // there is nothing more to save
     }
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());

@@ -241,8 +241,9 @@ def identity(case, overrides):
 
 def check_overridden(study, path):
     """An override of what the runs differ in, or all have, would do nothing, and its name in the table would be wrong."""
-    by_study = {"motion.direction": "directions", "motion.record": "records", "motion.scale": "scales", "scatter.seed": "seeds",
-                "time.duration": "duration"}
+    by_record = {f"motion.{key}" for record in study["records"] if isinstance(record, dict) for key in (*MOTION_FILES, *record)}
+    by_study = {key: "records" for key in by_record} | {"motion.record": "records", "motion.direction": "directions", "motion.scale": "scales",
+                                                        "scatter.seed": "seeds", "time.duration": "duration"}
     named = {"set": study["set"], **{f"options.{name}": overrides for name, overrides in study["options"].items()}}
     for where, overrides in named.items():
         for override in overrides:

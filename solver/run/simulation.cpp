@@ -234,7 +234,7 @@ double Simulation::fastest_square() {
                   "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
                   "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
                   cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
-                  world_->dt, 0.5 * world_->dt);
+                  step(i), 0.5 * world_->dt);
     throw NumericalError(text);
   }
   return most;

@@ -44,5 +44,5 @@ TEST_CASE("notes: gravity that is not that of the earth; mortar without a thickn
   const Notes rigid = notes_of(kLaw + "tension = 5e4\ncohesion = 8e4\nfriction = 30\nyoung = 2500.0e6\npoisson = 0.2\n");
   REQUIRE(rigid.size() == 1);
   CHECK(rigid[0].starts_with("test.toml:6: joint_laws.lime.young = "));
-  CHECK(rigid[0].ends_with(" has no effect without the thickness of the mortar (m)"));
+  CHECK(rigid[0].ends_with(" has no effect without the thickness of the mortar (m), or stones.gap"));
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/io/commands/study_table.h"
 #include "tests/io/shell.h"
@@ -66,6 +67,26 @@ TEST_CASE("versions: physics 14 has the results of 13, but for cases with parts 
                          "\"); import versions; print(*(versions.differs(c, o) for c, o in [(\"stone-house\", []), (\"" + mine +
                          "\", []), (\"" + level + "\", []), (\"flat20n\", []), (\"flat20n\", [\"analysis.level=true\"])]))' >" + out) == 0);
   CHECK(text_of(out) == "True True True False True\n");
+}
+
+TEST_CASE("a study refuses overrides that it would undo itself") {
+  const TempFolder folder;
+  const std::string log = folder.path("log");
+  const auto said = [&](const std::string& keys) {
+    const std::string file = folder.write("study.toml", "cases = [\"flat20n\"]\n" + keys);
+    CHECK(shell::code_of("VOUSSOIR=/nowhere/voussoir " + script("run") + file + " --check -o " + folder.path("study") + " >" + log +
+                         " 2>&1") == 2);
+    return text_of(log);
+  };
+  const std::string record = "records = [{ name = \"mine\", x = \"a.csv\" }]\n";
+  for (const auto& [keys, words] : {std::pair<std::string, std::string>{"scales = [0.5]\n[options]\na = [\"motion.scale=5\"]\n",
+                                                                        "options.a: \"motion.scale=5\" has no effect beside `scales`"},
+                                    {"duration = 2.0\nset = [\"time.duration = 5\"]\n",
+                                     "set: \"time.duration = 5\" has no effect beside `duration`"},
+                                    {record + "set = [\"motion.y=b.csv\"]\n", "set: \"motion.y=b.csv\" has no effect beside `records`"}}) {
+    CHECK_MESSAGE(said(keys).find(words + "; allowed: one of the two\n") != std::string::npos, text_of(log));
+  }
+  CHECK(said("duration = 2.0\nset = [\"motion.scale=5\"]\n").find("No such file") != std::string::npos);
 }
 
 TEST_CASE("a study without a program says what to do") {

@@ -68,7 +68,8 @@ TEST_CASE("CSV: the step must be the same to a millionth") {
   check_fault("0,1\n0.01,1\n0.02,1\n0.04,1\n0.05,1\n",  // a row is missing: told where
               ":4: time 0.04 s is 0.02 s after the row before, and most steps are 0.01 s; allowed: equal steps");
   check_fault("0,1\n0.01,1\n0.01,1\n0.02,1\n0.03,1\n", ":3: time 0.01 s is 0 s after the row before");
-  check_fault("0,1\n0.01,1\n0.02,1\n0.04,1\n0.03,1\n0.05,1\n0.06,1\n", ":4: time 0.04 s is 0.02 s after the row before");
+  check_fault("0,1\n0.01,1\n0.02,1\n0.04,1\n0.03,1\n0.05,1\n0.06,1\n0.07,1\n", ":4: time 0.04 s is 0.02 s after the row before");
+  check_fault("0,1\n0.01,1\n0.01,1\n0.02,1\n0.02,1\n", ":2: time 0.01 s is not a multiple of the mean step");  // 0.005 s, rounded
   check_fault("0,005;1\n0,01;1\n", ":1: acceleration '005;1' is no finite number; decimals need a point, not a comma");
   check_fault("0,005;0,3\n", ":1: more than two columns; wanted two columns: time [s], acceleration; decimals need a point, not a comma");
 }
