@@ -49,8 +49,10 @@ box = [[0.0, 0.0, 0.0], [0.4, 0.3, 1.0]]
 struct Words {
   TempFolder folder;
   Words() { folder.write("block.toml", kBlock); }
-  [[nodiscard]] shell::Outcome run(const std::string& words) const {
-    return shell::run("cd " + shell::quoted(folder.path()) + " && " + shell::kProgram + " " + words + " 2>&1");
+  [[nodiscard]] shell::Outcome run(const std::string& words) const { return output(words + " 2>&1"); }
+  /// Without what goes to standard error, as a note on the damping of this block.
+  [[nodiscard]] shell::Outcome output(const std::string& words) const {
+    return shell::run("cd " + shell::quoted(folder.path()) + " && " + shell::kProgram + " " + words);
   }
 };
 
@@ -62,7 +64,7 @@ TEST_CASE("limit: multiplier and mechanism in words and as JSON" * doctest::skip
   CHECK(text.code == 0);
   CHECK(text.text.find("0.40000, as on a base tilted by 21.801 degrees") != std::string::npos);
   CHECK(text.text.find("turns about (0.000, -1.000, 0.000) through (0.000, 0.150, 0.000)") != std::string::npos);
-  const Json json = Json::parse(w.run("limit block.toml --format json --quiet --mechanism m.csv").text);
+  const Json json = Json::parse(w.output("limit block.toml --format json --quiet --mechanism m.csv").text);
   CHECK(json["associated"]["multiplier"].get<double>() == doctest::Approx(0.4));
   CHECK(json["coulomb"]["parts"][0]["elements"] == Json::array({0}));
   CHECK(shell::text_of(w.folder.path("m.csv")).starts_with("flow,element,tag,part,vx,vy,vz,wx,wy,wz\nassociated,0,\"block\",1,"));
