@@ -9,7 +9,7 @@
 
 namespace voussoir::geometry {
 
-/// Numbers 0 to n − 1 in sets that can be joined: what holds together. A set is named by its smallest number, in whatever order it came about.
+/// Numbers 0 to n − 1 in sets that can be joined: what holds together. The smallest number of a set stands for it, whatever the order of the joins.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
