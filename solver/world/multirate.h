@@ -59,4 +59,12 @@ struct Multirate {
   }
 };
 
+/// Numbers sorted by their level, ascending within each level: those that are due in a step come first.
+struct ByLevel {
+  std::vector<std::int32_t> list;
+  std::vector<std::int64_t> end;  // by level
+  /// \param level  of each number from 0 on; those of `levels` or above are left out
+  void sort(const std::vector<std::uint8_t>& level, int levels);
+};
+
 }  // namespace voussoir::solver

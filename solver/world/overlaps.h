@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/vec3.h"
+#include "kernels/contact_patch.h"
+#include "kernels/overlap.h"
+#include "solver/world/multirate.h"
+#include "solver/world/search_room.h"
+
+namespace voussoir::solver {
+
+/// The spring between two elements that overlap by more than is allowed (all of it state).
+struct OverlapSpring {
+  std::int32_t a = 0, b = 0;
+  Vec3 shear;                      // m, elongation along the contact, in the body axes of a
+  double stored = 0.0;             // J
+  Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
+};
+
+/// Contact of whole bodies by their exact overlap, where contact points see too little: at edges, corners and crossed edges, and deep
+/// inside (THEORY.md (21a)).
+struct Overlaps {
+  // Constants.
+  std::vector<Vec3> vertices, edges;             // of all shapes: from the centroid, m; unit directions
+  std::vector<kernels::Crease> creases;          // of all shapes
+  std::vector<kernels::ConvexShape> shape;       // different ones once; the faces of the first element that has it
+  std::vector<std::int32_t> shape_of;            // by element
+  std::vector<double> stiffness_n, stiffness_s;  // N/m, by element; the base is rigid: 0
+  std::vector<double> allowed;                   // m, by element
+  // State.
+  std::vector<OverlapPair> pairs;           // ascending (a, b); state, since at several rates elements are moved by them
+  ByLevel by_level;                         // of pairs; empty unless multi-rate (derived)
+  std::vector<OverlapSpring> springs;       // ascending (a, b)
+  std::vector<kernels::PairWrench> wrench;  // of each spring with its dashpot in this step, if World::keep_pairs (derived)
+  double friction = 0.0, impact = 0.0;      // J, lost so far
+};
+
+}  // namespace voussoir::solver

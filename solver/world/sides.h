@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/law.h"
+#include "kernels/laws/closing.h"
+#include "kernels/laws/softening.h"
+#include "kernels/side.h"
+#include "kernels/whole_sides.h"
+#include "solver/world/array.h"
+
+namespace voussoir::solver {
+
+/// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
+struct PointSets {
+  std::vector<std::int32_t> first, count;  // by set; first is a multiple of kLanes
+  Array<double> s, t, area;                // padded to kLanes with area 0
+  std::int32_t largest = 0;                // points
+  [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
+};
+
+/// Sides of joints, structure of arrays. A joint has two *sides*: in each, one of its two faces is the master. Where both faces have the
+/// same grid of segments, one merged side stands for both. kLanes sides that are worked on together are a *block*; blocks are in tasks,
+/// tasks in colours (setup/decomposition.h). No two tasks of a colour share an element, so their forces are added up without atomics. A
+/// side's number is block × kLanes + lane.
+struct Sides {
+  // Blocks.
+  Array<kernels::SideConstants> constants;  // of blocks that are alike
+  Array<kernels::WholeConstants> whole;     // of the same blocks
+  Array<kernels::SideBlock> blocks;
+  std::vector<std::int32_t> task_first;  // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> task_level;  // by task and level (multirate.h): the first block of its sides of that level; one more at the end
+  std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
+  std::int32_t overflow_colour = -1;       // of the one task of sides that span more than two cells; −1: there is none
+  // Sides that are not retired. A side is *retired* when its joint has come apart: its segments are free patches from then on (patches.h).
+  std::vector<std::int32_t> live;        // blocks with a side that is not retired, ascending
+  std::vector<std::int32_t> live_first;  // by task, into `live`; tasks + 1 entries
+  std::vector<std::int32_t> live_level;  // by task and level, into `live`: as task_level
+  std::vector<std::uint8_t> live_lanes;  // by block, bit mask of the sides that are not retired
+
+  // Constants by side.
+  std::vector<std::int32_t> joint, set;               // joint −1: unused lane; set: into World::points
+  std::vector<std::int32_t> master_face, slave_face;  // into World::faces
+  std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
+  std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
+  std::vector<double> size;                           // m, segment size of the master
+
+  // State by side.
+  Array<kernels::SideState> side_state;
+  Array<std::uint8_t> retired;               // lives on as free patches
+  Array<std::int32_t> held;                  // bonded segments
+  Array<double> friction, impact, fracture;  // J, lost so far
+
+  // State by segment; `steady` by block.
+  Array<kernels::Bond> bond;
+  ZeroArray<kernels::Mode> first_mode;         // the limit that it reached first ...
+  ZeroArray<double> first_time;                // ... and when, s
+  ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
+  ZeroArray<kernels::SteadySides> steady;      // of the steady sides of a block
+
+  // Laws that few models have, and their state; empty without them.
+  std::vector<kernels::SoftSide> soft;    // by side: how its bonds soften
+  ZeroArray<double> wear;                 // State by segment of the sides that soften, kernels/laws/softening.h
+  std::vector<kernels::Closing> closing;  // by side: how its joint stiffens as it closes
+  std::vector<double*> crushed_of;        // by side, into `crushed`; empty: contacts bear any pressure
+  ZeroArray<double> crushed;              // m, State by segment, kernels/laws/crushing.h
+
+  // --scatter gather, or World::keep_pairs: what each side left; for the former also where each element finds its own (side × 2 + (0:
+  // master, 1: slave), ascending).
+  Array<double> pair_wrench, pair_dashpot;
+  std::vector<std::uint8_t> pair_on;
+  std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
+
+  [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
+  [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
+  /// How the bonds of a side soften; nullptr: they do not.
+  [[nodiscard]] const kernels::SoftSide* soft_side(std::int64_t id) const noexcept {
+    return soft.empty() || soft[static_cast<std::size_t>(id)].wear == nullptr ? nullptr : &soft[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
+};
+
+}  // namespace voussoir::solver
