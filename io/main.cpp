@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/resource.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -37,6 +32,7 @@
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
 #include "io/session/prepared_case.h"
+#include "io/session/process.h"
 #include "io/session/threads.h"
 #include "io/stones/stones.h"
 #include "solver/world/errors.h"
@@ -152,7 +148,8 @@ void add_run(CLI::App& app, Words& w) {
 void add_bench(CLI::App& app, Words& w) {
   CLI::App* bench = app.add_subcommand("bench", "time per step, joint and segment, and where it goes; thread scaling");
   add_case(bench, w);
-  bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")->check(io::number_range(0.0, 1e12));
+  bench->add_option("--after", w.bench.after, "s of shaking before it is measured (default: 0, intact)")
+      ->check(io::number_range(0.0, 1e12));
   bench
       ->add_option("--batches", w.bench.batches,
                    "a figure is the median of so many batches of steps (default: 15, up to 60 if the machine is seldom quiet)")
@@ -328,27 +325,10 @@ bool takes_long(const CLI::App& app) {
   return std::ranges::any_of(std::array{"run", "resume", "modes", "bench"}, [&](const char* name) { return app.got_subcommand(name); });
 }
 
-/// A long run that is not at its end has its rows in many files, and a dataset over them holds each open.
-void open_many_files() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-  limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
-
 }  // namespace
 
-/// \return the exit code; that of a file that cannot be written if standard output has been lost, as on a full disk
-int code_after_output(int code) {
-  std::cout.flush();
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;
-  std::fprintf(stderr, "voussoir: standard output cannot be written\n");
-  return code == io::kDone ? io::kFileFault : code;
-}
-
 int main(int argc, char** argv) {
-  open_many_files();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at the size limit is then an error like a full disk, with a message
+  io::prepare_process();
   CLI::App app{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   app.set_version_flag("--version", "voussoir " + io::program_version());
   app.require_subcommand(1);
@@ -376,7 +356,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     io::let_threads_sleep(argv, w.threads, takes_long(app));
     io::use_threads(w.threads);
-    return code_after_output(dispatch(app, w));
+    return io::code_after_output(dispatch(app, w));
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? io::kDone : io::kInputFault;
   } catch (const solver::NumericalError& e) {
@@ -389,7 +369,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "voussoir: %s\n", e.what());
     return io::kInputFault;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "voussoir: %s\n", e.what());
-    return io::kFileFault;
+    return io::end_unexpectedly(e);
   }
 }
