@@ -48,6 +48,13 @@ bool RuleCheck::given(std::string_view key) const {
   return entry != nullptr && !entry->node.removed();
 }
 
+bool RuleCheck::given_together(std::string_view key, std::string_view other) const {
+  if (!given(key) || !given(other)) return false;
+  const auto& entries = *table.as<Node::Table>();
+  const Source a = find_entry(entries, key)->node.source, b = find_entry(entries, other)->node.source;
+  return a.file == b.file && a.set < 0 && b.set < 0;
+}
+
 Fault RuleCheck::at(const std::string& key, const std::string& problem) const {
   const std::string key_path = key.empty() ? path : path_to(path, key);
   const auto known = reading.known().find(key_path);

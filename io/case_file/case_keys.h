@@ -175,6 +175,8 @@ struct RuleCheck {
   const std::string& path;
 
   [[nodiscard]] bool given(std::string_view key) const;
+  /// Both are given, and stand in one file (it may be an included one): none is an override or inherited from another file.
+  [[nodiscard]] bool given_together(std::string_view key, std::string_view other) const;
   /// Reports the key, or the table if key is empty.
   void fault(const std::string& key, const std::string& problem) const;
   /// Likewise of what is let through, but is likely a slip.

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <initializer_list>
+
 #include "io/case_file/case_tables.h"
 
 namespace voussoir::io {
@@ -18,6 +21,24 @@ Table<HouseWood> wood_table() {
                 "joint law between members of timber (ring beam on column or ring beam, roof beam on ring beam; not between roof beams); "
                 "none: between_members, the paper's mortar")},
       nullptr};
+}
+
+/// Keys that belong to some kinds of roof: what a file sets beside another kind is likely a slip.
+void check_roof_keys(const Roof& s, const RuleCheck& check) {
+  using K = RoofKind;
+  const Roof none;
+  const auto belongs_to = [&](const char* key, bool set, std::initializer_list<K> kinds, const char* words) {
+    if (!set || std::ranges::find(kinds, s.kind) != kinds.end() || !check.given_together(key, "kind")) return;
+    check.doubt(key, std::string("has no effect with this kind of roof; it belongs to ") + words);
+  };
+  belongs_to("beam", s.beam != none.beam, {K::flat, K::pitched}, "flat and pitched ones");
+  belongs_to("element", s.element != none.element, {K::flat, K::pitched}, "flat and pitched ones");
+  belongs_to("between_beams", s.between_beams != none.between_beams, {K::flat, K::pitched}, "flat and pitched ones");
+  belongs_to("edge_beams", s.edge_beams.has_value(), {K::flat}, "flat ones");
+  belongs_to("radius", s.radius != none.radius, {K::vault, K::gables}, "vaults and gables");
+  belongs_to("thickness", s.thickness != none.thickness, {K::vault}, "vaults");
+  belongs_to("ring", s.ring != none.ring, {K::vault}, "vaults");
+  belongs_to("voussoirs", s.voussoirs != none.voussoirs, {K::vault, K::gables}, "vaults and gables");
 }
 
 Table<Roof> roof_table() {
@@ -52,6 +73,7 @@ Table<Roof> roof_table() {
                     "pitched: of the axes of rafters, at most; the first and the last are flush with the ends of the house"),
            table<S>("tie", &S::tie, roof_tie_table()), table<S>("deck", &S::deck, deck_table())},
           [](const S& s, const RuleCheck& check) {
+            check_roof_keys(s, check);
             if (s.bearing && s.kind != RoofKind::flat) check.fault("bearing", "needs kind = \"flat\"");
             if (s.kind == RoofKind::pitched) return;
             const auto only_pitched = [&](const char* key, bool given) {
@@ -191,7 +213,8 @@ Table<House> house_table() {
       "high x), before turn",
       {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(0.1, 100.0), "inside the walls, along x and y"),
        value<S>("height", &S::height, "m", above(0.0).usually(0.1, 60.0), "of the walls; of the first storey if there are more"),
-       value<S>("brick", &S::brick, "m", above(0.0).usually(0.02, 3.0), "length, width, height; with mortar, or without it if `mortar` is given"),
+       value<S>("brick", &S::brick, "m", above(0.0).usually(0.02, 3.0),
+                "length, width, height; with mortar, or without it if `mortar` is given"),
        value<S>("mortar", &S::mortar, "m", at_least(0.0),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
