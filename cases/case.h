@@ -140,6 +140,14 @@ struct MotionTreatment {
   std::array<double, 2> taper{0.0, 0.0};  // s, at the start and at the end
 };
 
+enum class IntensityMeasure { pga, pgv, sa };
+/// A level to which a motion is brought by one factor (cases/motion/intensity.h).
+struct MotionIntensity {
+  IntensityMeasure measure = IntensityMeasure::pga;
+  double level = 0.0;            // m/s2; of PGV m/s
+  std::optional<double> period;  // s, of Sa alone
+};
+
 /// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
 struct Motion {
   std::optional<std::string> record;              // "bam-like", "bam-like#7", a folder holding record.toml, or a file that holds L, T and V
@@ -150,6 +158,7 @@ struct Motion {
   std::optional<double> dt;                       // s: where a format does not say
   MotionTreatment treatment;                      // keys from, to, baseline, taper
   std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
+  std::optional<MotionIntensity> intensity;       // reached after `scale`, by one more factor for all components
 };
 
 struct HistoryPoint {

@@ -104,6 +104,27 @@ Key<Motion> file_key(const char* name, Files files, std::size_t axis, const char
       name, [ files, axis ](auto& motion) -> auto& { return std::invoke(files, motion)[axis]; }, "", filled(), sentence);
 }
 
+Table<MotionIntensity> intensity_table() {
+  using S = MotionIntensity;
+  const std::vector<std::pair<std::string, IntensityMeasure>> measures{
+      {"PGA", IntensityMeasure::pga}, {"PGV", IntensityMeasure::pgv}, {"Sa", IntensityMeasure::sa}};
+  return {
+      "a level that the motion is brought to: after scale, all components are multiplied by one factor",
+      {required(choice<S>("measure", &S::measure, "", measures,
+                          "peak ground acceleration, peak ground velocity, or spectral acceleration at `period` with 5 % of damping: the "
+                          "geometric mean of both horizontal components (L and T, wherever `direction` sends them, or x and y)")),
+       required(value<S>("level", &S::level, "", above(0.0), "m/s2 of PGA and Sa (not g), m/s of PGV")),
+       value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone")},
+      [](const S& s, const RuleCheck& check) {
+        const bool sa = s.measure == IntensityMeasure::sa;
+        if (sa && !s.period) check.fault("measure", "needs motion.intensity.period, in s");
+        if (!sa && s.period) check.fault("period", "goes with measure = \"Sa\" alone");
+        const bool pgv = s.measure == IntensityMeasure::pgv;
+        if (s.level < (pgv ? 0.01 : 0.5) || s.level > (pgv ? 5.0 : 45.0))
+          check.doubt("level", pgv ? "is unusual; usually 0.01 to 5 m/s" : "is unusual; usually 0.5 to 45 m/s2 (not g)");
+      }};
+}
+
 void check_motion(const Motion& s, const RuleCheck& check) {
   const auto first_of = [&](std::array<const char*, 3> keys) -> std::string {
     for (const char* key : keys) {
@@ -117,6 +138,9 @@ void check_motion(const Motion& s, const RuleCheck& check) {
   if (!xyz.empty() && !ltv.empty()) return check.fault(ltv, "does not go with motion." + xyz + "; give files for x, y, z, or for L, T, V");
   if (!xyz.empty() && s.direction != Motion{}.direction)
     return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
+  if (s.intensity && s.scale != Motion{}.scale && s.scale[0] == s.scale[1] && s.scale[1] == s.scale[2])
+    return check.fault(
+        "scale", "has no effect beside motion.intensity, for which all components are multiplied by one factor; leave one of them out");
   if (s.treatment.to && *s.treatment.to <= s.treatment.from.value_or(0.0))
     return check.fault("to", "must be above motion.from, where the window begins");
   if (!s.record && xyz.empty() && ltv.empty()) check.fault("", "names no motion; give record, or files for x, y, z, or for L, T, V");
@@ -220,7 +244,8 @@ Table<Motion> motion_table() {
        file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
        file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
        choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"),
-       value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(1e-4, 0.1), "between samples of the files, where a format does not say (one column)"),
+       value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(1e-4, 0.1),
+                "between samples of the files, where a format does not say (one column)"),
        value<S>(
            "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0),
            "of the record: the sample nearest to it shakes first, at time zero; none: its start"),
@@ -231,7 +256,7 @@ Table<Motion> motion_table() {
            "baseline", [](auto& s) -> auto& { return s.treatment.baseline; }, "", baselines,
            "taken off each component after the cut: its mean, a least-squares line, or the parabola that leaves the least mean square of "
            "velocity"),
-       taper_key(), scale_key()},
+       taper_key(), scale_key(), table<S>("intensity", &S::intensity, intensity_table())},
       check_motion};
 }
 

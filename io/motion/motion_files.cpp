@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "cases/motion/intensity.h"
 #include "cases/motion/treatment.h"
 #include "cases/names.h"
 #include "io/files/errors.h"
@@ -63,6 +64,13 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
                                                ", a folder that holds record.toml, or a file that holds L, T and V");
 }
 
+void check_intensity(const cases::MotionIntensity& of) {
+  if (!(of.level > 0.0) || !std::isfinite(of.level))
+    throw cases::InputError("motion.intensity.level", "is " + cases::text(of.level) + "; allowed: > 0");
+  if (of.measure == cases::IntensityMeasure::sa && !(of.period && *of.period > 0.0))
+    throw cases::InputError("motion.intensity.period", "is missing; Sa needs a period above 0 s");
+}
+
 void check(const cases::Motion& m) {
   const int ways = (m.record ? 1 : 0) + (any_given(m.xyz) ? 1 : 0) + (any_given(m.ltv) ? 1 : 0);
   if (ways != 1) {
@@ -82,6 +90,15 @@ void check(const cases::Motion& m) {
   }
   for (const double s : m.scale) {
     if (!std::isfinite(s)) throw cases::InputError("motion.scale", "is " + cases::text(s) + "; allowed: finite numbers");
+  }
+  if (m.intensity) check_intensity(*m.intensity);
+}
+
+/// \throw InputError at the key if that makes numbers that are not finite
+void multiply(cases::Accelerogram& component, double factor, const char* key) {
+  for (double& a : component.acceleration) {
+    a *= factor;
+    if (!std::isfinite(a)) throw cases::InputError(key, "makes accelerations that are no finite numbers");
   }
 }
 
@@ -121,14 +138,12 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
                                                           : read_files(motion.xyz, {}, "xyz", case_folder, unstated_of(motion));
   cases::treat(read, motion.treatment, "motion.");
   cases::GroundMotion result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t from = turned ? component_index(motion.direction[i]) : i;
-    for (double& a : read[from].acceleration) {
-      a *= motion.scale[from];
-      if (!std::isfinite(a)) throw cases::InputError("motion.scale", "makes accelerations that are no finite numbers");
-    }
-    result.axis[i] = std::move(read[from]);
+  for (std::size_t i = 0; i < 3; ++i) multiply(read[i], motion.scale[i], "motion.scale");
+  if (motion.intensity) {
+    result.factor = cases::factor_to_reach(*motion.intensity, read[0], read[1]);
+    for (cases::Accelerogram& component : read) multiply(component, result.factor, "motion.intensity");
   }
+  for (std::size_t i = 0; i < 3; ++i) result.axis[i] = std::move(read[turned ? component_index(motion.direction[i]) : i]);
   return result;
 }
 

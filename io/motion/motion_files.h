@@ -24,12 +24,17 @@ Record read_record_file(const std::string& path, const Unstated& unstated);
 /// \throw FileError, before anything is written if one of the files exists and `overwrite` is false.
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite);
 
-/// The motion on x, y, z in m/s2: cut, corrected and tapered (cases/motion/treatment.h), turned by the direction and scaled. Relative paths
-/// start at `case_folder` (empty: the working folder). \throw cases::InputError with the key (motion, or motion.record, direction, unit,
-/// dt, scale, from, to, taper, baseline); FileError.
+/// The motion on x, y, z in m/s2: cut, corrected and tapered (cases/motion/treatment.h), scaled, brought to the intensity that is asked for
+/// (of L and T, or of x and y: cases/motion/intensity.h), and turned by the direction. Relative paths start at `case_folder` (empty: the
+/// working folder). \throw cases::InputError with the key (motion, or motion.record, direction, unit, dt, scale, intensity, from, to,
+/// taper, baseline); FileError.
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder);
 
 /// A line for each axis that moves, with its peaks, and one that says what was done to the record, if anything was.
+/// \param applied  what load_motion gave
 std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied);
+
+/// "from 27 to 47 s, multiplied by 0.4716 to reach PGA = 3 m/s2"; empty: as recorded, but for `scale`.
+std::string done_to_record(const cases::Motion& motion, double factor);
 
 }  // namespace voussoir::io

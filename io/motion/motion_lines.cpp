@@ -2,10 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "cases/motion/intensity.h"
 #include "cases/motion/treatment.h"
 #include "io/motion/motion_files.h"
 
 namespace voussoir::io {
+
+std::string done_to_record(const cases::Motion& motion, double factor) {
+  std::string done = cases::described(motion.treatment);
+  if (motion.intensity) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.6g", factor);
+    done += (done.empty() ? "" : ", ") + std::string("multiplied by ") + number + " to reach " + cases::described(*motion.intensity);
+  }
+  return done;
+}
 
 std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied) {
   std::string text;
@@ -18,7 +29,8 @@ std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion&
                   f.peak_acceleration, f.peak_velocity, f.peak_displacement);
     text += line + a.name + "\n";
   }
-  const std::string done = cases::described(motion.treatment);
+  const std::string done = done_to_record(motion, applied.factor);
+
   if (!done.empty()) text += "done to the record       " + done + "\n";
   return text;
 }

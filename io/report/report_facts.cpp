@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/motion/intensity.h"
 #include "io/case_file/case_file.h"
 #include "io/files/errors.h"
 #include "io/files/hdf5_file.h"
@@ -195,13 +196,23 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
   return applied;
 }
 
+/// By which the components of the record were multiplied in all.
+std::array<double, 3> scale_of(const cases::Motion& m, const Hdf5File& file) {
+  std::array<double, 3> scale = m.scale;
+  if (m.intensity && file.exists("/motion/factor")) {
+    for (double& s : scale) s *= file.read<double>("/motion/factor").at(0);
+  }
+  return scale;
+}
+
 /// What shook the run. If the run does not hold its motion, and the records are gone, the page has neither peaks nor the curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;
   const cases::Motion& m = *c.value.motion;
   const bool turned = m.record || std::ranges::any_of(m.ltv, [](const auto& f) { return f.has_value(); });
-  facts["motion"] = {{"record", record_name(m)}, {"direction", turned ? m.direction : ""}, {"scale", m.scale}};
+  const std::string level = m.intensity ? ", " + cases::described(*m.intensity) : "";
+  facts["motion"] = {{"record", record_name(m) + level}, {"direction", turned ? m.direction : ""}, {"scale", scale_of(m, file)}};
   try {
     const cases::GroundMotion motion = motion_of(c, file);
     Json peak = Json::array();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "cases/motion/treatment.h"
+#include "io/motion/motion_files.h"
 #include "solver/run/run.h"
 
 namespace voussoir::io {
@@ -76,13 +76,18 @@ std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::Gr
   if (!c.motion) return {};
   const std::int64_t every = solver::in_cycles(c.output.history_interval, dt, cycle);
   const BaseMotion m = base_motion(motion, dt, every, solver::last_step(c.time.duration, dt, cycle));
-  const std::string done = cases::described(c.motion->treatment);
+  const std::string done = done_to_record(*c.motion, motion.factor);
   const Shape rows{m.time.size()}, vectors{m.time.size(), 3};
-  return {dataset("/motion/time", m.time, rows, "s", "time of the rows: those of /history, up to the case's duration"),
-          dataset("/motion/acceleration", m.acceleration, vectors, "m/s2",
-                  "of the base along x, y, z, as applied: scaled" + (done.empty() ? std::string() : "; of the record " + done)),
-          dataset("/motion/velocity", m.velocity, vectors, "m/s", "of the base: the integral of its acceleration from rest"),
-          dataset("/motion/displacement", m.displacement, vectors, "m", "of the base: the integral of its velocity from zero")};
+  std::vector<StaticDataset> all{
+      dataset("/motion/time", m.time, rows, "s", "time of the rows: those of /history, up to the case's duration"),
+      dataset("/motion/acceleration", m.acceleration, vectors, "m/s2",
+              "of the base along x, y, z, as applied: scaled" + (done.empty() ? std::string() : "; of the record " + done)),
+      dataset("/motion/velocity", m.velocity, vectors, "m/s", "of the base: the integral of its acceleration from rest"),
+      dataset("/motion/displacement", m.displacement, vectors, "m", "of the base: the integral of its velocity from zero")};
+  if (c.motion->intensity)
+    all.push_back(
+        dataset("/motion/factor", std::vector{motion.factor}, {1}, "1", "by which the record was multiplied to reach motion.intensity"));
+  return all;
 }
 
 }  // namespace voussoir::io

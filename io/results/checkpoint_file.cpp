@@ -49,6 +49,8 @@ void write_facts(Hdf5File& file, const CheckpointFacts& facts) {
 }
 
 void write_motion(Hdf5File& file, const cases::GroundMotion& motion) {
+  file.make_group("/motion");
+  file.set_attribute("/motion", "factor", motion.factor);
   for (std::size_t i = 0; i < kAxes.size(); ++i) {
     const cases::Accelerogram& a = motion.axis[i];
     const std::string name = std::string("/motion/") + kAxes[i];
@@ -86,7 +88,9 @@ solver::Field part_of(const solver::Field& f, std::size_t first, std::size_t cou
   return part;
 }
 
-bool is_zero(const std::byte* bytes, std::size_t n) { return n == 0 || (bytes[0] == std::byte{0} && std::memcmp(bytes, bytes + 1, n - 1) == 0); }
+bool is_zero(const std::byte* bytes, std::size_t n) {
+  return n == 0 || (bytes[0] == std::byte{0} && std::memcmp(bytes, bytes + 1, n - 1) == 0);
+}
 
 /// Piece by piece. Pieces of zeros, as most of the history of segments is, are not written: a new file reads as zero there.
 void write_field(Hdf5File& file, const std::string& name, Hdf5Type type, const solver::Field& f) {
@@ -211,6 +215,7 @@ class Reader {
 
   [[nodiscard]] cases::GroundMotion motion() {
     cases::GroundMotion m;
+    if (file_.has_attribute("/motion", "factor")) m.factor = file_.attribute_double("/motion", "factor");
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
       const std::string name = std::string("/motion/") + kAxes[i];
       m.axis[i] = {file_.attribute_text(name, "name"), file_.attribute_double(name, "dt"), numbers(name, 1)};

@@ -25,7 +25,7 @@ inline constexpr std::int64_t kCheckpointSchema = 7;
 /// Everything but the state.
 struct CheckpointFacts {
   std::string case_toml;                        // resolved
-  cases::GroundMotion motion;                   // as used: turned and scaled
+  cases::GroundMotion motion;                   // as used: turned, scaled, at its intensity
   std::vector<cases::SupportHistory> supports;  // of the model, in order
   StoneTables stones;                           // of the files that the case names
   double step = 0.0;                            // s, Δt

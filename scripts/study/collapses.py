@@ -6,14 +6,16 @@
 usage: collapses.py TABLE.csv [TABLE.csv ...]
 
 Writes a table in Markdown. A row holds the records of one name without their numbers (bam-like#7 and bam-like#8, pulse50-1 and pulse50-2), of
-one scale and one set of options. A cell: the runs in which the roof falls, of how many that are done, and the first and the last time, s, at
+one scale or level of intensity and one set of options. A cell: the runs in which the roof falls, of how many that are done, and the first and the last time, s, at
 which half of it has fallen. The tables are of one version. A run that is in two tables counts once.
 """
 import collections
 import sys
 
-from outcomes import all_rows, done, family, one_version, tables_of
+from outcomes import all_rows, done, family, tables_of
 from statements import HOUSES, Run
+from strength import words_of
+from versions import one_version
 
 
 def place(case):
@@ -22,8 +24,8 @@ def place(case):
 
 
 def motion(row):
-    scale, options = row.get("scale"), row.get("options")
-    return f"`{family(row['record'])}`" + (f", scale {scale}" if scale else "") + (f", {options}" if options else "")
+    strength, options = words_of(row).replace("x", "scale ", 1), row.get("options")
+    return f"`{family(row['record'])}`" + (f", {strength}" if strength else "") + (f", {options}" if options else "")
 
 
 def said(runs):

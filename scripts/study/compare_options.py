@@ -7,8 +7,8 @@ usage: compare_options.py TABLE.csv FIRST OTHER [OTHER ...]
 
 Writes a table in Markdown: of each measure the median (and quartiles) with each set of options, and for each of the
 others the Kolmogorov-Smirnov distance from FIRST with its p-value: the share of 20,000 random ways to make two such sets
-of all runs that are as far apart or farther. "by seed": both have the same seeds (of the same cases, directions, records
-and scales), so the two runs of each seed change places or not; "divided": they have not, and all runs are divided anew.
+of all runs that are as far apart or farther. "by seed": both have the same seeds (of the same cases, directions, records,
+scales and levels), so the two runs of each seed change places or not; "divided": they have not, and all runs are divided anew.
 The ways have a fixed seed. Runs that are not done are left out; an event that does not come in a run (a first fall)
 counts as later than any.
 """
@@ -19,7 +19,7 @@ import random
 import sys
 
 WAYS = 20_000
-PLACE = ("case", "direction", "record", "scale", "seed")
+PLACE = ("case", "direction", "record", "scale", "intensity", "level", "seed")
 MEASURES = [  # title, column or sum of columns, factor, whether a missing value is an event that never came
     ("fallen mass, %", ["fallen_mass_fraction"], 100.0, False),
     ("first fall, s", ["first_fallen_time"], 1.0, True),

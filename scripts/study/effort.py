@@ -7,7 +7,7 @@ usage: effort.py STUDY.toml TABLE.csv [TABLE.csv ...] [--record NAME] [--bills F
 
 The first case of the study is the bare house; effort is what the bills of `voussoir check` have more in the others (VOUSSOIR names the
 program, default build/release/io/voussoir, else the one on the PATH). Bills are kept in FOLDER, if one is given, and not made again.
-Writes a table in Markdown on standard output: damage grade and fallen mass [%] by direction, motion and scale; runs that are not done have
+Writes a table in Markdown on standard output: damage grade and fallen mass [%] by direction, motion and its scale or level; runs that are not done have
 a dash, columns without any are left out. A last column has the means over the runs that are done for both the measure and the bare house:
 grade and fallen mass, with the measure and (without), and of how many runs. --record: only the runs of this motion. The tables are of one
 version, with one set of options and one seed; a run that is in two of them counts once.
@@ -22,7 +22,9 @@ import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
 import program
-from outcomes import difference, one_version, same_run
+from outcomes import difference, same_run
+from strength import words_of
+from versions import one_version
 
 COLUMNS = {"bill of blocks": ("count", "m3"), "bill of ties": ("count", "rod", "mesh", "anchors")}
 LEAST = 5e-3  # below it a difference is round-off of what is printed
@@ -96,7 +98,7 @@ def effort(bare, bill_of_case):
 
 
 def key(run):
-    return tuple(run[column] for column in ("direction", "record", "scale"))
+    return run["direction"], run["record"], words_of(run)
 
 
 def outcome(run):
@@ -124,12 +126,12 @@ def add(runs, run):
     """One more of a case's runs."""
     first = runs.setdefault(key(run), run)
     if first is not run and not same_run(first, run):
-        sys.exit(f"{run['run']}: the same house, direction, motion and scale as {first['run']}; they differ in {difference(first, run)}; "
+        sys.exit(f"{run['run']}: the same house, direction, motion and strength as {first['run']}; they differ in {difference(first, run)}; "
                  "allowed: one run of each")
 
 
 def read(paths, record):
-    """Runs that are done, of that record if one is given, by case, then by direction, motion and scale; and in their order those of the latter that some case has done."""
+    """Runs that are done, of that record if one is given, by case, then by direction, motion and strength; and in their order those of the latter that some case has done."""
     done, keys, tables = {}, {}, {}
     for path in paths:
         with open(path, newline="", encoding="utf-8") as file:
@@ -152,7 +154,7 @@ def main():
     cases = tomllib.loads(args.study.read_text())["cases"]
     done, keys = read(args.tables, args.record)
     names = [pathlib.Path(case).stem for case in cases]
-    heads = ["measure", "effort", *(f"{d}, x{scale}" if args.record else f"{d}, {record}, x{scale}" for d, record, scale in keys), "mean (without)"]
+    heads = ["measure", "effort", *(f"{d}, {strength}" if args.record else f"{d}, {record}, {strength}" for d, record, strength in keys), "mean (without)"]
     print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     bare = None
     for case, name in zip(cases, names):

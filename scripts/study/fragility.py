@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the scale of its motion.
+"""Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the intensity or the scale of its motion.
 
-usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv curves.csv] [--states 2 3 4 collapse] [--peak P]
+usage: scripts/study/fragility.py TABLE.csv [-o fragility.svg] [--csv curves.csv] [--states 2 3 4 collapse] [--all-records] [--peak P]
 
 A curve for each case, direction, record and set of options, P = Phi(ln(x / median) / dispersion), by maximum likelihood over the runs that are
-done, with 95 % bands. A seed is the same house at every scale, so from three seeds on bands are those of houses drawn anew (`by seed`), else of
-runs (`by run`). Where the runs determine no curve, the table says why and gives the bracket of the median. --peak: of the motion at scale 1,
-m/s2; then x is the peak ground acceleration. Needs what `scripts/setup study` installs.
+done, with 95 % bands. x is the level of the study's [intensity], else the scale. A seed is the same house at every level, so from three seeds on
+bands are those of houses drawn anew (`by seed`), else of runs (`by run`). --all-records: one curve for all records, whose dispersion is from
+record to record, too; from three records on bands are those of records drawn anew (`by record`). Where the runs determine no curve, the table
+says why and gives the bracket of the median. --peak: of a study over scales, the peak acceleration of its motion at scale 1, m/s2; then x is the
+peak ground acceleration. Needs what `scripts/setup study` installs.
 """
 import csv
 import itertools
@@ -22,13 +24,14 @@ from scipy import linalg, optimize, special
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import run_file  # noqa: E402
-from outcomes import one_version  # noqa: E402
+from strength import axis_of, strength_of, text_of  # noqa: E402
+from versions import one_version  # noqa: E402
 
 GROUP = ("case", "direction", "record", "options")
 STATES = ("1", "2", "3", "4", "5", "collapse")
 RARER = "rarer under stronger motion"
 UPPER = 0.975  # of a band of 95 %
-LEAST = 0.1  # of the variance by house over that by run, in any direction: below, outcomes of the few houses cancel there by chance
+LEAST = 0.1  # of the variance by house (or record) over that by run, in any direction: below, outcomes of the few cancel there by chance
 MARKERS = (("o", 3), ("s", 5), ("^", 8), ("D", 10), ("v", 12))  # hollow, one about the other: shares are often the same
 COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_high", "dispersion", "dispersion_low", "dispersion_high", "bands",
            "remark")
@@ -96,21 +99,21 @@ def fisher_information(design, coefficients):
     return design.T @ (weight[:, None] * design)
 
 
-def by_house(score, information, seeds):
-    """Covariance by the sandwich whose clusters are houses, and its quantile; None where the seeds tell too little."""
-    houses = sorted(set(seeds))
-    free = len(houses) - 1
-    if "" in houses or free < 2:
+def by_cluster(score, information, clusters):
+    """Covariance by the sandwich, and its quantile; None where the clusters tell too little."""
+    names = sorted(set(clusters))
+    free = len(names) - 1
+    if "" in names or free < 2:
         return None
-    sums = np.array([score[seeds == house].sum(axis=0) for house in houses])
-    meat = len(houses) / free * sums.T @ sums
+    sums = np.array([score[clusters == name].sum(axis=0) for name in names])
+    meat = len(names) / free * sums.T @ sums
     if linalg.eigvalsh(meat, information)[0] < LEAST:
         return None
     bread = np.linalg.inv(information)
     return bread @ meat @ bread, special.stdtrit(free, UPPER)
 
 
-def likeliest(x, reached, seeds):
+def likeliest(x, reached, clusters, bands):
     """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
     design = np.column_stack([np.ones_like(x), np.log(x)])
 
@@ -120,16 +123,17 @@ def likeliest(x, reached, seeds):
 
     coefficients = optimize.minimize(loss, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-8}).x
     information = fisher_information(design, coefficients)
-    houses = by_house(scores(design, reached, coefficients), information, seeds)
-    if houses:
-        return Fit(coefficients, *houses, "by seed")
+    drawn_anew = by_cluster(scores(design, reached, coefficients), information, clusters)
+    if drawn_anew:
+        return Fit(coefficients, *drawn_anew, bands)
     return Fit(coefficients, np.linalg.inv(information), special.ndtri(UPPER), "by run")
 
 
-def fit(x, reached, seeds):
-    """The curve, and why there is none: one of the two is None or empty."""
+def fit(x, reached, clusters, bands="by seed"):
+    """The curve, and why there is none: one of the two is None or empty. `clusters`: by run, of runs that are not independent of each other;
+    `bands`: what they are called."""
     remark = remark_of(x, reached)
-    result = None if remark else likeliest(x, reached, seeds)
+    result = None if remark else likeliest(x, reached, clusters, bands)
     if result and result.coefficients[1] <= 0:
         return None, RARER
     return result, remark
@@ -145,19 +149,33 @@ def has_reached(row, state):
 
 
 def done_rows(path):
-    """Rows of runs that have ended and whose motion has one scale above zero."""
+    """Rows of runs that have ended and whose motion has one level of intensity, or one scale, above zero."""
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     if not rows or not {"scale", "seed", "status", "damage_grade", "collapsed"} <= rows[0].keys():
-        sys.exit(f"{path}: no table of a study over several scales, with measures; wanted table.csv of scripts/study/run")
+        sys.exit(f"{path}: no table of a study over several scales or intensities, with measures; wanted table.csv of scripts/study/run")
     done = []
     for row in rows:
         try:
-            if row["status"] == "done" and float(row["scale"]) > 0:
+            if row["status"] == "done" and strength_of(row) > 0:
                 done.append(row)
         except ValueError:
-            sys.exit(f"{path}: run {row['run']} has the scale {row['scale'] or 'of its case'}; wanted a number for each run")
+            sys.exit(f"{path}: run {row['run']} has the level or scale {text_of(row) or 'of its case'}; wanted a number for each run")
     return done
+
+
+def name_of_strength(path, rows, peak=None, all_records=False):
+    """Of the axis below the curves."""
+    try:
+        axis = axis_of(rows)
+    except ValueError as error:
+        sys.exit(f"{path}: {error}")
+    over_scales = not any(row.get("intensity") for row in rows)
+    if peak and not over_scales:
+        sys.exit(f"--peak is for studies over scales; the curves of {path} are over {axis} as it is")
+    if all_records and over_scales and len({row["record"] for row in rows}) > 1:
+        sys.exit(f"{path}: the same scale of different records is no one level; --all-records is for studies with [intensity]")
+    return "peak ground acceleration, m/s²" if peak else axis.replace("m/s2", "m/s²")
 
 
 def refuse_table(table, outputs):
@@ -167,13 +185,18 @@ def refuse_table(table, outputs):
             sys.exit(f"{path}: is the table itself; wanted another file to write to")
 
 
-def curves(rows, states, peak):
-    """(name, state, x, reached, seeds) of each curve."""
-    names = {" ".join(row[key] for key in GROUP if row[key]): None for row in rows}
-    for name, state in itertools.product(names, states):
-        of_group = [row for row in rows if " ".join(row[key] for key in GROUP if row[key]) == name and tells(row, state)]
-        yield (name, state, np.array([peak * float(row["scale"]) for row in of_group]),
-               np.array([has_reached(row, state) for row in of_group], dtype=bool), np.array([row["seed"] for row in of_group]))
+def curves(rows, states, peak=1.0, all_records=False):
+    """(name, state, x, reached, clusters) of each curve; clusters are the seeds, of all records together the records."""
+    group = [key for key in GROUP if not (all_records and key == "record")]
+
+    def name_of(row):
+        return " ".join(row[key] for key in group if row[key])
+
+    for name, state in itertools.product(dict.fromkeys(map(name_of, rows)), states):
+        of_group = [row for row in rows if name_of(row) == name and tells(row, state)]
+        yield (name, state, np.array([peak * strength_of(row) for row in of_group]),
+               np.array([has_reached(row, state) for row in of_group], dtype=bool),
+               np.array([row["record" if all_records else "seed"] for row in of_group]))
 
 
 def table_row(name, state, x, reached, result, remark):
@@ -207,6 +230,7 @@ def main():
     p.add_argument("table")
     p.add_argument("--csv", default="curves.csv", help="medians and dispersions (default curves.csv)")
     p.add_argument("--states", nargs="+", choices=STATES, default=["2", "3", "4", "collapse"])
+    p.add_argument("--all-records", action="store_true", help="one curve for all records")
     p.add_argument("--peak", type=float, help="of the motion at scale 1, m/s2")
     a = p.parse_args()
     rows = done_rows(a.table)
@@ -214,17 +238,18 @@ def main():
     if not rows:
         sys.exit(f"{a.table}: no run is done yet")
     one_version({a.table: rows})
+    strength = name_of_strength(a.table, rows, a.peak, a.all_records)
     figure, panels = run_file.panels(len(a.states), a.width, height=5.0, sharex=True)
     numbers, out = {}, []
-    for name, state, x, reached, seeds in curves(rows, a.states, a.peak or 1.0):
-        result, remark = fit(x, reached, seeds)
+    for name, state, x, reached, clusters in curves(rows, a.states, a.peak or 1.0, a.all_records):
+        result, remark = fit(x, reached, clusters, "by record" if a.all_records else "by seed")
         draw(panels[a.states.index(state)], numbers.setdefault(name, len(numbers)), name, x, reached, result)
         out.append(table_row(name, state, x, reached, result, remark))
     for axes, state in zip(panels, a.states):
         axes.set(ylabel="probability", ylim=(-0.05, 1.05))
         axes.set_title(title_of(state), loc="left")
     panels[0].legend(loc="lower right")
-    panels[-1].set_xlabel("peak ground acceleration, m/s²" if a.peak else "scale of the motion")
+    panels[-1].set_xlabel(strength)
     run_file.save(figure, a.output)
     with open(a.csv, "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")

@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of a study over several scales and seeds, in Markdown on standard output.
+"""Tables of a study over several scales or intensities and seeds, in Markdown on standard output.
 
-usage: fragility_tables.py grades TABLE.csv     damage grade of each run by scale and curve, its seeds in order; c: collapsed
-       fragility_tables.py medians TABLE.csv    the scale at which half of the houses reach a state
+usage: fragility_tables.py grades TABLE.csv     damage grade of each run by level and curve, its seeds in order; c: collapsed
+       fragility_tables.py medians TABLE.csv [--all-records]    the level at which half of the houses reach a state
 
 A curve is a case, direction, record and set of options; what all curves share is not named. Medians are those of fragility.py: by maximum
-likelihood, with their band of 95 % and the dispersion of the curve; "near", "between", "above" or "below" where the runs determine no curve. A run
-that is not done has a dash. Needs what `scripts/setup study` installs.
+likelihood, with their band of 95 % and the dispersion of the curve; "near", "between", "above" or "below" where the runs determine no curve. --all-records: one
+curve for all records. A run that is not done has a dash. Needs what `scripts/setup study` installs.
 """
 import sys
 
-from fragility import GROUP, RARER, curves, done_rows, fit
-from outcomes import one_version
+from fragility import GROUP, RARER, curves, done_rows, fit, name_of_strength
+from strength import strength_of
+from versions import one_version
 
 STATES = {"2": "grade 2", "3": "grade 3", "4": "grade 4", "collapse": "collapse"}
 
@@ -39,10 +40,11 @@ def grades(rows):
     keys = told_apart(rows)
     names = list(dict.fromkeys(" ".join(row[key] for key in keys if row[key]) for row in rows))
     seeds = sorted({row["seed"] for row in rows}, key=lambda s: (len(s), s))
-    of = {(" ".join(row[key] for key in keys if row[key]), float(row["scale"]), row["seed"]): grade(row) for row in rows}
-    scales = sorted({float(row["scale"]) for row in rows})
-    cells = lambda name, scale: ", ".join(of.get((name, scale, seed), "–") for seed in seeds)
-    return head("scale of the motion", names) + [line([f"{scale:g}", *(cells(name, scale) for name in names)]) for scale in scales]
+    of = {(" ".join(row[key] for key in keys if row[key]), strength_of(row), row["seed"]): grade(row) for row in rows}
+    levels = sorted({strength_of(row) for row in rows})
+    cells = lambda name, level: ", ".join(of.get((name, level, seed), "–") for seed in seeds)
+    first = name_of_strength("the table", rows, None)
+    return head(first, names) + [line([f"{level:g}", *(cells(name, level) for name in names)]) for level in levels]
 
 
 def bracket(x, reached):
@@ -55,33 +57,40 @@ def bracket(x, reached):
     return f"near {above:g}" if below == above else f"between {below:g} and {above:g}"
 
 
-def median(x, reached, seeds):
-    result, remark = fit(x, reached, seeds)
+def short(value):
+    return f"{value:.2f}" if value >= 0.1 else f"{value:#.2g}"
+
+
+def median(x, reached, clusters):
+    result, remark = fit(x, reached, clusters)
     if result:
         low, high = result.bands_of_95()[0]
-        return f"{result.median:.2f} ({low:.2f} to {high:.2f}); {result.dispersion:.2f}"
+        return f"{short(result.median)} ({short(low)} to {short(high)}); {short(result.dispersion)}"
     return remark if remark == RARER or not x.size else bracket(x, reached)
 
 
-def medians(rows):
-    keys = told_apart(rows)
+def medians(rows, all_records):
+    axis = name_of_strength("the table", rows, all_records=all_records)
+    group, keys = ([key for key in names if not (all_records and key == "record")] for names in (GROUP, told_apart(rows)))
     found, names = {}, {}
-    for name, state, x, reached, seeds in curves(rows, STATES, 1.0):
+    for name, state, x, reached, clusters in curves(rows, STATES, all_records=all_records):
         names[name] = None
-        found[state, name] = median(x, reached, seeds)
-    full = {" ".join(row[key] for key in GROUP if row[key]): " ".join(row[key] for key in keys if row[key]) for row in rows}
-    return head("state", [full[name] for name in names]) + [line([title, *(found[state, name] for name in names)]) for state, title in STATES.items()]
+        found[state, name] = median(x, reached, clusters)
+    full = {" ".join(row[key] for key in group if row[key]): " ".join(row[key] for key in keys if row[key]) for row in rows}
+    return head("state" if axis == "scale of the motion" else f"state; {axis}", [full[name] for name in names]) + [line([title, *(found[state, name] for name in names)]) for state, title in STATES.items()]
 
 
 def main():
-    tables = {"grades": grades, "medians": medians}
-    if len(sys.argv) != 3 or sys.argv[1] not in tables:
+    words = [word for word in sys.argv[1:] if word != "--all-records"]
+    all_records = len(words) < len(sys.argv) - 1
+    if len(words) != 2 or words[0] not in ("grades", "medians") or (all_records and words[0] == "grades"):
         sys.exit(__doc__)
-    rows = done_rows(sys.argv[2])
+    which, path = words
+    rows = done_rows(path)
     if not rows:
-        sys.exit(f"{sys.argv[2]}: no run is done yet")
-    one_version({sys.argv[2]: rows})
-    print("\n".join(tables[sys.argv[1]](rows)))
+        sys.exit(f"{path}: no run is done yet")
+    one_version({path: rows})
+    print("\n".join(grades(rows) if which == "grades" else medians(rows, all_records)))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time"
          "residual_drift", "first_tension", "first_shear", "first_compression", "tension", "shear", "compression", "slipped",
          "peak_base_shear", "peak_speed")
 NOT_RESULTS = ("finished", "grade_time", "walls", "points", "capacity")
+STRENGTH = ("intensity", "level")  # of the place in a study with [intensity] alone
 COSTS = ("starts", "wall_clock", "core_hours")
 
 
@@ -46,7 +47,8 @@ def results(voussoir, folder):
         raise Unreadable(said.stderr.strip())
     try:
         with h5py.File(folder / "run.h5") as file:
-            return flat(json.loads(said.stdout)) | {"version": file["provenance"].attrs["version"]}
+            factor = {"motion_factor": float(file["motion/factor"][0])} if "motion/factor" in file else {}  # by which its [intensity] was reached
+            return flat(json.loads(said.stdout)) | factor | {"version": file["provenance"].attrs["version"]}
     except (OSError, KeyError) as error:
         raise Unreadable(str(error)) from error
 
@@ -85,7 +87,7 @@ def row(voussoir, run):
 def known_row(known, run):
     """As a row of this table, of which the known one may not be: its place is this study's, its columns may come in another order."""
     here = place(run, known["status"])
-    found = {name: value for name, value in known.items() if name not in (*here, *COSTS)}
+    found = {name: value for name, value in known.items() if name not in (*here, *STRENGTH, *COSTS)}
     return here, found, {name: known[name] for name in COSTS}
 
 

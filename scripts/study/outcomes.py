@@ -24,7 +24,7 @@ import re
 import sys
 
 from statements import LEGEND, STATEMENTS, Run, Unknown
-from versions import results_of
+from versions import one_version
 
 NORMAL_95 = 1.959963984540054
 
@@ -85,18 +85,9 @@ def done(rows):
     return [row for row in rows if row["status"] == "done"]
 
 
-def one_version(tables):
-    """Refuses tables, rows by path, whose runs are of versions with other results: these are no runs of one kind."""
-    found = [(row["version"], path) for path, rows in tables.items() for row in done(rows) if row.get("version")]
-    for version, path in found:
-        if results_of(version) != results_of(found[0][0]):
-            sys.exit(f"{path}: a run of version {version}, and one of {found[0][1]} is of {found[0][0]}: their results may differ; "
-                     "allowed: runs of one version")
-
-
 def difference(a, b):
     """In which column of the study two rows differ, to say why they clash."""
-    return next((f"{name} ({a[name]}, {b[name]})" for name in ("options", "scale", "seed") if a.get(name) != b.get(name)), "nothing")
+    return next((f"{name} ({a.get(name, '')}, {b.get(name, '')})" for name in ("options", "scale", "intensity", "level", "seed") if a.get(name) != b.get(name)), "nothing")
 
 
 def same_run(a, b):

@@ -18,7 +18,7 @@ tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertica
 
 
 # Of the table, what a page has room for; the rest is in table.csv.
-SHOWN = ("run", "case", "direction", "record", "scale", "options", "seed", "status", "damage_grade", "settling_damage_grade", "collapsed", "collapse_time",
+SHOWN = ("run", "case", "direction", "record", "scale", "intensity", "level", "options", "seed", "status", "damage_grade", "settling_damage_grade", "collapsed", "collapse_time",
          "first_crack_time", "settling_cracks", "shaking_cracks", "first_fallen_time", "first_fallen_wall", "fallen_mass_fraction", "peak_drift", "residual_drift", "free_volume", "debris_area",
          "debris_reach", "peak_base_shear", "state_hash", "core_hours")
 NEVER = ("collapse_time", "first_crack_time", "first_fallen_time")  # a time below 0

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""A study file and the runs it stands for: one for each combination of case, direction, record, scale, options and seed.
+"""A study file and the runs it stands for: one for each combination of case, direction, record, scale or level of intensity, options and
+seed.
 
 Whatever is wrong with the file raises StudyError before anything runs; the message names file, key, value and what is allowed.
 """
@@ -17,6 +18,7 @@ import sys
 import tomllib
 from concurrent import futures
 
+from strength import UNITS
 from versions import differs, results_of
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
@@ -57,6 +59,8 @@ def is_scale(value):
     return is_number(value) or (isinstance(value, list) and len(value) == 3 and all(map(is_number, value)))
 
 
+INTENSITY = ('a table [intensity]: measure = "PGA" (m/s2), "PGV" (m/s) or "Sa" (m/s2), of Sa also period = a number > 0 (s), '
+             "levels = [numbers > 0], each once")
 MOTION_FILES, MOTION_TEXTS = ("record", "L", "T", "V", "x", "y", "z"), ("unit", "baseline")
 MOTION_KEYS = (*MOTION_FILES, *MOTION_TEXTS, "dt", "from", "to", "taper")
 
@@ -97,6 +101,8 @@ LISTS = {
     "set": ([], is_override, '"key=value" of the case file, for all runs'),
     "stills": ([], is_time, "a number >= 0: s, the time of a frame to draw"),
 }
+
+KEYS = (*VALUES, *LISTS, "options", "intensity")
 
 
 def fault(path, key, value, allowed):
@@ -139,6 +145,21 @@ def read_options(path, table):
     return {name: read_list(path, f"options.{name}", overrides, is_override, allowed) for name, overrides in table.items()} or {"": []}
 
 
+def read_intensity(path, table):
+    """The levels of [intensity]: each with its measure in words, its name and its overrides. Without the table there is one, None."""
+    if table is None:
+        return [None]
+    given = table if isinstance(table, dict) else {}
+    measure, period, levels = (given.get(key) for key in ("measure", "period", "levels"))
+    good_levels = isinstance(levels, list) and all(map(is_positive, levels)) and len(set(levels)) == len(levels) > 0
+    good_period = is_positive(period) if measure == "Sa" else period is None
+    if set(given) - {"measure", "period", "levels"} or measure not in list(UNITS) or not (good_levels and good_period):
+        raise fault(path, "intensity", table, INTENSITY)
+    short, words = (f"Sa{period:g}", f"Sa({period:g} s)") if period else (measure, measure)
+    overrides = [f"motion.intensity.measure={json.dumps(measure)}", f"motion.intensity.period={period or ''}"]  # empty: in place of the case's
+    return [{"measure": words, "level": level, "name": f"{short}_{level:g}", "set": [*overrides, f"motion.intensity.level={level}"]} for level in levels]
+
+
 def read_document(path):
     try:
         return tomllib.loads(path.read_text())
@@ -152,8 +173,8 @@ def read_study(path):
     """All keys of the file with their defaults."""
     document = read_document(path)
     for key in document:
-        if key not in (*VALUES, *LISTS, "options"):
-            raise fault(path, key, document[key], "the keys " + ", ".join((*VALUES, *LISTS, "options")))
+        if key not in KEYS:
+            raise fault(path, key, document[key], "the keys " + ", ".join(KEYS))
     study = {}
     for key, (default, test, allowed) in VALUES.items():
         study[key] = document.get(key, default)
@@ -162,6 +183,10 @@ def read_study(path):
     for key, (default, test, allowed) in LISTS.items():
         study[key] = read_list(path, key, document.get(key, default or []), test, allowed)
     study["options"] = read_options(path, document.get("options", {}))
+    study["intensity"] = read_intensity(path, document.get("intensity"))
+    if study["scales"] and "intensity" in document:
+        raise fault(path, "scales", study["scales"], "none beside [intensity], which sets how strong the motion is")
+
     if not study["cases"]:
         raise fault(path, "cases", study["cases"], "at least one; " + LISTS["cases"][2])
     overrides = [o for one in (study["set"], *study["options"].values()) for o in one]
@@ -194,7 +219,7 @@ def motion_of(record, folder):
             yield f"motion.{key}={json.dumps(value)}", None
 
 
-def one_run(study, folder, case, direction, record, scale, options, seed):
+def one_run(study, folder, case, direction, record, scale, intensity, options, seed):
     said = study["set"] + study["options"][options]  # overrides, as the study says them
     actual = [from_environment(o) for o in said]
 
@@ -221,15 +246,20 @@ def one_run(study, folder, case, direction, record, scale, options, seed):
     if scale is not None:
         names.append(scale_name(scale))
         add(f"motion.scale={json.dumps(scale)}")
+    if intensity:
+        names.append(intensity["name"])
+        for override in intensity["set"]:
+            add(override)
     if options:
         names.append(options)
     if seed is not None:
         names.append(f"seed{seed}")
         add(f"scatter.seed={seed}")
     called = record["name"] if isinstance(record, dict) else record
-    return {"name": "-".join(names), "axes": {"case": names[0], "direction": direction, "record": called, "scale": scale, "options": options,
-                                              "seed": seed},
-            "case": case, "set": actual, "identity": identity(case, said)}
+    axes = {"case": names[0], "direction": direction, "record": called, "scale": scale}
+    if intensity:
+        axes |= {"intensity": intensity["measure"], "level": intensity["level"]}
+    return {"name": "-".join(names), "axes": axes | {"options": options, "seed": seed}, "case": case, "set": actual, "identity": identity(case, said)}
 
 
 def identity(case, overrides):
@@ -243,12 +273,14 @@ def check_overridden(study, path):
     """An override of what the runs differ in, or all have, would do nothing, and its name in the table would be wrong."""
     by_record = {f"motion.{key}" for record in study["records"] if isinstance(record, dict) for key in (*MOTION_FILES, *record)}
     by_study = {key: "records" for key in by_record} | {"motion.record": "records", "motion.direction": "directions", "motion.scale": "scales",
-                                                        "scatter.seed": "seeds", "time.duration": "duration"}
+                                                        "scatter.seed": "seeds", "time.duration": "duration",
+                                                        "motion.intensity": "intensity"}
     named = {"set": study["set"], **{f"options.{name}": overrides for name, overrides in study["options"].items()}}
     for where, overrides in named.items():
         for override in overrides:
-            axis = by_study.get(override.split("=")[0].strip())
-            if axis and study[axis] not in (None, []):
+            key = override.split("=")[0].strip()
+            axis = by_study.get("motion.intensity" if key.startswith("motion.intensity.") else key)
+            if axis and study[axis] not in (None, [], [None]):
                 raise StudyError(f"{path}: {where}: \"{override}\" has no effect beside `{axis}`; allowed: one of the two")
 
 
@@ -256,12 +288,12 @@ def expand(study, path):
     check_overridden(study, path)
     axes = [study[key] or [None] for key in ("cases", "directions", "records", "scales")]
     runs = [one_run(study, path.parent, *values)
-            for values in itertools.product(*axes, study["options"], study["seeds"] or [None])]
+            for values in itertools.product(*axes, study["intensity"], study["options"], study["seeds"] or [None])]
     names = [run["name"] for run in runs]
     for name in names:
         if names.count(name) > 1:
             raise StudyError(f"{path}: two runs have the name {name}; allowed: cases and records whose files have names of "
-                             "their own, and scales that differ in their first six digits")
+                             "their own, and scales and levels that differ in their first six digits")
     return runs
 
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Quantities of a study's table: over the scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY.svg ...
+"""Quantities of a study's table: over the intensity or scale of the motion, or a bar a run. usage: plot.py TABLE QUANTITY.svg ...
 
-Over the scale: a point a run, a line through the means over seeds, one for each case, direction, record and set of options. Where something,
+Over either: a point a run, a line through the means over seeds, one for each case, direction, record and set of options. Where something,
 as a crack, never came in some of the seeds, they have no mean, and the line has a gap.
 """
 import csv
@@ -12,6 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import run_file
+from strength import axis_of, strength_of, text_of
 
 UNITS = {"first_crack_time": "s", "peak_base_shear": "kN", "peak_speed": "m/s"}
 SHOWN = {"peak_base_shear": 1e-3}  # of the table's value, where that is in another unit
@@ -36,18 +37,18 @@ def mean(values):
     return math.nan if None in values else sum(values) / len(values)
 
 
-def over_scale(axes, rows, quantity):
+def over_strength(axes, rows, quantity):
     groups = {}
     for row in rows:
         points = groups.setdefault(" ".join(row[key] for key in GROUP if row[key]), {})
-        points.setdefault(float(row["scale"]), []).append(value_of(row, quantity))
+        points.setdefault(strength_of(row), []).append(value_of(row, quantity))
     for number, (label, points) in enumerate(groups.items()):
         look = run_file.style(number)
-        scales = sorted(points)
-        axes.plot(scales, [mean(points[s]) for s in scales], label=label, **look)
-        shown = [(s, v) for s in scales for v in points[s] if v is not None]
+        strengths = sorted(points)
+        axes.plot(strengths, [mean(points[s]) for s in strengths], label=label, **look)
+        shown = [(s, v) for s in strengths for v in points[s] if v is not None]
         axes.plot([s for s, _ in shown], [v for _, v in shown], ".", color=look["color"])
-    axes.set(xlabel="scale of the motion", ylabel=label_of(quantity))
+    axes.set(xlabel=axis_of(rows), ylabel=label_of(quantity))
     axes.legend()
 
 
@@ -71,10 +72,10 @@ def draw(rows, path):
     quantity = path.stem
     there = [row for row in rows if has(row, quantity)]
     shown = [row for row in there if value_of(row, quantity) is not None]
-    scaled = len({row["scale"] for row in shown}) > 1 and all(is_number(row["scale"]) for row in there)
+    scaled = len({text_of(row) for row in shown}) > 1 and all(is_number(text_of(row)) for row in there)
     figure, axes = run_file.plt.subplots(figsize=(16 / 2.54, (8.0 if scaled else 1.6 + 0.5 * len(shown)) / 2.54))
     if scaled:
-        over_scale(axes, there, quantity)
+        over_strength(axes, there, quantity)
     else:
         bars(axes, shown, quantity)
     run_file.save(figure, path)

@@ -67,7 +67,7 @@ def main():
     with open(sys.argv[1], newline="") as table:
         for row in csv.DictReader(table):
             folder = motions / pathlib.Path(row["record"].replace("#", "-")).name
-            if row["case"] != "walls-20" or row["scale"] or row["status"] != "done" or not folder.is_dir():
+            if row["case"] != "walls-20" or row["scale"] or row.get("level") or row["status"] != "done" or not folder.is_dir():
                 continue
             across = {"LTV": "T", "TLV": "L"}[row["direction"]]  # what shakes the walls across
             equation = falls_at(acceleration(folder / f"{across}.csv", times), acceleration(folder / "V.csv", times))

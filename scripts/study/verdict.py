@@ -35,7 +35,8 @@ import collections
 import re
 import sys
 
-from outcomes import LABELS, all_rows, answers, by_record, count, done, one_version, tables_of, wilson
+from outcomes import LABELS, all_rows, answers, by_record, count, done, tables_of, wilson
+from versions import one_version
 from statements import STATEMENTS
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}

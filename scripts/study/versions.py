@@ -7,6 +7,7 @@ A study of cases with either goes on with the program that began it, or begins a
 """
 import pathlib
 import re
+import sys
 import tomllib
 
 SAME = {"0.1.0 (physics 14)": "0.1.0 (physics 13)"}  # version: the earliest that gives its results
@@ -17,6 +18,16 @@ CATALOGUE = pathlib.Path(__file__).resolve().parents[2] / "cases" / "catalogue"
 def results_of(version):
     """The earliest version with the same results."""
     return SAME.get(version, version)
+
+
+def one_version(tables):
+    """Refuses tables, rows by path, whose runs are of versions with other results: these are no runs of one kind."""
+    found = [(row["version"], path) for path, rows in tables.items() for row in rows
+             if row["status"] == "done" and row.get("version")]
+    for version, path in found:
+        if results_of(version) != results_of(found[0][0]):
+            sys.exit(f"{path}: a run of version {version}, and one of {found[0][1]} is of {found[0][0]}: their results may differ; "
+                     "allowed: runs of one version")
 
 
 def path_of(name, folder):

@@ -131,7 +131,7 @@ class Model:
     # What happens to it, what is followed
 
     def motion(self, record: Path | None = None, **keys: Any) -> None:
-        """Ground motion, in place of an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, unit."""
+        """Ground motion, in place of an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, intensity, unit."""
         self.case["motion"] = _from_anywhere("motion", {**({"record": record} if record is not None else {}), **keys})
 
     def follow(self, name: str, point: ArrayLike) -> None:

@@ -354,6 +354,7 @@ TEST_CASE("key reference: all tables and their keys") {
                              "[[contact.between]]",
                              "[analysis]",
                              "[motion]",
+                             "[motion.intensity]",
                              "[segments]",
                              "[output]",
                              "[[output.history]]",

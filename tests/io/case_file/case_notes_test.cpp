@@ -34,6 +34,26 @@ TEST_CASE("notes: an unusual value is told with its place, its unit and what is 
         Notes{"--set materials.stone.density=1e6: materials.stone.density = 1e+06 kg/m3 is unusual; usually 200 to 12000 kg/m3"});
 }
 
+TEST_CASE("notes: keys of another kind of roof, in the file that says the kind") {
+  const std::string vault = "[house.roof]\nkind = \"vault\"\n", flat = "[house.roof]\nkind = \"flat\"\n";
+  CHECK(notes_of(vault + "radius = 1.4\nthickness = 0.1\nring = 0.3\nvoussoirs = 21\n") == Notes{});
+  CHECK(notes_of(flat + "beam = [0.1, 0.15]\nelement = 0.3\nbetween_beams = \"wood\"\nedge_beams = \"normal\"\n") == Notes{});
+  CHECK(notes_of(vault + "beam = [0.1, 0.15]\n") ==
+        Notes{"test.toml:3: house.roof.beam = [0.1, 0.15] m has no effect with this kind of roof; it belongs to flat and pitched ones"});
+  CHECK(notes_of(flat + "radius = 1.4\nring = 0.3\n").size() == 2);
+  CHECK(notes_of("[house.roof]\nkind = \"gables\"\nradius = 1.4\nthickness = 0.1\n").size() == 1);
+  CHECK(notes_of(vault + "beam = [0.2, 0.2]\n") == Notes{});  // the default, as a resolved case has it
+  CHECK(io::read_case({"test.toml", flat + "beam = [0.1, 0.15]\n"}, {"house.roof.kind=vault"}).notes == Notes{});  // meant so
+}
+
+TEST_CASE("notes: levels of intensity that look like g") {
+  const auto of_level = [](const std::string& keys) { return notes_of("[motion]\nrecord = \"bam-like\"\n[motion.intensity]\n" + keys); };
+  CHECK(of_level("measure = \"PGA\"\nlevel = 3.0\n") == Notes{});
+  CHECK(of_level("measure = \"PGV\"\nlevel = 0.3\n") == Notes{});
+  CHECK(of_level("measure = \"PGA\"\nlevel = 0.25\n") ==
+        Notes{"test.toml:5: motion.intensity.level = 0.25 is unusual; usually 0.5 to 45 m/s2 (not g)"});
+}
+
 TEST_CASE("notes: gravity that is not that of the earth; mortar without a thickness") {
   CHECK(notes_of("[gravity]\nacceleration = [0, 0, -9.81]\n") == Notes{});
   CHECK(notes_of("[gravity]\nacceleration = [0, 0, 0]\n") == Notes{});

@@ -45,6 +45,17 @@ std::string two_levels(bool seeded, int stands = 3) {
   return rows + "r,house,LTV,,4.0,,0,to be done,,\nr,house,LTV,,4.0,,1,numerical failure,0,0\n";
 }
 
+/// The same outcomes, of one house under four records at two levels of PGA.
+std::string four_records(const std::string& measure_of_last = "PGA") {
+  std::string rows = "run,case,direction,record,scale,intensity,level,options,seed,status,collapsed,damage_grade\n";
+  for (int record = 0; record < 4; ++record) {
+    const std::string start = "r,house,LTV,record" + std::to_string(record) + ",,";
+    rows += start + "PGA,0.5,,,done," + (record == 0 ? "1" : "0") + ",2\n";
+    rows += start + (record == 3 ? measure_of_last : "PGA") + ",2.0,,,done," + (record == 3 ? "0" : "1") + ",4\n";
+  }
+  return rows;
+}
+
 /// The table's curves in the folder's out.csv; what it says is in "log".
 int fragility(const TempFolder& folder, const std::string& table, const std::string& states) {
   return code_of(script("fragility.py") + folder.write("table.csv", table) + " -o " + folder.path("out.svg") + " --csv " +
@@ -96,6 +107,27 @@ TEST_CASE("fragility: bands count a house once that is shaken at every level, an
   check(two_levels(false), "by run", median_reach, dispersion_reach);
   // The house that collapses at 0.5 alone: all sums of a are 0, and a band by house would have no width at the median.
   check(two_levels(true, 0), "by run", median_reach, dispersion_reach);
+}
+
+TEST_CASE("fragility: over levels of intensity, of all records together, bands count a record once") {
+  if (!can_fit()) return;
+  const TempFolder folder;
+  REQUIRE_MESSAGE(fragility(folder, two_levels(true), "collapse") == 0, text_of(folder.path("log")));
+  const std::string out = folder.path("out.csv");
+  const std::vector<std::string> seeded{column(out, "median").at(0), column(out, "median_high").at(0), column(out, "dispersion_low").at(0)};
+  REQUIRE_MESSAGE(fragility(folder, four_records(), "collapse --all-records") == 0, text_of(folder.path("log")));
+  CHECK(column(out, "curve") == std::vector<std::string>{"house LTV"});
+  CHECK(column(out, "bands") == std::vector<std::string>{"by record"});
+  // The outcomes are those of four seeds at two scales, so the numbers are, too.
+  CHECK(std::vector<std::string>{column(out, "median").at(0), column(out, "median_high").at(0), column(out, "dispersion_low").at(0)} ==
+        seeded);
+  CHECK(text_of(folder.path("out.svg")).find(">PGA, m/s²<") != std::string::npos);  // the words of the axis
+  REQUIRE(fragility(folder, four_records(), "collapse") == 0);                             // a curve for each record
+  CHECK(column(out, "curve").size() == 4);
+  CHECK(fragility(folder, four_records("PGV"), "collapse --all-records") == 1);
+  CHECK(text_of(folder.path("log")).find("different measures of intensity (PGA, PGV); wanted one") != std::string::npos);
+  CHECK(fragility(folder, four_records(), "collapse --peak 3.0") == 1);
+  CHECK(text_of(folder.path("log")).find("--peak is for studies over scales") != std::string::npos);
 }
 
 TEST_CASE("fragility: its files stand where they are looked for, and never on the table") {

@@ -110,7 +110,7 @@ TEST_CASE("effort: two runs of one house, direction, motion and scale are refuse
                                   run + ",bare,TLV,bam-like,0.5," + more + ",done,2,0.1\n");
   };
   const std::string first = table("first.csv", "a", ",1,0a,0.1.0"),
-                    clash = "b: the same house, direction, motion and scale as a; they differ in ";
+                    clash = "b: the same house, direction, motion and strength as a; they differ in ";
   refuses(folder, "effort.py", file + first + table("other.csv", "b", ",2,0b,0.1.0"), clash + "seed (1, 2); allowed: one run of each\n");
   refuses(folder, "effort.py", file + first + table("other.csv", "b", "stiff,1,0b,0.1.0"),
           clash + "options (, stiff); allowed: one run of each\n");

@@ -112,6 +112,7 @@ TEST_CASE("collapses: how many runs lose their roof under motions of one name, a
   table.add("flat20n", "here/pulse0-2", {{"status", "to be done"}});
   table.add("flat20w", "here/pulse0-1", with(collapsed_at(7.01, 8.0), {{"direction", "LTV"}}));
   table.add("flat20w", "here/pulse0-2", with(collapsed_at(6.99, 8.0), {{"direction", "LTV"}}));
+  table.add("flat20n", "here/pulse0-3", with(collapsed_at(5.0, 6.0), {{"intensity", "PGV"}, {"level", "0.3"}}));
   const std::string path = folder.write("table.csv", table.text());
   Table known;  // the first of them, in another study too
   known.add("flat20n", "bam-like#1", with(collapsed_at(4.16, 5.0), {{"identity", "0a"}, {"scale", ""}}));
@@ -121,7 +122,8 @@ TEST_CASE("collapses: how many runs lose their roof under motions of one name, a
         "| motion | flat20w LTV | flat20n TLV | walls-20 TLV |\n|---|---|---|---|\n"
         "| `bam-like` | – | 2 of 3, 4.0 to 4.2 | 0 of 1 |\n"
         "| `pulse0`, scale 0.5, rim | – | 1 of 1, 6.0 | – |\n"
-        "| `pulse0` | 2 of 2, 7.0 | – | – |\n");
+        "| `pulse0` | 2 of 2, 7.0 | – | – |\n"
+        "| `pulse0`, PGV = 0.3 | – | 1 of 1, 5.0 | – |\n");
   CHECK(code_of(script("collapses.py") + " >" + out + " 2>&1") == 1);
 }
 

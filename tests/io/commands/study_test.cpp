@@ -46,6 +46,13 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
       {"scales = [1.0, \"big\"]\n", "scales[1] = \"big\""},
       {"threads = 0\n", "threads = 0"},
       {"seeds = [1]\n", "scatter.variation"},
+      {"[intensity]\nmeasure = \"Sa\"\nlevels = [1.0]\n",
+       "intensity = {\"measure\": \"Sa\", \"levels\": [1.0]}; allowed: a table [intensity]: "},
+      {"[intensity]\nmeasure = \"PGA\"\nlevels = [2.0, 1.0, 2.0]\n", "intensity = {\"measure\": \"PGA\", \"levels\": [2.0, 1.0, 2.0]}"},
+      {"[intensity]\nmeasure = [\"PGA\"]\nlevels = [1.0]\n", "intensity = {\"measure\": [\"PGA\"]"},
+      {"scales = [1.0]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "scales = [1.0]; allowed: none beside [intensity]"},
+      {"set = [\"motion.intensity={level=2}\"]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "has no effect beside `intensity`"},
+      {"set = [\"motion.intensity.level=2\"]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "has no effect beside `intensity`"},
       {"set = [\"house.brik=1\"]\n", "house.brik"},
       {"records = [\"${NO_SUCH_NAME}/rinaldi\"]\n", "NO_SUCH_NAME is not set"},
       {"records = [{ name = \"r\", L = 3 }]\n", "records[0] = {\"name\": \"r\", \"L\": 3}; allowed: \"bam-like\""},
@@ -96,6 +103,31 @@ void options_in_place_of_scales(const TempFolder& folder) {
   std::filesystem::create_directory(folder.path("options"));
   std::filesystem::create_directory_symlink(folder.path("study/runs"), folder.path("options/runs"));
   folder.write("options/plan.json", plan);
+}
+
+TEST_CASE(
+    "a study over levels of intensity: each record reaches each level, in place of the case's own, and the table says by which factor") {
+  if (!can_study()) return;
+  const TempFolder folder;
+  // The second case has an intensity of its own, with a period that goes with no PGA.
+  const std::string wall = VOUSSOIR_SOURCE_DIR "/tests/faults/data/wall.toml";
+  folder.write("own.toml", "include = \"" + wall + "\"\n[motion.intensity]\nmeasure = \"Sa\"\nlevel = 3.0\nperiod = 0.2\n");
+  const std::string file = folder.write("levels.toml", "cases = [\"" + wall + "\", \"own.toml\"]\n" +
+                                                           "records = [\"bam-like\", \"bam-like#2\"]\nduration = 0.2\n"
+                                                           "[intensity]\nmeasure = \"PGA\"\nlevels = [1.0, 2.0]\n");
+  REQUIRE_MESSAGE(study(folder, file) == 0, text_of(folder.path("log")));
+  const std::string table = folder.path("study/table.csv");
+  using Values = std::vector<std::string>;
+  CHECK(column(table, "run") == Values{"wall-bam-like-PGA_1", "wall-bam-like-PGA_2", "wall-bam-like_2-PGA_1", "wall-bam-like_2-PGA_2",
+                                       "own-bam-like-PGA_1", "own-bam-like-PGA_2", "own-bam-like_2-PGA_1", "own-bam-like_2-PGA_2"});
+  CHECK(column(table, "intensity") == Values(8, "PGA"));
+  CHECK(column(table, "level") == Values{"1.0", "2.0", "1.0", "2.0", "1.0", "2.0", "1.0", "2.0"});
+  std::vector<double> factor;
+  for (const std::string& text : column(table, "motion_factor")) factor.push_back(std::stod(text));
+  REQUIRE(factor.size() == 8);
+  CHECK(factor[1] == doctest::Approx(2.0 * factor[0]).epsilon(1e-12));
+  CHECK(factor[2] != factor[0]);                                          // another record
+  for (std::size_t i = 0; i < 4; ++i) CHECK(factor[i + 4] == factor[i]);  // the same record under the other case
 }
 
 TEST_CASE("a study ends with a table, once; what was interrupted is not begun anew") {
@@ -240,7 +272,8 @@ TEST_CASE("a table in Markdown has the runs that are done, in figures for people
       "compression,slipped,peak_base_shear,"
       "worst_residual,core_hours,front wall: quarter_fallen_time,rear wall: quarter_fallen_time,settling_cracks\n";
   const std::string rows =
-      "fell,done,5,0.0371,front wall,2.6,1.0,1,3.3,0.8577,0.764,48.25,4.21,0.334,9,487379,100,487252,0,236,0,110200.4,4.1e-05,0.52,3.1,2.98,15936\n"
+      "fell,done,5,0.0371,front "
+      "wall,2.6,1.0,1,3.3,0.8577,0.764,48.25,4.21,0.334,9,487379,100,487252,0,236,0,110200.4,4.1e-05,0.52,3.1,2.98,15936\n"
       "stood,done,0,-1.0,,-1.0,0.0,0,-1.0,0.0,0.0104,0.0,0.0,0.999,0,12,0,0,0,0,12,358800.0,4.4e-08,0.06,-1.0,-1.0,0\n"
       "arch,done,-1,0.5,,-1.0,,0,-1.0,0.25,,1.0,0.5,,,,,7,0,0,0,1000.0,1e-06,0.01,,,\n"
       "waits,to be done,,,,,,,,,,,,,,,,,,,,,,0,,,\n";
