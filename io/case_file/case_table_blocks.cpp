@@ -113,14 +113,15 @@ Table<MotionIntensity> intensity_table() {
       {required(choice<S>("measure", &S::measure, "", measures,
                           "peak ground acceleration, peak ground velocity, or spectral acceleration at `period` with 5 % of damping: the "
                           "geometric mean of both horizontal components (L and T, wherever `direction` sends them, or x and y)")),
-       required(value<S>("level", &S::level, "", above(0.0), "m/s2 of PGA and Sa (not g), m/s of PGV")),
+       required(
+           value<S>("level", &S::level, "", above(0.0), "PGA: m/s2 (not g), usually 0.5 to 45; PGV: m/s, usually 0.01 to 5; Sa: m/s2")),
        value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone")},
       [](const S& s, const RuleCheck& check) {
         const bool sa = s.measure == IntensityMeasure::sa;
         if (sa && !s.period) check.fault("measure", "needs motion.intensity.period, in s");
-        if (!sa && s.period) check.fault("period", "goes with measure = \"Sa\" alone");
+        if (!sa && s.period) check.fault("period", "goes with measure = \"Sa\" alone; period = [] takes an inherited one away");
         const bool pgv = s.measure == IntensityMeasure::pgv;
-        if (s.level < (pgv ? 0.01 : 0.5) || s.level > (pgv ? 5.0 : 45.0))
+        if (!sa && (s.level < (pgv ? 0.01 : 0.5) || s.level > (pgv ? 5.0 : 45.0)))
           check.doubt("level", pgv ? "is unusual; usually 0.01 to 5 m/s" : "is unusual; usually 0.5 to 45 m/s2 (not g)");
       }};
 }

@@ -164,7 +164,11 @@ class Comparer {
   /// Tables with a row at a time go by time; cracks, of which many may have one, and all others row by row.
   const RowPairs& pairs_of(const std::string& name, std::uint64_t rows) {
     const std::string time = times_of(a_, name);
-    const bool by_time = !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/");
+    const auto has_row_a_time = [&](const Hdf5File& file) {
+      return file.shape(name).at(0) == file.shape(time).at(0);
+    };  // not /motion/factor
+    const bool by_time =
+        !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/") && has_row_a_time(a_) && has_row_a_time(b_);
     const std::string key = by_time ? time : std::to_string(rows);
     const auto known = pairs_.find(key);
     if (known != pairs_.end()) return known->second;

@@ -13,6 +13,7 @@
 
 #include "cases/followed_points.h"
 #include "cases/joint_rules.h"
+#include "cases/motion/intensity.h"
 #include "io/motion/support_motion.h"
 #include "solver/analysis/main_modes.h"
 #include "solver/world/errors.h"
@@ -25,7 +26,9 @@ constexpr std::size_t kMostElements = 10000;  // above it modes take minutes
 constexpr std::array kAxes{"x", "y", "z"};
 // Records stronger than that: none is known (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
 constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
-constexpr double kMostOfRun = 0.8;                                                         // that a motion shakes at least
+constexpr double kMostOfLevel = 0.95;                                                      // of an intensity, that a run reaches at least
+constexpr double kWeaker = 0.05;    // of two horizontal components: a geometric mean with so weak a one says little
+constexpr double kMostOfRun = 0.8;  // that a motion shakes at least
 
 void warn(const std::string& text) { std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str()); }
 
@@ -78,7 +81,8 @@ bool is_own(const LoadedCase& c, const std::string& key) {
 void warn_of_unused(const LoadedCase& c, const cases::Model& m) {
   std::vector<bool> law(m.laws.size(), false), material(m.materials.size(), false);
   const auto mark = [](std::vector<bool>& used, const auto& all, std::int32_t i) {
-    for (; i >= 0 && !used[static_cast<std::size_t>(i)]; i = all[static_cast<std::size_t>(i)].made_from) used[static_cast<std::size_t>(i)] = true;
+    for (; i >= 0 && !used[static_cast<std::size_t>(i)]; i = all[static_cast<std::size_t>(i)].made_from)
+      used[static_cast<std::size_t>(i)] = true;
   };
   for (const std::int32_t l : m.joint_law) mark(law, m.laws, l);
   for (const cases::Block& b : m.blocks) mark(material, m.materials, b.material);
@@ -94,18 +98,39 @@ void warn_of_unused(const LoadedCase& c, const cases::Model& m) {
   }
 }
 
+/// The measure is that of the whole record. A run may end before its peaks, and of two components one may be all but still.
+void warn_of_intensity(const cases::Motion& m, const cases::GroundMotion& motion, double duration) {
+  const bool turned = !std::ranges::any_of(m.xyz, [](const auto& file) { return file.has_value(); });
+  const auto component = [&](char letter, std::size_t axis) { return motion.axis[turned ? m.direction.find(letter) : axis]; };
+  std::array<cases::Accelerogram, 2> horizontal{component('L', 0), component('T', 1)};
+  const double a = cases::figures(horizontal[0]).peak_acceleration, b = cases::figures(horizontal[1]).peak_acceleration;
+  if (std::min(a, b) > 0.0 && std::min(a, b) < kWeaker * std::max(a, b))
+    warn("motion.intensity is a geometric mean, and one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) +
+         " times as strong as the other; motion.scale = [1, 0, 1] takes one away");
+  for (cases::Accelerogram& h : horizontal) {
+    const double last = duration / (h.dt > 0.0 ? h.dt : 1.0);
+    if (last + 1.0 < static_cast<double>(h.acceleration.size())) h.acceleration.resize(static_cast<std::size_t>(last) + 1);
+  }
+  const double reached = cases::intensity(*m.intensity, horizontal[0], horizontal[1]);
+  if (reached < kMostOfLevel * m.intensity->level)
+    warn("motion.intensity: the whole record has " + cases::described(*m.intensity) + ", but up to the end of the run, at " +
+         four_digits(duration) + " s, it is " + four_digits(reached) + "; motion.to cuts the record before it is measured");
+}
+
 void warn_of_motion(const cases::Case& c, const cases::GroundMotion& motion) {
+  if (c.motion && c.motion->intensity) warn_of_intensity(*c.motion, motion, c.time.duration);
   double end = 0.0;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const cases::MotionFigures f = cases::figures(motion.axis[axis]);
     end = std::max(end, f.duration);
     if (f.peak_acceleration <= kMostAcceleration && f.peak_velocity <= kMostVelocity && f.peak_displacement <= kMostDisplacement) continue;
     warn("the motion along " + std::string(kAxes[axis]) + " is stronger than any record: peaks of " + four_digits(f.peak_acceleration) +
-         " m/s2, " + four_digits(f.peak_velocity) + " m/s and " + four_digits(f.peak_displacement) +
-         " m; are motion.unit, motion.dt, motion.scale and motion.baseline right?");
+         " m/s2, " + four_digits(f.peak_velocity) + " m/s and " + four_digits(f.peak_displacement) + " m; are motion.unit, motion.dt, " +
+         (c.motion && c.motion->intensity ? "motion.intensity" : "motion.scale") + " and motion.baseline right?");
   }
   if (end > 0.0 && end < kMostOfRun * c.time.duration)
-    warn("the motion ends at " + four_digits(end) + " s: the ground is still until the run ends, at " + four_digits(c.time.duration) + " s");
+    warn("the motion ends at " + four_digits(end) + " s: the ground is still until the run ends, at " + four_digits(c.time.duration) +
+         " s");
 }
 
 }  // namespace

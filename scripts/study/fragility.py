@@ -150,8 +150,11 @@ def has_reached(row, state):
 
 def done_rows(path):
     """Rows of runs that have ended and whose motion has one level of intensity, or one scale, above zero."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+    try:
+        with open(path, newline="") as file:
+            rows = list(csv.DictReader(file))
+    except OSError as error:
+        sys.exit(f"{path}: {error.strerror}; wanted table.csv of scripts/study/run")
     if not rows or not {"scale", "seed", "status", "damage_grade", "collapsed"} <= rows[0].keys():
         sys.exit(f"{path}: no table of a study over several scales or intensities, with measures; wanted table.csv of scripts/study/run")
     done = []

@@ -18,7 +18,7 @@ tr.collapsed td { background: #fbe9e7 } tr.open td { color: #999 } img { vertica
 
 
 # Of the table, what a page has room for; the rest is in table.csv.
-SHOWN = ("run", "case", "direction", "record", "scale", "intensity", "level", "options", "seed", "status", "damage_grade", "settling_damage_grade", "collapsed", "collapse_time",
+SHOWN = ("run", "case", "direction", "record", "scale", "intensity", "level", "motion_factor", "options", "seed", "status", "damage_grade", "settling_damage_grade", "collapsed", "collapse_time",
          "first_crack_time", "settling_cracks", "shaking_cracks", "first_fallen_time", "first_fallen_wall", "fallen_mass_fraction", "peak_drift", "residual_drift", "free_volume", "debris_area",
          "debris_reach", "peak_base_shear", "state_hash", "core_hours")
 NEVER = ("collapse_time", "first_crack_time", "first_fallen_time")  # a time below 0
@@ -76,7 +76,7 @@ def main():
     columns = [name for name in SHOWN if any(row.get(name) for row in rows)]
     head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in columns)
     lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style></head><body>',
-             f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N. All measures: table.csv.</p>",
+             f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N, levels of PGA and Sa in m/s², of PGV in m/s. All measures: table.csv.</p>",
              f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *(table_row(row, columns) for row in rows), "</tbody></table>",
              *(picture(pathlib.Path(path), "svg+xml", "plot") for path in sys.argv[4:]), "</body></html>"]
     pathlib.Path(sys.argv[3]).write_text("\n".join(lines) + "\n")

@@ -153,8 +153,13 @@ def read_intensity(path, table):
     measure, period, levels = (given.get(key) for key in ("measure", "period", "levels"))
     good_levels = isinstance(levels, list) and all(map(is_positive, levels)) and len(set(levels)) == len(levels) > 0
     good_period = is_positive(period) if measure == "Sa" else period is None
-    if set(given) - {"measure", "period", "levels"} or measure not in list(UNITS) or not (good_levels and good_period):
+    wrong = [key for key in given if key not in ("measure", "period", "levels")]
+    wrong += [key for key, good in (("measure", measure in list(UNITS)), ("period", good_period), ("levels", good_levels)) if not good]
+    if table is not given:
         raise fault(path, "intensity", table, INTENSITY)
+    if wrong:
+        raise fault(path, f"intensity.{wrong[0]}", given.get(wrong[0]), INTENSITY)
+    levels = [float(level) for level in levels]  # 8 and 8.0 are one level
     short, words = (f"Sa{period:g}", f"Sa({period:g} s)") if period else (measure, measure)
     overrides = [f"motion.intensity.measure={json.dumps(measure)}", f"motion.intensity.period={period or ''}"]  # empty: in place of the case's
     return [{"measure": words, "level": level, "name": f"{short}_{level:g}", "set": [*overrides, f"motion.intensity.level={level}"]} for level in levels]
@@ -305,12 +310,19 @@ def call(words):
         raise StudyError(f"{words[0]}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
 
 
+def strength(axes):
+    """Level or scale of a run; -inf where the case says it, or the scale is one for each component."""
+    value = axes.get("level", axes["scale"])
+    return value if is_number(value) else -math.inf
+
+
 def first_of_each(runs):
-    """Runs that have each case with each set of options and in each direction, and each record, at least once."""
-    seen = set()
+    """Runs that have each case with each set of options, in each direction and with the strongest motion, and each record, at least once."""
+    seen, strongest = set(), max(strength(run["axes"]) for run in runs)
     for run in runs:
         axes = run["axes"]
-        new = {(run["case"], "options", axes["options"]), (run["case"], "direction", axes["direction"]), axes["record"]} - seen
+        new = {(run["case"], "options", axes["options"]), (run["case"], "direction", axes["direction"]), axes["record"]}
+        new = (new | ({(run["case"], "strongest")} if strength(axes) == strongest else set())) - seen
         if new:
             seen |= new
             yield run

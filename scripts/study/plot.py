@@ -84,6 +84,10 @@ def draw(rows, path):
 def main():
     with open(sys.argv[1], newline="") as file:
         rows = list(csv.DictReader(file))
+    try:
+        axis_of(rows)
+    except ValueError as error:
+        sys.exit(f"{sys.argv[1]}: {error}")
     for path in sys.argv[2:]:
         draw(rows, pathlib.Path(path))
 

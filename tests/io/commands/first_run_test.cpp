@@ -223,23 +223,31 @@ TEST_CASE("auto in a house whose beams lie loose: their weight is taken to hold 
 
 TEST_CASE("check tells of what nothing has, of motions that no record has, and of the frequency of a house with loose beams") {
   const TempFolder folder;
-  const std::string more = "[materials.basalt]\ndensity = 2900.0\nyoung = 5e10\npoisson = 0.2\n"
-                           "[joint_laws.lime]\ntension = 5e4\ncohesion = 8e4\nfriction = 30.0\ncompression = 2e6\n";
+  const std::string more =
+      "[materials.basalt]\ndensity = 2900.0\nyoung = 5e10\npoisson = 0.2\n"
+      "[joint_laws.lime]\ntension = 5e4\ncohesion = 8e4\nfriction = 30.0\ncompression = 2e6\n";
   const std::string path = folder.write("case.toml", std::string(kSmallHouse) + more);
   const Outcome unused = voussoir("check " + path + " -j 1");
-  CHECK(says(unused, {"warning: ", "case.toml:", "joint_laws.lime is the law of no joint", "materials.basalt is the material of no element"}));
+  CHECK(says(unused,
+             {"warning: ", "case.toml:", "joint_laws.lime is the law of no joint", "materials.basalt is the material of no element"}));
   CHECK(says(unused, {"joint law ", "tension [Pa]", "when open"}));
   CHECK(is_silent_of(voussoir("check two-storeys -j 1"), "warning"));
 
   folder.write("g.csv", "t [s], a [g]\n0, 0\n0.01, 280\n0.02, 0\n");
   const Outcome strong = voussoir("check " + path + " -j 1 --set time.duration=1 --set motion.x=" + folder.path("g.csv"));
   CHECK(says(strong, {"warning: the motion along x is stronger than any record: peaks of 2746 m/s2", "motion.unit"}));
+  const Outcome level =
+      voussoir("check " + path + " -j 1 --set time.duration=1 --set motion.record=bam-like --set motion.scale=[1,0.01,1] " +
+               "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
+  CHECK(says(level, {"warning: motion.intensity is a geometric mean, and one horizontal component is ", "scale = [1, 0, 1]"}));
+  CHECK(says(level, {"warning: motion.intensity: the whole record has PGA = 2 m/s2, but up to the end of the run, at 1 s, it is "}));
   CHECK(says(strong, {"warning: the motion ends at 0.02 s: the ground is still until the run ends, at "}));
 
   const std::string loose = folder.write("loose.toml", std::string(kSmallHouse) +
                                                            "[[house.floor]]\nspacing = 0.5\nelement = 0.4\nbearing = 0.2\n"
                                                            "[[house.storey]]\nheight = 0.4\n");
-  CHECK(says(voussoir("check " + loose + " -j 1 --set damping.frequency=300"), {"warning: damping.frequency = 300 Hz is more than 20 % off"}));
+  CHECK(says(voussoir("check " + loose + " -j 1 --set damping.frequency=300"),
+             {"warning: damping.frequency = 300 Hz is more than 20 % off"}));
 }
 
 TEST_CASE("a damping frequency that is not the model's is told; auto takes that of the mode with the largest mass in y") {
