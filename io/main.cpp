@@ -87,7 +87,7 @@ std::vector<std::string> motion_overrides(const Words& w) {
   return given;
 }
 
-/// The options of `run` are short names of case keys: they become overrides, so the resolved case holds them.
+/// These options are short names of case keys: they become overrides, so the resolved case holds them.
 std::vector<std::string> overrides(const Words& w) {
   std::vector<std::string> all = motion_overrides(w);
   if (!w.scale.empty()) all.push_back("motion.scale=" + w.scale);
@@ -122,17 +122,22 @@ void add_views(CLI::App* command, io::Views& views) {
   command->add_flag("--paraview", views.paraview, "at the end write run.xdmf and paraview.h5 (0.3 MB a frame of a house)");
 }
 
+/// Short names of case keys (overrides()).
+void add_short_keys(CLI::App* command, Words& w) {
+  command->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
+  command->add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
+  command->add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
+  command->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
+  command->add_option("--duration", w.duration, "of shaking, s");
+  command->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
+  command->add_option("--frames", w.frames, "interval of frames, s");
+}
+
 void add_run(CLI::App& app, Words& w) {
   CLI::App* run = app.add_subcommand("run", "build, settle under gravity, shake, write results");
   add_case(run, w);
   run->add_option("-o,--output", w.run.folder, "folder of the results (default: results/CASE)");
-  run->add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
-  run->add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
-  run->add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
-  run->add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
-  run->add_option("--duration", w.duration, "of shaking, s");
-  run->add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
-  run->add_option("--frames", w.frames, "interval of frames, s");
+  add_short_keys(run, w);
   run->add_option("--kernels", w.kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
   run->add_option("--scatter", w.scatter, "how forces are summed: colour by colour, or gather, by element (not the random [scatter])")
@@ -223,6 +228,7 @@ void add_summary(CLI::App& app, Words& w) {
 void add_check(CLI::App& app, Words& w) {
   CLI::App* check = app.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, how long a run takes, faults");
   add_case(check, w);
+  add_short_keys(check, w);
   check->add_option("--draw", w.check.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
   check->add_flag("--overwrite", w.check.overwrite, "replace an existing drawing");
   check->footer("example: voussoir check my-house.toml --draw my-house.svg");

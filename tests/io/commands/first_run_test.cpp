@@ -239,6 +239,8 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   const Outcome level =
       voussoir("check " + path + " -j 1 --set time.duration=1 --set motion.record=bam-like --set motion.scale=[1,0.01,1] " +
                "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
+  CHECK(says(voussoir("check " + path + " -j 1 --record bam-like --direction TLV --scale 0.5 --duration 2"),
+             {"motion along x", "bam-like T"}));
   CHECK(says(level, {"warning: motion.intensity is a geometric mean, and one horizontal component is ", "scale = [1, 0, 1]"}));
   CHECK(says(level, {"warning: motion.intensity: the whole record has PGA = 2 m/s2, but up to the end of the run, at 1 s, it is "}));
   CHECK(says(strong, {"warning: the motion ends at 0.02 s: the ground is still until the run ends, at "}));
