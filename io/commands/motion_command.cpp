@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <sstream>
 #include <system_error>
 
+#include "cases/motion/intensity.h"
 #include "cases/motion/treatment.h"
 #include "cases/names.h"
 #include "io/files/errors.h"
@@ -161,6 +163,26 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   }
 }
 
+/// What motion.intensity may ask for, of each pair of horizontal components as they are.
+void print_intensities(const std::vector<Component>& components, const std::vector<double>& periods, std::ostream& out) {
+  using cases::IntensityMeasure;
+  std::vector<cases::MotionIntensity> measures{{IntensityMeasure::pga, 1.0, {}}, {IntensityMeasure::pgv, 1.0, {}}};
+  for (const double period : periods) measures.push_back({IntensityMeasure::sa, 1.0, period});
+  out << "\nintensity (motion.intensity: geometric mean of both horizontal components; Sa with 5 % of damping)\n";
+  for (const HorizontalPair& pair : horizontal_pairs(components, "--intensity")) {
+    out << pair.record << ":";
+    const char* between = " ";
+    for (cases::MotionIntensity& m : measures) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.4g", cases::intensity(m, components[pair.first].motion, components[pair.second].motion));
+      m.level = std::strtod(digits, nullptr);
+      out << between << cases::described(m);
+      between = ", ";
+    }
+    out << "\n";
+  }
+}
+
 }  // namespace
 
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
@@ -174,9 +196,10 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
   tell_apart(sources, arguments);
   const std::vector<Component> components = components_of(sources);
   Spectra spectra{components, {}, o.damping, {}, o.fit};
-  if (o.combine) spectra.pairs = horizontal_pairs(components);
+  if (o.combine) spectra.pairs = horizontal_pairs(components, "--combine");
   if (o.target) spectra.target = read_target(*o.target, o.unit);
   std::ostringstream fits;  // whatever is wrong with them is found before anything is written
+  if (!o.periods.empty()) print_intensities(components, o.periods, fits);
   if (o.target) print_fits(spectra, fits);
   if (o.write) write_record(sources[0], arguments[0], o);
   if (o.spectra) write_spectra(spectra, *o.spectra);

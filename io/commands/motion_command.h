@@ -21,6 +21,7 @@ struct MotionOptions {
   std::optional<std::string> unit;     // "g", "m/s2", "cm/s2": where a format does not say
   std::optional<double> dt;            // s: where a format does not say
   bool combine = false;                // the two horizontal components together, too, in spectra and fits
+  std::vector<double> periods;         // s, of Sa: the measures of motion.intensity are printed, too, if there are some
   std::optional<std::string> target;   // spectrum to compare with, see read_target
   std::array<double, 2> fit{0.05, 1.0};  // s, periods over which it is compared
   std::optional<std::string> write;      // folder to write the record to, as CSV files with record.toml; takes a single record

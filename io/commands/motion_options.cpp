@@ -41,6 +41,13 @@ void add_motion_options(CLI::App& command, std::vector<std::string>& files, Moti
   command.add_option("--dt", o.dt, "s between samples, where a format does not say (one column)");
   add_treatment(command, o.treatment);
   command.add_flag("--combine", o.combine, "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
+  command
+      .add_option(
+          "--intensity", o.periods,
+          "print the measures of motion.intensity, too, of both horizontal components together: PGA, PGV, and Sa at these periods, s")
+      ->check(number_range(0.01, 20.0))
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_option("--target", o.target,
                      "compare with a spectrum, and print the factor that fits: a file of period [s] and acceleration, or Eurocode 8 as "
                      "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");

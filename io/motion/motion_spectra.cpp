@@ -104,7 +104,7 @@ void print_fit(const Curve& c, double damping, const std::vector<double>& period
 
 }  // namespace
 
-std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& components) {
+std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& components, const std::string& option) {
   std::vector<HorizontalPair> pairs;
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (components[i].axis != 'L') continue;
@@ -114,15 +114,15 @@ std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& compo
   }
   if (pairs.empty() && components.size() == 2) pairs.push_back({components[0].record + " + " + components[1].record, 0, 1});
   if (pairs.empty()) {
-    throw cases::InputError("--combine",
+    throw cases::InputError(option,
                             std::to_string(components.size()) +
                                 " components, and nothing says which two are horizontal; allowed: records that have L and T, or two files");
   }
   for (const HorizontalPair& p : pairs) {
     const cases::Accelerogram &a = components[p.first].motion, &b = components[p.second].motion;
     if (a.dt != b.dt) {
-      throw cases::InputError("--combine", p.record + ": steps of " + cases::text(a.dt) + " and " + cases::text(b.dt) +
-                                               " s; allowed: two components of the same step");
+      throw cases::InputError(option, p.record + ": steps of " + cases::text(a.dt) + " and " + cases::text(b.dt) +
+                                          " s; allowed: two components of the same step");
     }
   }
   return pairs;

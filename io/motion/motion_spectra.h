@@ -30,8 +30,8 @@ struct HorizontalPair {
 };
 
 /// L and T of each argument that has both; else the only two components that there are.
-/// \throw cases::InputError at "--combine" if there are no such two, or their steps differ.
-std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& components);
+/// \throw cases::InputError at the option that asks for them, if there are no such two, or their steps differ.
+std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& components, const std::string& option);
 
 /// What is written and compared.
 struct Spectra {

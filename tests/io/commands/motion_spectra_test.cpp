@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "cases/case.h"
+#include "cases/motion/intensity.h"
 #include "cases/motion/spectra.h"
 #include "io/commands/motion_command.h"
 #include "io/files/errors.h"
@@ -185,4 +189,17 @@ TEST_CASE("motion: faults of spectra, combinations and fits") {
   check_fault({pulse}, both, "--until", "does not go with --to");
   check_fault({"bam-like"}, from, "--from", "30 s; allowed: from 0 to below 2");
   CHECK_FALSE(std::filesystem::exists(*spectra.spectra));
+}
+
+TEST_CASE("motion command: the measures of motion.intensity, of both horizontal components together") {
+  MotionOptions o;
+  o.periods = {0.3};
+  const std::array<cases::Accelerogram, 3> ltv = cases::bam_like_1();
+  char wanted[160];
+  const auto value = [&](cases::IntensityMeasure m, std::optional<double> period) {
+    return cases::intensity({m, 1.0, period}, ltv[0], ltv[1]);
+  };
+  std::snprintf(wanted, sizeof wanted, "bam-like: PGA = %.4g m/s2, PGV = %.4g m/s, Sa(0.3 s) = %.4g m/s2\n",
+                value(cases::IntensityMeasure::pga, {}), value(cases::IntensityMeasure::pgv, {}), value(cases::IntensityMeasure::sa, 0.3));
+  CHECK(printed({"bam-like"}, o).ends_with(wanted));
 }
