@@ -164,9 +164,8 @@ class Comparer {
   /// Tables with a row at a time go by time; cracks, of which many may have one, and all others row by row.
   const RowPairs& pairs_of(const std::string& name, std::uint64_t rows) {
     const std::string time = times_of(a_, name);
-    const auto has_row_a_time = [&](const Hdf5File& file) {
-      return file.shape(name).at(0) == file.shape(time).at(0);
-    };  // not /motion/factor
+    // A group may hold more than rows by time: /motion/factor is one number.
+    const auto has_row_a_time = [&](const Hdf5File& file) { return file.shape(name).at(0) == file.shape(time).at(0); };
     const bool by_time =
         !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/") && has_row_a_time(a_) && has_row_a_time(b_);
     const std::string key = by_time ? time : std::to_string(rows);

@@ -310,7 +310,7 @@ def call(words):
         raise StudyError(f"{words[0]}: {error.strerror}; build it, or name the program by VOUSSOIR=...") from error
 
 
-def strength(axes):
+def number_of_strength(axes):
     """Level or scale of a run; -inf where the case says it, or the scale is one for each component."""
     value = axes.get("level", axes["scale"])
     return value if is_number(value) else -math.inf
@@ -318,11 +318,11 @@ def strength(axes):
 
 def first_of_each(runs):
     """Runs that have each case with each set of options, in each direction and with the strongest motion, and each record, at least once."""
-    seen, strongest = set(), max(strength(run["axes"]) for run in runs)
+    seen, strongest = set(), max(number_of_strength(run["axes"]) for run in runs)
     for run in runs:
         axes = run["axes"]
         new = {(run["case"], "options", axes["options"]), (run["case"], "direction", axes["direction"]), axes["record"]}
-        new = (new | ({(run["case"], "strongest")} if strength(axes) == strongest else set())) - seen
+        new = (new | ({(run["case"], "strongest")} if number_of_strength(axes) == strongest else set())) - seen
         if new:
             seen |= new
             yield run
