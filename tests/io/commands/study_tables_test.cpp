@@ -8,7 +8,7 @@
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 
-// What the scripts beside a study make of its table (scripts/study): effort, outcomes, collapses, verdict.
+// What the scripts beside a study make of its table (scripts/study): effort, outcomes, collapses, measure, verdict.
 namespace {
 
 using shell::code_of;
@@ -99,6 +99,24 @@ TEST_CASE("outcomes: statements by set of options and by what a record is a real
   folder.write("table.csv", motions.text());
   says(" --by record", "bam-like | pulse0 | bam-like-1", "1 of 2 | 1 of 1 | 1 of 1");
   CHECK(text_of(out).ends_with("\n5 of 5 runs are finished, 1 by a numerical failure.\n"));
+}
+
+TEST_CASE("measure: one of a study's measures by set of options and house; the ends of its range where runs differ") {
+  const TempFolder folder;
+  Table table;
+  table.add("vault20n", "bam-like#1", {{"settling_cracks", "1218"}, {"peak_drift", "0.25"}});
+  table.add("vault20n", "bam-like#2", {{"settling_cracks", "1218"}, {"peak_drift", "1.5e-3"}});
+  table.add("flat20w", "bam-like#1", {{"settling_cracks", "7"}, {"peak_drift", ""}});
+  table.add("flat20w", "bam-like#1", {{"options", "rim"}, {"settling_cracks", "0"}});
+  table.add("vault20n", "bam-like#1", {{"options", "rim"}, {"settling_cracks", "5"}, {"status", "to be done"}});
+  const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md"), head = "| options | flat20w | vault20n |\n|---|---|---|\n";
+  REQUIRE(code_of(script("measure.py") + path + " settling_cracks >" + out) == 0);
+  CHECK(text_of(out) == head + "| – | 7 | 1,218 |\n| rim | 0 | – |\n");
+  REQUIRE(code_of(script("measure.py") + path + " peak_drift >" + out) == 0);
+  CHECK(text_of(out) == head + "| – | – | 0.0015 to 0.25 |\n| rim | – | – |\n");
+  CHECK(code_of(script("measure.py") + path + " drift >" + out + " 2>&1") == 1);
+  CHECK(text_of(out).find("drift: no such column in ") == 0);
+  CHECK(code_of(script("measure.py") + path + " >" + out + " 2>&1") == 1);
 }
 
 TEST_CASE("collapses: how many runs lose their roof under motions of one name, and when; houses in the paper's order") {
