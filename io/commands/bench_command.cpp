@@ -202,7 +202,7 @@ struct FreshRun {
 int bench_command(const LoadedCase& c, const BenchOptions& o) {
   const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
-  if (c.value.motion && !is_assessment(c.value.analysis) && o.after > 0.0) motion = load_motion(*c.value.motion, c.value.folder);
+  if (o.after > 0.0) motion = ground_motion(c.value);
   const auto build = [&](bool gather) {
     solver::Options options;
     options.gather = gather;

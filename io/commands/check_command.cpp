@@ -18,6 +18,7 @@
 #include "io/drawing/drawing.h"
 #include "io/files/output_path.h"
 #include "io/files/text_file.h"
+#include "io/measures/capacity_file.h"
 #include "io/motion/motion_files.h"
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
@@ -195,12 +196,20 @@ void print_stones(const cases::Case& c) {
   }
 }
 
+/// The motion, or the analysis that leaves it out.
+void print_loading(const cases::Case& c, const cases::GroundMotion& motion) {
+  if (is_assessment(c.analysis))
+    std::printf("\nanalysis                 %s%s\n", name_of(c.analysis.kind), c.motion ? "; [motion] is left out" : "");
+  else
+    std::printf("\n%s", c.motion ? motion_lines(c, motion).c_str() : "motion                   none\n");
+}
+
 }  // namespace
 
 int check_command(const LoadedCase& c, const CheckOptions& o) {
   check_output(o.draw, o.overwrite);
   const cases::Model model = prepared_model(c.value);
-  const cases::GroundMotion motion = c.value.motion ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   solver::Simulation sim(c.value, model, motion, options);
   const cases::Census n = cases::census(model);
@@ -218,7 +227,7 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   print_step(n, model, sim.world());
   print_joint_laws(model);
   print_friction(c.value.contact);
-  std::printf("\n%s", c.value.motion ? motion_lines(*c.value.motion, motion).c_str() : "motion                   none\n");
+  print_loading(c.value, motion);
   print_parts(n);
   print_bill(n, model);
   print_tie_bill(model);

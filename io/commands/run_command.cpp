@@ -32,8 +32,7 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
 int run_command(const LoadedCase& c, const RunOptions& o) {
   // Everything that can be wrong with the input is found before the folder is touched.
   const cases::Model model = prepared_model(c.value);
-  const cases::GroundMotion motion =
-      c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.gather = o.gather;
@@ -59,7 +58,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
     print_way_on(folder.path());
     throw;
   }
-  if (c.value.motion && !o.quiet) std::fputs(motion_lines(*c.value.motion, motion).c_str(), stderr);
+  if (!o.quiet) std::fputs(motion_lines(c.value, motion).c_str(), stderr);
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;

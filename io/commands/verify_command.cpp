@@ -110,8 +110,7 @@ int verify(const Setting& s, int threads) {
 
 int verify_command(const LoadedCase& c, const RunOptions& o) {
   const cases::Model model = prepared_model(c.value);
-  const cases::GroundMotion motion =
-      c.value.motion && !is_assessment(c.value.analysis) ? load_motion(*c.value.motion, c.value.folder) : cases::GroundMotion{};
+  const cases::GroundMotion motion = ground_motion(c.value);
   // Two threads are worth a look even where one is the default.
   const int threads = std::max(2, omp_get_max_threads());
   Setting s{c.value, model, motion, {}, 0};

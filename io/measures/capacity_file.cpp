@@ -18,11 +18,6 @@ using cases::AnalysisKind;
 
 constexpr double kSlow = 0.01;  // share of the work that may go into motion before a result counts as one of its rate
 
-std::string name_of(AnalysisKind kind) {
-  constexpr std::array names{"time-history", "pushover", "tilt", "settlement", "cyclic"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 bool is_slow(const Capacity& c) { return std::abs(c.motion_share) <= kSlow && c.kinetic_share <= kSlow; }
 
 void add_bilinear(std::vector<Figure>& to, const std::array<const char*, 4>& names, const Bilinear& b) {
@@ -101,6 +96,11 @@ void write_loops(Hdf5File& file, const std::string& name, const std::vector<Loop
 
 }  // namespace
 
+const char* name_of(AnalysisKind kind) {
+  constexpr std::array names{"time-history", "pushover", "tilt", "settlement", "cyclic"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 std::vector<Figure> figures_of(const Capacity& c) {
   std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
   if (c.kind == AnalysisKind::settlement) {
@@ -151,7 +151,7 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
 }
 
 std::string capacity_text(const Capacity& c) {
-  std::string text = line("analysis", "%s, ended by: %s", name_of(c.kind).c_str(), c.ended.c_str());
+  std::string text = line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
   if (c.kind == AnalysisKind::settlement) {
     text += std::isnan(c.collapse_movement) ? line("fell", "never; supports moved by %.4f m", c.curve.support_moved.back())
                                             : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);

@@ -11,6 +11,9 @@
 /// How the results of a quasi-static analysis are called, wherever they stand: in run.h5, in `voussoir summary`, on the report page.
 namespace voussoir::io {
 
+/// As `analysis.kind` says it.
+const char* name_of(cases::AnalysisKind kind);
+
 /// Those that the kind of the analysis has. NaN: there is no such thing.
 std::vector<Figure> figures_of(const Capacity& c);
 

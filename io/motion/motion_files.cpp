@@ -147,4 +147,8 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
   return result;
 }
 
+cases::GroundMotion ground_motion(const cases::Case& c) {
+  return c.motion && !is_assessment(c.analysis) ? load_motion(*c.motion, c.folder) : cases::GroundMotion{};
+}
+
 }  // namespace voussoir::io

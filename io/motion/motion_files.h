@@ -30,9 +30,12 @@ void write_record_folder(const Record& record, const std::string& folder, bool o
 /// taper, baseline); FileError.
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder);
 
-/// A line for each axis that moves, with its peaks, and one that says what was done to the record, if anything was.
-/// \param applied  what load_motion gave
-std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied);
+/// The motion of a case's ground: none if it has no [motion], or if its [analysis] leaves it out. \throw what load_motion throws
+cases::GroundMotion ground_motion(const cases::Case& c);
+
+/// A line for each axis that moves, with its peaks, and one that says what was done to the record, if anything was. Empty: nothing moves.
+/// \param applied  what ground_motion gave
+std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applied);
 
 /// "from 27 to 47 s, multiplied by 0.4716 to reach PGA = 3 m/s2"; empty: as recorded, but for `scale`.
 std::string done_to_record(const cases::Motion& motion, double factor);

@@ -18,7 +18,8 @@ std::string done_to_record(const cases::Motion& motion, double factor) {
   return done;
 }
 
-std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion& applied) {
+std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applied) {
+  if (!c.motion || is_assessment(c.analysis)) return {};
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) {
     const cases::Accelerogram& a = applied.axis[i];
@@ -29,8 +30,7 @@ std::string motion_lines(const cases::Motion& motion, const cases::GroundMotion&
                   f.peak_acceleration, f.peak_velocity, f.peak_displacement);
     text += line + a.name + "\n";
   }
-  const std::string done = done_to_record(motion, applied.factor);
-
+  const std::string done = done_to_record(*c.motion, applied.factor);
   if (!done.empty()) text += "done to the record       " + done + "\n";
   return text;
 }

@@ -19,8 +19,7 @@ cases::Case case_of_run(const Hdf5File& run) {
 }
 
 cases::GroundMotion base_of_run(const Hdf5File& run, const cases::Case& c) {
-  if (!c.motion) return {};
-  if (!run.exists("/motion/acceleration")) return load_motion(*c.motion, c.folder);
+  if (!run.exists("/motion/acceleration")) return ground_motion(c);
   const auto time = run.read<double>("/motion/time"), a = run.read<double>("/motion/acceleration");
   if (time.size() < 2 || a.size() != 3 * time.size()) throw FileError(run.path(), "/motion does not fit together");
   cases::GroundMotion base;

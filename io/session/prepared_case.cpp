@@ -118,6 +118,7 @@ void warn_of_intensity(const cases::Motion& m, const cases::GroundMotion& motion
 }
 
 void warn_of_motion(const cases::Case& c, const cases::GroundMotion& motion) {
+  if (is_assessment(c.analysis)) return;  // it leaves the motion out
   if (c.motion && c.motion->intensity) warn_of_intensity(*c.motion, motion, c.time.duration);
   double end = 0.0;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {

@@ -241,6 +241,11 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
                "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
   CHECK(says(voussoir("check " + path + " -j 1 --record bam-like --direction TLV --scale 0.5 --duration 2"),
              {"motion along x", "bam-like T"}));
+  const Outcome pushover = voussoir("check " + path + " -j 1 --set analysis.kind=pushover --set motion.record=bam-like " +
+                                    "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
+  CHECK(says(pushover, {"analysis                 pushover; [motion] is left out"}));
+  CHECK(is_silent_of(pushover, "warning: motion"));
+  CHECK(is_silent_of(pushover, "motion along"));
   CHECK(says(level, {"warning: motion.intensity is a geometric mean, and one horizontal component is ", "scale = [1, 0, 1]"}));
   CHECK(says(level, {"warning: motion.intensity: the whole record has PGA = 2 m/s2, but up to the end of the run, at 1 s, it is "}));
   CHECK(says(strong, {"warning: the motion ends at 0.02 s: the ground is still until the run ends, at "}));

@@ -86,7 +86,12 @@ TEST_CASE("motion intensity: direction and scale") {
 TEST_CASE("motion intensity: what was done is told, and the resolved case says it again") {
   const cases::Case c = read(kRecord + "[motion.intensity]\nmeasure = \"Sa\"\nperiod = 0.3\nlevel = 4.0\n");
   const cases::GroundMotion motion = io::load_motion(*c.motion, "");
-  CHECK(io::motion_lines(*c.motion, motion).find("to reach Sa(0.3 s) = 4 m/s2") != std::string::npos);
+  CHECK(io::motion_lines(c, motion).find("to reach Sa(0.3 s) = 4 m/s2") != std::string::npos);
+  cases::Case pushover = c;
+  pushover.analysis.kind = cases::AnalysisKind::pushover;
+  CHECK(io::ground_motion(c).axis[0].acceleration == motion.axis[0].acceleration);
+  CHECK(io::ground_motion(pushover).axis[0].acceleration.empty());
+  CHECK(io::motion_lines(pushover, {}).empty());
   const std::string resolved = io::resolved_toml(c);
   CHECK(io::resolved_toml(read(resolved)) == resolved);
   CHECK(io::load_motion(*read(resolved).motion, "").axis[0].acceleration == motion.axis[0].acceleration);
