@@ -187,6 +187,7 @@ def read_study(path):
             raise fault(path, key, study[key], allowed)
     for key, (default, test, allowed) in LISTS.items():
         study[key] = read_list(path, key, document.get(key, default or []), test, allowed)
+    study["scales"] = [[float(k) for k in scale] if isinstance(scale, list) else float(scale) for scale in study["scales"]]  # 1 and 1.0 are one scale
     study["options"] = read_options(path, document.get("options", {}))
     study["intensity"] = read_intensity(path, document.get("intensity"))
     if study["scales"] and "intensity" in document:

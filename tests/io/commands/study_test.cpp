@@ -183,7 +183,7 @@ TEST_CASE("a study ends with a table, once; what was interrupted is not begun an
   CHECK(std::filesystem::exists(folder.path("elsewhere/runs/wall-x1")));
 
   // A run is known by what it is, not by the study that it was in. Three tables, of which the one in the middle has the runs.
-  const std::string of_another = folder.write("options.toml", kCase + "scales = [0.0, 1.0]\nduration = 0.6\n[options]\nas_it_is = []\n");
+  const std::string of_another = folder.write("options.toml", kCase + "scales = [0, 1]\nduration = 0.6\n[options]\nas_it_is = []\n");
   const std::string none = folder.write("none.csv", "run,identity,status\nwall-x0,0,done\n");
   REQUIRE_MESSAGE(study(folder, of_another, "--cores 2 --known " + none + " --known " + table + " --known " + none, "other") == 0,
                   text_of(folder.path("log")));
