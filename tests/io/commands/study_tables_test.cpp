@@ -54,6 +54,13 @@ TEST_CASE("effort: what a measure takes more than the bare house, beside grade a
   CHECK(text_of(out).starts_with("| measure | effort | mean (without) |\n"));  // none of it is done
   REQUIRE(make(" --record bam-like --bills " + folder.path("bills")) == 0);
   CHECK(text_of(out).starts_with("| measure | effort | TLV, x0.5 | LTV, x0.5 | mean (without) |\n"));
+  const std::string levels = folder.write("levels.csv",
+                                          "run,case,direction,record,scale,intensity,level,status,damage_grade,fallen_mass_fraction\n"
+                                          "a,bare,TLV,bam-like,,PGA,2.0,done,2,0.0\nb,bare,TLV,bam-like,,PGA,4.0,done,4,0.2\n");
+  REQUIRE(code_of("VOUSSOIR=" + shell::kProgram + " " + script("effort.py") + study + " " + levels + " --bills " + folder.path("bills") +
+                  " >" + out) == 0);
+  CHECK(text_of(out).starts_with("| measure | effort | TLV, bam-like, PGA = 2.0 | TLV, bam-like, PGA = 4.0 | mean (without) |\n"));
+  CHECK(text_of(out).find("| bare | none | G2 0.0 | G4 20.0 | – |\n") != std::string::npos);
   // Bills that are kept are not made again.
   folder.write("bills/rods.txt", text_of(folder.path("bills/bare.txt")));
   REQUIRE(make(" --bills " + folder.path("bills")) == 0);
@@ -328,4 +335,14 @@ TEST_CASE("compare_options: what sets of the same seeds have is exchanged within
   CHECK(text.starts_with("| | one, 6 runs | two, 6 runs | other, 6 runs | two: D, p (by seed) | other: D, p (divided) |\n"));
   CHECK(text.find("\n| fallen mass, % | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
   CHECK(text.find("\n| peak drift | 4 (2 to 5) | 13 (11 to 14) | 13 (11 to 14) | 1.00, 0.03 | 1.00, 0.00 |\n") != std::string::npos);
+
+  // Three seeds at two levels are six places, too.
+  std::string levels = "run,case,intensity,level,seed,options,status,fallen_mass_fraction\n";
+  for (int place = 1; place <= 6; ++place) {
+    const std::string at = ",hut,PGA," + std::string(place > 3 ? "4.0," : "2.0,") + std::to_string((place - 1) % 3 + 1);
+    levels += "a" + at + ",one,done,0.0" + std::to_string(place) + "\nb" + at + ",two,done,0.1" + std::to_string(place) + "\n";
+  }
+  REQUIRE(code_of(script("compare_options.py") + folder.write("levels.csv", levels) + " one two >" + out) == 0);
+  CHECK(text_of(out).starts_with("| | one, 6 runs | two, 6 runs | two: D, p (by seed) |\n"));
+  CHECK(text_of(out).find("| fallen mass, % | 4 (2 to 5) | 14 (12 to 15) | 1.00, 0.03 |\n") != std::string::npos);
 }
