@@ -27,6 +27,7 @@ constexpr std::array kAxes{"x", "y", "z"};
 // Records stronger than that: none is known (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
 constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
 constexpr double kMostOfLevel = 0.95;                                                      // of an intensity, that a run reaches at least
+constexpr double kStepsOfPeriod = 10.0;  // of a record, that a period of Sa has at least: with fewer its peaks fall between samples
 constexpr double kWeaker = 0.05;    // of two horizontal components: a geometric mean with so weak a one says little
 constexpr double kMostOfRun = 0.8;  // that a motion shakes at least
 
@@ -107,6 +108,10 @@ void warn_of_intensity(const cases::Motion& m, const cases::GroundMotion& motion
   if (std::min(a, b) > 0.0 && std::min(a, b) < kWeaker * std::max(a, b))
     warn("motion.intensity is a geometric mean, and one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) +
          " times as strong as the other; motion.scale = [1, 0, 1] takes one away");
+  const double step = std::max(horizontal[0].dt, horizontal[1].dt);
+  if (m.intensity->measure == cases::IntensityMeasure::sa && *m.intensity->period < kStepsOfPeriod * step)
+    warn("motion.intensity.period = " + four_digits(*m.intensity->period) + " s is shorter than ten steps of the record (" +
+         four_digits(step) + " s): Sa comes out low there, so the motion comes out too strong");
   for (cases::Accelerogram& h : horizontal) {
     const double last = duration / (h.dt > 0.0 ? h.dt : 1.0);
     if (last + 1.0 < static_cast<double>(h.acceleration.size())) h.acceleration.resize(static_cast<std::size_t>(last) + 1);
