@@ -28,8 +28,8 @@ constexpr std::array kAxes{"x", "y", "z"};
 constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
 constexpr double kMostOfLevel = 0.95;                                                      // of an intensity, that a run reaches at least
 constexpr double kStepsOfPeriod = 10.0;  // of a record, that a period of Sa has at least: with fewer its peaks fall between samples
-constexpr double kWeaker = 0.05;    // of two horizontal components: a geometric mean with so weak a one says little
-constexpr double kMostOfRun = 0.8;  // that a motion shakes at least
+constexpr double kWeaker = 0.05;         // of two horizontal components: a geometric mean with so weak a one says little
+constexpr double kMostOfRun = 0.8;       // that a motion shakes at least
 
 void warn(const std::string& text) { std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str()); }
 

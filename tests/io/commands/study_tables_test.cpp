@@ -116,7 +116,8 @@ TEST_CASE("measure: one of a study's measures by set of options and house; the e
   table.add("flat20w", "bam-like#1", {{"settling_cracks", "7"}, {"peak_drift", ""}});
   table.add("flat20w", "bam-like#1", {{"options", "rim"}, {"settling_cracks", "0"}});
   table.add("vault20n", "bam-like#1", {{"options", "rim"}, {"settling_cracks", "5"}, {"status", "to be done"}});
-  const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md"), head = "| options | flat20w | vault20n |\n|---|---|---|\n";
+  const std::string path = folder.write("table.csv", table.text()), out = folder.path("table.md"),
+                    head = "| options | flat20w | vault20n |\n|---|---|---|\n";
   REQUIRE(code_of(script("measure.py") + path + " settling_cracks >" + out) == 0);
   CHECK(text_of(out) == head + "| – | 7 | 1,218 |\n| rim | 0 | – |\n");
   REQUIRE(code_of(script("measure.py") + path + " peak_drift >" + out) == 0);
