@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """The first frequencies of a house in free vibration with time.multirate = 1, 2 and 4, and what becomes of its amplitude.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Draws capacity curves: base shear against the displacement of the control point, of quasi-static analyses; with --bilinear their

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Draws the damage of runs over time, by mode, a panel for each run: percent of all segments that are open, by what opened them (tension,

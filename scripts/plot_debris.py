@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Where the debris lies: plans of several runs side by side, to one scale (the paper's Figs. 34 to 37).

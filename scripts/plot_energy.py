@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Draws the energy of a run since the shaking began. Above: what came in (the work of ground and loads, and what gravity gave) and where

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Fragility curves of a study: the probability of a damage grade or worse, and of collapse, over the intensity or the scale of its motion.

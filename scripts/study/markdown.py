@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """The runs of a table.csv that are done, as a table in Markdown on standard output: what a page of results has room for. Columns in which no run

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """What motions have of the paper's record: peaks of L, and the order of the spectra of L and T in its Fig. 9.

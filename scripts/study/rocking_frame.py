@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Two loose walls of 0.2 m with a roof by the equation of motion of a rocking frame, beside the runs of loose-walls.toml.

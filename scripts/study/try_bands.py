@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """How good are the bands and the dispersion of `fragility.py --all-records`? Tried on tables of drawn outcomes, whose truth is known.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
 """Counts the stones of a file, and the pairs of faces that touch: opposite normals, planes within a millimetre, an area in common.
