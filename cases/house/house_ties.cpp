@@ -134,4 +134,30 @@ std::vector<PlannedTie> house_ties(const House& house, double foot) {
   return all;
 }
 
+std::vector<InputError> rods_in_openings(const House& house) {
+  std::vector<InputError> found;
+  if (house.ties.empty()) return found;
+  const HousePlan plan = plan_house(house);
+  const auto look = [&](const HouseTie& tie, const std::string& key, Side side, double height) {
+    const Tick at = ticks(height);
+    const WallPlan& wall = plan.wall_at(side, at);
+    if (tie.depth.value_or(0.0) >= metres(wall.thickness)) return;  // in the room
+    for (const Hole& h : wall.holes) {
+      const bool open = !h.lintel && !h.arch && h.floor < 0 && h.ground < 0;
+      if (open && h.height.low < at && at < h.height.high)
+        found.emplace_back(key + ".heights", "the rod along the " + std::string(name(side)) + " wall at " + text(height) +
+                                                 " m runs through " + indexed_key("house.opening", h.opening, ""));
+    }
+  };
+  for (std::size_t k = 0; k < house.ties.size(); ++k) {
+    const HouseTie& tie = house.ties[k];
+    if (tie.kind != HouseTieKind::along) continue;
+    const std::string key = indexed_key("house.tie", k, "");
+    for (const Side side : chosen_walls(plan, tie.walls, key)) {
+      for (const double height : tie.heights) look(tie, key, side, height);
+    }
+  }
+  return found;
+}
+
 }  // namespace voussoir::cases

@@ -25,6 +25,9 @@ struct PlannedTie {
 /// \param foot  m, height of the walls' foot \throw InputError with the key at fault
 std::vector<PlannedTie> house_ties(const House& house, double foot);
 
+/// Rods along a wall that would be seen in an opening of it: probably not meant. \pre house_ties has accepted the house
+std::vector<InputError> rods_in_openings(const House& house);
+
 /// A mesh before it is known which elements its nodes hold.
 struct PlannedMesh {
   struct Strap {

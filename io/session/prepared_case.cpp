@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/followed_points.h"
+#include "cases/house/house_ties.h"
 #include "cases/joint_rules.h"
 #include "cases/motion/intensity.h"
 #include "io/motion/support_motion.h"
@@ -169,6 +170,9 @@ void fill_own_frequency(cases::Case& c) {
 void warn_of_slips(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
   for (const std::string& rule : cases::unused_joint_rules(c.value, model)) warn(rule);
   warn_of_unused(c, model);
+  if (c.value.house) {
+    for (const cases::InputError& rod : cases::rods_in_openings(*c.value.house)) warn(c.describe(rod));
+  }
   warn_of_motion(c.value, motion);
   warn_of_frequency(c.value, model);
 }

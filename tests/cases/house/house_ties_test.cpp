@@ -74,6 +74,22 @@ TEST_CASE("house ties: along all walls, in their middle") {
   CHECK(m.tie_bill[0].length == doctest::Approx(4.4).epsilon(1e-12));
 }
 
+TEST_CASE("house ties: rods along a wall that run through an opening of it") {
+  Case c = small_house();
+  c.house->ties = {rods(HouseTieKind::along, 0.25), rods(HouseTieKind::across, 0.15)};
+  c.house->ties[1].at = {0.6};
+  CHECK(rods_in_openings(*c.house).empty());
+  HouseTie& tie = c.house->ties[0];
+  tie.heights = {0.2, 0.15};
+  const std::vector<InputError> found = rods_in_openings(*c.house);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].what() == std::string("house.tie[0].heights: the rod along the front wall at 0.15 m runs through house.opening[0]"));
+  tie.depth = 0.2;  // on the inner face
+  CHECK(rods_in_openings(*c.house).empty());
+  tie.depth = 0.0, tie.walls = {"rear", "left"};
+  CHECK(rods_in_openings(*c.house).empty());
+}
+
 TEST_CASE("house ties: inside along one wall, across, and across corners, at several heights") {
   Case c = small_house();
   c.base->z = 0.5;
