@@ -8,7 +8,8 @@ usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--mot
 ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures (peaks of acceleration and
   velocity, period of the pulse, Arias intensity, durations: cases/catalogue/bam-like.md), with the default model.
 --model: some of these realisations again, with one choice of the model changed at a time. The column `options` names the change; rows of
-  `as_it_is` have none. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
+  `as_it_is` have none. Rows without a record are of houses at rest: they answer alone whether something cracks before the motion begins, and one
+  run of each tells, since nothing in it is drawn. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
   is a changed bam-like#2. The table also holds the unchanged bam-like#2.
 All tables are of one version.
@@ -27,7 +28,8 @@ motion or chance                     it holds in some, and runs that differ by c
 motion                               it holds in some: motions that meet the same figures give different outcomes. Where no repeats were run
                                      (–) chance is not ruled out
 open: a motion with other figures    it holds in none; under a changed motion it does
-model                                it holds in none; with a choice of the model it does, and with none of the changed motions
+model                                it holds in none; with a choice of the model it does, and with none of the changed motions; or with the
+                                     house at rest, which no motion can change
 open: a choice of the model, ...     the same, but no changed motion was tried
 open: nothing that was tried         nothing makes it hold
 """
@@ -37,7 +39,7 @@ import sys
 
 from outcomes import LABELS, all_rows, answers, by_record, count, done, tables_of, wilson
 from versions import one_version
-from statements import STATEMENTS
+from statements import STATEMENTS, Run, whole_at_first
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}
 LEAST_RUNS = 3  # with and without a change, to say that it makes a statement hold
@@ -68,9 +70,13 @@ class Changes:
 
     def __init__(self, paths, column, unchanged, others):
         """others: runs of the other houses that statements compare with; None: these are among the runs with the change."""
-        rows = collections.defaultdict(list)
+        rows, self.at_rest = collections.defaultdict(list), collections.defaultdict(dict)
         for row in done(all_rows(paths)):
-            rows[LABELS[column](row)].append(row)
+            label = LABELS[column](row)
+            if row["record"]:
+                rows[label].append(row)
+            else:
+                self.at_rest[row["case"]][label] = Run(row)
         self.groups = {label: by_realisation(of_label) for label, of_label in rows.items()}
         self.others = others
         self.unchanged = self.groups.pop(unchanged, collections.defaultdict(dict))
@@ -92,6 +98,12 @@ class Changes:
         return {label: (sum(a for a, _ in pairs), sum(b for _, b in pairs), len(pairs))
                 for label, pairs in self.pairs(statement, lambda label: not is_repeat(label)).items() if len(pairs) >= LEAST_RUNS}
 
+    def counts_at_rest(self, statement):
+        """The same, of houses that nothing shakes: one run with the change, and one without."""
+        runs = self.at_rest[statement.case]
+        without = runs.get("as_it_is")
+        return {label: (int(statement.holds(run)), int(statement.holds(without)), 1) for label, run in runs.items() if without and run is not without}
+
     def repeats(self, statement):
         """How many runs that differ in last digits alone give another answer, of how many."""
         pairs = [pair for of_label in self.pairs(statement, is_repeat).values() for pair in of_label]
@@ -107,8 +119,8 @@ def makes_hold(holds, without, runs):
 
 
 def verdict(holds, runs, model, motion, differ):
-    """model, motion: counts by change. differ: how many repeats give another answer."""
-    by_model, by_motion = (any(makes_hold(*c) for c in counts.values()) for counts in (model, motion))
+    """model, motion: counts by change; None for motion: no motion can change it. differ: how many repeats give another answer."""
+    by_model, by_motion = (any(makes_hold(*c) for c in counts.values()) for counts in (model, motion or {}))
     if runs < FEW:
         return "open: few runs" if runs else "open: no run tells"
     if wilson(holds, runs)[0] > 0.5:
@@ -118,11 +130,13 @@ def verdict(holds, runs, model, motion, differ):
     if by_motion:
         return "open: a motion with other figures makes it hold"
     if by_model:
-        return "model" if motion else "open: a choice of the model makes it hold, no changed motion was tried"
+        return "model" if motion or motion is None else "open: a choice of the model makes it hold, no changed motion was tried"
     return "open: nothing that was tried makes it hold" if model or motion else "open: no change was tried"
 
 
 def said(counts):
+    if counts is None:
+        return "nothing shakes"
     if not counts:
         return "not tried"
     making = [f"{label} ({holds} of {runs}, without {without})" for label, (holds, without, runs) in counts.items() if makes_hold(holds, without, runs)]
@@ -162,6 +176,8 @@ def main():
             continue
         holds, runs = count(found)
         by_model, by_motion, (differ, repeats) = model.counts(statement), motion.counts(statement), model.repeats(statement)
+        if statement.holds is whole_at_first:
+            by_model, by_motion = by_model | model.counts_at_rest(statement), None
         low, high = wilson(holds, runs) if runs else (0.0, 1.0)
         print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {runs} | {100 * low:.0f} to {100 * high:.0f} "
               f"| {said(by_model)} | {said(by_motion)} | {f'{differ} of {repeats}' if repeats else '–'} "

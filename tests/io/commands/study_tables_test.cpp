@@ -304,6 +304,20 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   }
   folder.write("motion.csv", still.text());
   holds(all, none + wood + " | none of 1 (nearest: weak, 1 of 4, without 0) | – | model");
+  // Of a house at rest one run with a change tells, and no motion does.
+  const auto cracked = [](const std::string& record, const std::string& options, const std::string& cracks) {
+    return Table::Values{{"direction", record.empty() ? "" : "TLV"}, {"options", options}, {"settling_cracks", cracks}};
+  };
+  Table weights, shaken;
+  for (const char* record : {"bam-like#1", "bam-like#2", "bam-like#3", "bam-like#4"})
+    shaken.add("vault20n", record, cracked(record, "", "9"));
+  weights.add("vault20n", "", cracked("", "as_it_is", "9")), weights.add("vault20n", "", cracked("", "rim", "8"));
+  const std::string of_weights = folder.write("shaken.csv", shaken.text()) + " --motion " + paths[2] + " --model ",
+                    at_rest = "vault20n | TLV | nothing cracks before the motion begins (4.2) | 0 of 4 | 0 to 49 | ";
+  holds(of_weights + folder.write("weights.csv", weights.text()),
+        at_rest + "none of 1 | nothing shakes | – | open: nothing that was tried makes it hold");
+  weights.add("vault20n", "", cracked("", "softening", "0"));
+  holds(of_weights + folder.write("weights.csv", weights.text()), at_rest + "softening (1 of 1, without 0) | nothing shakes | – | model");
   folder.write("motion.csv", Table().text());
   const auto refuses = [&](const std::string& words, const std::string& message) {
     CHECK(code_of(script("verdict.py") + words + " >" + out + " 2>&1") == 1);
