@@ -143,8 +143,9 @@ std::vector<InputError> rods_in_openings(const House& house) {
     const WallPlan& wall = plan.wall_at(side, at);
     if (tie.depth.value_or(0.0) >= metres(wall.thickness)) return;  // in the room
     for (const Hole& h : wall.holes) {
-      const bool open = !h.lintel && !h.arch && h.floor < 0 && h.ground < 0;
-      if (open && h.height.low < at && at < h.height.high)
+      if (h.lintel || h.floor >= 0 || h.ground >= 0) continue;
+      const Tick top = h.arch ? h.height.low + ticks(house.openings[h.opening].arch->rise) : h.height.high;  // of what is open
+      if (h.height.low < at && at < top)
         found.emplace_back(key + ".heights", "the rod along the " + std::string(name(side)) + " wall at " + text(height) +
                                                  " m runs through " + indexed_key("house.opening", h.opening, ""));
     }

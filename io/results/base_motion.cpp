@@ -73,7 +73,7 @@ BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_
 }
 
 std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt, std::int64_t cycle) {
-  if (!c.motion) return {};
+  if (!c.motion || is_assessment(c.analysis)) return {};
   const std::int64_t every = solver::in_cycles(c.output.history_interval, dt, cycle);
   const BaseMotion m = base_motion(motion, dt, every, solver::last_step(c.time.duration, dt, cycle));
   const std::string done = done_to_record(*c.motion, motion.factor);

@@ -5,10 +5,11 @@
 
 usage: measure.py TABLE.csv [TABLE.csv ...] MEASURE
 
-MEASURE is a column of the tables, as settling_cracks (io/MEASURES.md). Writes a table in Markdown. A cell has the value of the runs that are
-done, or the least and the greatest, if they differ; a dash where no run has one. The tables are of one version.
+MEASURE is a column of the tables, as settling_cracks (io/MEASURES.md). Writes a table in Markdown. A cell covers the runs of the case with
+these options, whatever their direction, motion, strength and seed: their value, or the least and the greatest, if they differ; a dash where no run has one. The tables are of one version.
 """
 import collections
+import math
 import sys
 
 from collapses import place
@@ -16,8 +17,14 @@ from outcomes import all_rows, done, tables_of
 from versions import one_version
 
 
-def number(text):
-    return float(text) if "." in text or "e" in text else int(text)
+def number(text, measure):
+    """As the table has it: a count stays one."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    sys.exit(f"{measure}: {text} is no number; allowed: columns of numbers, as settling_cracks")
 
 
 def said(values):
@@ -30,14 +37,16 @@ def main():
     if not paths or any(word.startswith("-") for word in sys.argv[1:]):
         sys.exit(__doc__)
     one_version(tables_of(paths))
-    rows = done(all_rows(paths))
+    rows = all_rows(paths)
     if not any(measure in row for row in rows):
         sys.exit(f"{measure}: no such column in {', '.join(paths)}; allowed: those of io/MEASURES.md, as settling_cracks")
     cells = collections.defaultdict(lambda: collections.defaultdict(list))
+    rows = done(rows)
     for row in rows:
-        values = cells[row["options"]][row["case"]]
-        if row.get(measure, ""):
-            values.append(number(row[measure]))
+        values = cells[row.get("options", "")][row["case"]]
+        value = number(row[measure], measure) if row.get(measure) else math.nan
+        if not math.isnan(value):
+            values.append(value)
     cases = sorted({row["case"] for row in rows}, key=lambda case: (place(case), case))
     print("| options | " + " | ".join(cases) + " |\n|---|" + "---|" * len(cases))
     for options, of_case in cells.items():

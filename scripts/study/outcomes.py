@@ -37,6 +37,14 @@ def wilson(holds, runs):
     return max(0.0, middle - half), min(1.0, middle + half)
 
 
+def answer(statement, rows):
+    """Whether the statement holds in the run, or the two runs, of these rows; None: undecided."""
+    try:
+        return statement.holds(*map(Run, rows))
+    except Unknown:
+        return None
+
+
 def answers(statement, runs):
     """By record: whether the statement holds; None: undecided."""
     mine = runs[statement.case, statement.direction]
@@ -45,11 +53,7 @@ def answers(statement, runs):
     for record, row in mine.items():
         if others is not None and record not in others:
             continue
-        rows = (row,) if others is None else (row, others[record])
-        try:
-            found[record] = statement.holds(*map(Run, rows))
-        except Unknown:
-            found[record] = None
+        found[record] = answer(statement, (row,) if others is None else (row, others[record]))
     return found
 
 

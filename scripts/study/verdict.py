@@ -8,8 +8,8 @@ usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--mot
 ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures (peaks of acceleration and
   velocity, period of the pulse, Arias intensity, durations: cases/catalogue/bam-like.md), with the default model.
 --model: some of these realisations again, with one choice of the model changed at a time. The column `options` names the change; rows of
-  `as_it_is` have none. Rows without a record are of houses at rest: they answer alone whether something cracks before the motion begins, and one
-  run of each tells, since nothing in it is drawn. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
+  `as_it_is` have none. Rows without record and direction are runs in which nothing shakes. They answer one question only, whether
+  something cracks before the motion begins; one run with a change and one without it are enough. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
   is a changed bam-like#2. The table also holds the unchanged bam-like#2.
 All tables are of one version.
@@ -28,18 +28,20 @@ motion or chance                     it holds in some, and runs that differ by c
 motion                               it holds in some: motions that meet the same figures give different outcomes. Where no repeats were run
                                      (–) chance is not ruled out
 open: a motion with other figures    it holds in none; under a changed motion it does
-model                                it holds in none; with a choice of the model it does, and with none of the changed motions; or with the
-                                     house at rest, which no motion can change
+model                                it holds in none; with a choice of the model it does, and with none of the changed motions (which cannot change
+                                     what cracks before they begin)
 open: a choice of the model, ...     the same, but no changed motion was tried
 open: nothing that was tried         nothing makes it hold
+open: runs differ before the motion  it holds in some, and no motion can change it
+open: no change was tried            it holds in none, and too few runs with a change tell
 """
 import collections
 import re
 import sys
 
-from outcomes import LABELS, all_rows, answers, by_record, count, done, tables_of, wilson
+from outcomes import LABELS, all_rows, answer, answers, by_record, count, done, same_run, tables_of, wilson
 from versions import one_version
-from statements import STATEMENTS, Run, whole_at_first
+from statements import STATEMENTS, whole_at_first
 
 UNCHANGED = {"--model": "as_it_is", "--motion": "bam-like"}
 LEAST_RUNS = 3  # with and without a change, to say that it makes a statement hold
@@ -73,13 +75,18 @@ class Changes:
         rows, self.at_rest = collections.defaultdict(list), collections.defaultdict(dict)
         for row in done(all_rows(paths)):
             label = LABELS[column](row)
-            if row["record"]:
+            if row["record"] or row["direction"] or column == "record":
                 rows[label].append(row)
             else:
-                self.at_rest[row["case"]][label] = Run(row)
+                self.add_at_rest(label, row)
         self.groups = {label: by_realisation(of_label) for label, of_label in rows.items()}
         self.others = others
         self.unchanged = self.groups.pop(unchanged, collections.defaultdict(dict))
+
+    def add_at_rest(self, label, row):
+        first = self.at_rest[row["case"]].setdefault(label, row)
+        if first is not row and not same_run(first, row):
+            sys.exit(f"{row['run']}: a second run of {row['case']} at rest with the options {label} beside {first['run']}; allowed: one of each")
 
     def decided(self, statement, runs):
         """By realisation: whether the statement holds, of those runs that tell."""
@@ -100,9 +107,9 @@ class Changes:
 
     def counts_at_rest(self, statement):
         """The same, of houses that nothing shakes: one run with the change, and one without."""
-        runs = self.at_rest[statement.case]
-        without = runs.get("as_it_is")
-        return {label: (int(statement.holds(run)), int(statement.holds(without)), 1) for label, run in runs.items() if without and run is not without}
+        found = {label: answer(statement, [row]) for label, row in self.at_rest[statement.case].items() if not is_repeat(label)}
+        without = found.pop("as_it_is", None)
+        return {label: (int(a), int(without), 1) for label, a in found.items() if None not in (a, without)}
 
     def repeats(self, statement):
         """How many runs that differ in last digits alone give another answer, of how many."""
@@ -125,6 +132,8 @@ def verdict(holds, runs, model, motion, differ):
         return "open: few runs" if runs else "open: no run tells"
     if wilson(holds, runs)[0] > 0.5:
         return "agrees"
+    if holds > 0 and motion is None:
+        return "open: runs differ before the motion begins"
     if holds > 0:
         return "motion or chance" if differ > 0 else "motion"
     if by_motion:
@@ -136,7 +145,7 @@ def verdict(holds, runs, model, motion, differ):
 
 def said(counts):
     if counts is None:
-        return "nothing shakes"
+        return "cannot change it"
     if not counts:
         return "not tried"
     making = [f"{label} ({holds} of {runs}, without {without})" for label, (holds, without, runs) in counts.items() if makes_hold(holds, without, runs)]
@@ -177,7 +186,7 @@ def main():
         holds, runs = count(found)
         by_model, by_motion, (differ, repeats) = model.counts(statement), motion.counts(statement), model.repeats(statement)
         if statement.holds is whole_at_first:
-            by_model, by_motion = by_model | model.counts_at_rest(statement), None
+            by_model, by_motion = model.counts_at_rest(statement) | by_model, None
         low, high = wilson(holds, runs) if runs else (0.0, 1.0)
         print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {runs} | {100 * low:.0f} to {100 * high:.0f} "
               f"| {said(by_model)} | {said(by_motion)} | {f'{differ} of {repeats}' if repeats else '–'} "

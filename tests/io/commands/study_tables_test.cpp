@@ -124,7 +124,10 @@ TEST_CASE("measure: one of a study's measures by set of options and house; the e
   CHECK(text_of(out) == head + "| – | – | 0.0015 to 0.25 |\n| rim | – | – |\n");
   CHECK(code_of(script("measure.py") + path + " drift >" + out + " 2>&1") == 1);
   CHECK(text_of(out).find("drift: no such column in ") == 0);
+  CHECK(code_of(script("measure.py") + path + " run >" + out + " 2>&1") == 1);
+  CHECK(text_of(out) == "run: r0 is no number; allowed: columns of numbers, as settling_cracks\n");
   CHECK(code_of(script("measure.py") + path + " >" + out + " 2>&1") == 1);
+  CHECK(text_of(out).find("usage: measure.py") != std::string::npos);
 }
 
 TEST_CASE("collapses: how many runs lose their roof under motions of one name, and when; houses in the paper's order") {
@@ -315,9 +318,15 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   const std::string of_weights = folder.write("shaken.csv", shaken.text()) + " --motion " + paths[2] + " --model ",
                     at_rest = "vault20n | TLV | nothing cracks before the motion begins (4.2) | 0 of 4 | 0 to 49 | ";
   holds(of_weights + folder.write("weights.csv", weights.text()),
-        at_rest + "none of 1 | nothing shakes | – | open: nothing that was tried makes it hold");
+        at_rest + "none of 1 | cannot change it | – | open: nothing that was tried makes it hold");
   weights.add("vault20n", "", cracked("", "softening", "0"));
-  holds(of_weights + folder.write("weights.csv", weights.text()), at_rest + "softening (1 of 1, without 0) | nothing shakes | – | model");
+  holds(of_weights + folder.write("weights.csv", weights.text()), at_rest + "softening (1 of 1, without 0) | cannot change it | – | model");
+  weights.add("vault20n", "", cracked("", "no_shear", "")),
+      weights.add("vault20n", "", cracked("", "chance", "0"));  // does not tell; is no choice
+  holds(of_weights + folder.write("weights.csv", weights.text()), at_rest + "softening (1 of 1, without 0) | cannot change it | – | model");
+  weights.add("vault20n", "", cracked("", "rim", "0"));
+  CHECK(code_of(script("verdict.py") + of_weights + folder.write("weights.csv", weights.text()) + " >" + out + " 2>&1") == 1);
+  CHECK(text_of(out) == "r5: a second run of vault20n at rest with the options rim beside r1; allowed: one of each\n");
   folder.write("motion.csv", Table().text());
   const auto refuses = [&](const std::string& words, const std::string& message) {
     CHECK(code_of(script("verdict.py") + words + " >" + out + " 2>&1") == 1);
