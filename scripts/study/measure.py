@@ -6,7 +6,8 @@
 usage: measure.py TABLE.csv [TABLE.csv ...] MEASURE
 
 MEASURE is a column of the tables, as settling_cracks (io/MEASURES.md). Writes a table in Markdown. A cell covers the runs of the case with
-these options, whatever their direction, motion, strength and seed: their value, or the least and the greatest, if they differ; a dash where no run has one. The tables are of one version.
+these options, whatever their direction, motion, strength and seed: their value, or the least and the greatest, if they differ; a dash where no
+run has one. The tables are of one version.
 """
 import collections
 import math

@@ -9,7 +9,8 @@ ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all 
   velocity, period of the pulse, Arias intensity, durations: cases/catalogue/bam-like.md), with the default model.
 --model: some of these realisations again, with one choice of the model changed at a time. The column `options` names the change; rows of
   `as_it_is` have none. Rows without record and direction are runs in which nothing shakes. They answer one question only, whether
-  something cracks before the motion begins; one run with a change and one without it are enough. Options whose name begins with "chance" vary strengths by a millionth: what differs then is chance.
+  something cracks before the motion begins; one run with a change and one without it are enough. Options whose name begins with "chance"
+  vary strengths by a millionth: what differs then is chance.
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
   is a changed bam-like#2. The table also holds the unchanged bam-like#2.
 All tables are of one version.

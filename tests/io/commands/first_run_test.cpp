@@ -248,6 +248,10 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   CHECK(is_silent_of(voussoir("check " + path + " -j 1 --set motion.record=bam-like --set motion.intensity.measure=Sa " +
                               "--set motion.intensity.level=2 --set motion.intensity.period=0.05"),
                      "ten steps"));
+  const std::string rods =
+      "include = \"flat20n\"\n[[house.tie]]\nname = \"rods\"\nkind = \"along\"\nheights = [1.5]\narea = 2e-4\nplate = [0.2, 0.2]\n";
+  CHECK(says(voussoir("check -j 1 " + folder.write("rods.toml", rods)),
+             {"warning: ", "rods.toml:5: house.tie[0].heights", "along the front wall at 1.5 m runs through house.opening[0]"}));
   const Outcome pushover = voussoir("check " + path + " -j 1 --set analysis.kind=pushover --set motion.record=bam-like " +
                                     "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
   CHECK(says(pushover, {"analysis                 pushover; [motion] is left out"}));

@@ -65,6 +65,8 @@ TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a
   CHECK(run.attribute_text("/motion/acceleration", "description").find("from 2 s on") != std::string::npos);
   CHECK(run.attribute_text("/motion/acceleration", "unit") == "m/s2");
   CHECK(!run.exists("/motion/factor"));
+  c.analysis.kind = cases::AnalysisKind::pushover;  // leaves the motion out
+  CHECK(io::motion_datasets(c, {}, 5e-4, 1).empty());
 }
 
 TEST_CASE("base motion: of a case that states an intensity the factor stands in run.h5, and in words") {
