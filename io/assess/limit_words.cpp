@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/analysis/limit_mechanism.h"
+#include "solver/limit/mechanism.h"
 
 namespace voussoir::io {
 namespace {
@@ -112,14 +112,26 @@ void print_state(std::string& out, const char* rule, const solver::LimitState& s
 
 Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
+Json proof_json(const solver::LimitProof& p) {
+  return {{"holds", p.holds},
+          {"lower", p.lower},
+          {"upper", p.upper},
+          {"unbalanced", p.forces.unbalanced},
+          {"tension", p.forces.tension},
+          {"over_friction", p.forces.over_friction},
+          {"off_joint", p.forces.off_joint},
+          {"overlap", p.motion.overlap},
+          {"off_normal", p.motion.off_normal},
+          {"lost_power", p.lost_power}};
+}
+
 Json state_json(const solver::LimitState& s, const cases::Model& model, const solver::LimitResult& r) {
   const solver::LimitContacts& c = r.contacts;
   const solver::Mechanism m = solver::mechanism_of(c, s);
   Json out{{"multiplier", s.multiplier},   {"tilt", r.is_tilt ? Json(tilt(s.multiplier)) : Json()},
            {"programmes", s.programmes},   {"last_change", s.last_change},
-           {"off_balance", s.off_balance}, {"over_friction", s.over_friction},
-           {"standing_mass", m.standing},  {"parts", Json::array()},
-           {"seams", Json::array()}};
+           {"proof", proof_json(s.proof)}, {"standing_mass", m.standing},
+           {"parts", Json::array()},       {"seams", Json::array()}};
   for (const solver::MechanismPart& p : m.parts) {
     const std::vector<std::int32_t> elements = elements_of(p, c);
     out["parts"].push_back({{"mass", p.mass},
@@ -138,6 +150,55 @@ Json state_json(const solver::LimitState& s, const cases::Model& model, const so
                             {"slides", seam.slide},
                             {"hinge", seam.hinge}});
   return out;
+}
+
+/// The figures of a proof: forces from below, a mechanism from above, and by how much each misses.
+std::string associated_proof(const solver::LimitProof& p) {
+  return format("forces for %.6f, a mechanism for %.6f: gap %.1g; forces off by %.1g of a mean weight, mechanism by %.1g of its speed",
+                p.lower, p.upper, std::abs(p.upper - p.lower), p.forces.worst(), std::max(p.motion.off_normal, 0.0));
+}
+
+std::string coulomb_proof(const solver::LimitProof& p) {
+  return format("this mechanism moves from %.6f to %.6f, by the forces before; forces off by %.1g of a mean weight, mechanism by %.1g",
+                p.lower, p.upper, p.forces.worst(), std::max({p.motion.overlap, p.lost_power, 0.0}));
+}
+
+std::string loaded_block(const solver::LoadPosition& p, const cases::Model& model) {
+  const auto e = static_cast<std::size_t>(p.place.element);
+  return cases::describe(model.blocks[e], e);
+}
+
+/// A line a place of the load.
+void print_path(std::string& out, const solver::LoadPath& path, bool coulomb, const cases::Model& model) {
+  out += "place                              associated   Coulomb   acts on\n";
+  for (std::size_t k = 0; k < path.positions.size(); ++k) {
+    const solver::LoadPosition& p = path.positions[k];
+    const Vec3 at = p.place.element < 0 ? p.from : p.place.at;
+    out += format("(%9.4g, %9.4g, %9.4g)  ", at.x, at.y, at.z);
+    if (p.place.element < 0) {
+      out += "meets nothing that can move\n";
+    } else if (!p.found) {
+      out += "nothing falls, whatever the force: " + loaded_block(p, model) + "\n";
+    } else {
+      const std::string second = !coulomb ? "" : p.found->coulomb_proven() ? format("%.5f", p.found->coulomb.multiplier) : "not found";
+      out += format("%12.5f %9s   ", p.found->associated.multiplier, second.c_str()) + loaded_block(p, model) +
+             (k == path.weakest ? "  <- weakest\n" : "\n");
+    }
+  }
+  out += "\nwhere it is weakest\n";
+}
+
+Json path_json(const solver::LoadPath& path, bool coulomb, const cases::Model& model) {
+  Json all = Json::array();
+  for (const solver::LoadPosition& p : path.positions) {
+    const bool meets = p.place.element >= 0;
+    const Json second = coulomb && p.found && p.found->coulomb_proven() ? Json(p.found->coulomb.multiplier) : Json();
+    all.push_back({{"at", json_of(meets ? p.place.at : p.from)},
+                   {"block", meets ? Json(loaded_block(p, model)) : Json()},
+                   {"associated", p.found ? Json(p.found->associated.multiplier) : Json()},
+                   {"coulomb", second}});
+  }
+  return all;
 }
 
 void csv_of(std::string& out, const char* rule, const solver::LimitState& s, const cases::Model& model, const solver::LimitContacts& c) {
@@ -161,52 +222,53 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
 
 }  // namespace
 
-std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r) {
+std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path) {
   std::string out = asked.title + "\n\n";
   const auto put = [&](const char* name, const std::string& value) { out += format("%-25s", name) + value + "\n"; };
-  put("live force", "multiplier x weight, along " + asked.direction);
-  put("bodies, contact points", std::to_string(r.contacts.bodies.size()) + ", " + std::to_string(r.contacts.points.size()) +
-                                    (r.contacts.plane ? ", in a plane" : ""));
-  put("friction cone", r.contacts.plane
-                           ? std::string("exact")
-                           : format("%d facets %s it: friction is too %s by up to %.2f %%", asked.options.facets,
-                                    asked.options.outer ? "round" : "in", asked.options.outer ? "high" : "low", 100.0 * r.cone_error));
+  put("live load", asked.live);
+  if (path != nullptr) print_path(out, *path, asked.options.coulomb, model);
+  put("bodies, contact points",
+      std::to_string(r.contacts.bodies.size()) + ", " + std::to_string(r.contacts.points.size()) + (r.plane ? ", in a plane" : ""));
+  put("friction cone", r.plane ? std::string("exact")
+                               : format("%d facets %s it: friction is too %s by up to %.2f %%", asked.options.facets,
+                                        asked.options.outer ? "round" : "in", asked.options.outer ? "high" : "low", 100.0 * r.cone_error));
   if (r.contacts.bonded > 0) put("bonds", std::to_string(r.contacts.bonded) + " joints have tension or cohesion, which is not counted");
   if (r.has_loads) put("loads", "those of the case act in full and do not grow");
   const auto multiplier = [&](const solver::LimitState& s) {
     return format("%.5f", s.multiplier) + (!r.is_tilt ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
   };
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
+  put("proof", associated_proof(r.associated.proof));
   const bool both = asked.options.coulomb;
-  put("multiplier, Coulomb",
-      !both ? "not asked for (--associated)"
-            : multiplier(r.coulomb) + (r.coulomb_converged() ? "; one of perhaps several"
-                                                             : format("; NOT converged, last change %.2g", r.coulomb.last_change)));
-  put("checks", format("off balance %.1g, over friction %.1g of a mean weight; %d programmes",
-                       std::max(r.associated.off_balance, r.coulomb.off_balance),
-                       std::max(r.associated.over_friction, r.coulomb.over_friction), r.associated.programmes + r.coulomb.programmes));
+  put("multiplier, Coulomb", !both                ? "not asked for (--associated)"
+                             : r.coulomb_proven() ? multiplier(r.coulomb) + "; one of perhaps several"
+                                                  : "NOT found: no forces and mechanism prove one; it is at most the associated one");
+  if (both && r.coulomb_proven()) put("proof", coulomb_proof(r.coulomb.proof));
+  put("programmes", std::to_string(r.associated.programmes + r.coulomb.programmes));
   print_state(out, "associated", r.associated, model, r.contacts);
-  if (both) print_state(out, "Coulomb", r.coulomb, model, r.contacts);
+  if (both && r.coulomb_proven()) print_state(out, "Coulomb", r.coulomb, model, r.contacts);
   return out;
 }
 
-std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r) {
+std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path) {
   Json out{{"title", asked.title},
-           {"direction", json_of(asked.options.live)},
+           {"live", asked.live},
+           {"direction", json_of(asked.options.live.direction)},
            {"bodies", r.contacts.bodies.size()},
            {"points", r.contacts.points.size()},
-           {"plane", r.contacts.plane.has_value()},
-           {"facets", r.contacts.plane ? 2 : asked.options.facets},
-           {"cone", r.contacts.plane      ? "exact"
+           {"plane", r.plane},
+           {"facets", r.plane ? 2 : asked.options.facets},
+           {"cone", r.plane               ? "exact"
                     : asked.options.outer ? "outer"
                                           : "inner"},
            {"cone_error", r.cone_error},
            {"weight", r.weight},
            {"mortar_joints", r.contacts.bonded},
            {"loads", r.has_loads},
-           {"converged", r.coulomb_converged()},
+           {"converged", !asked.options.coulomb || r.coulomb_proven()},
            {"associated", state_json(r.associated, model, r)},
            {"coulomb", asked.options.coulomb ? state_json(r.coulomb, model, r) : Json()}};
+  if (path != nullptr) out["positions"] = path_json(*path, asked.options.coulomb, model), out["weakest"] = *path->weakest;
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -5,10 +5,10 @@
 #include <doctest/doctest.h>
 
 #include "cases/model.h"
-#include "solver/analysis/limit.h"
-#include "solver/analysis/linear_programme.h"
+#include "solver/limit/limit.h"
+#include "solver/limit/linear_programme.h"
 
-/// Collapse factors of a case by the program's own limit analysis (solver/analysis/limit.h), for the problems that compare with it.
+/// Collapse factors of a case by the program's own limit analysis (solver/limit/limit.h), for the problems that compare with it.
 namespace voussoir::testing {
 
 /// Factors of a horizontal body force, over the weight: LimitResult::associated and ::coulomb.
@@ -22,9 +22,9 @@ inline CollapseFactors collapse_factors(cases::Case c, double friction, Vec3 alo
   c.contact.friction = friction;
   c.contact.between.clear();
   solver::LimitOptions options;
-  options.live = along;
+  options.live.direction = along;
   const solver::LimitResult found = solver::limit_analysis(c, cases::build_model(c), options);
-  REQUIRE(found.coulomb_converged());
+  REQUIRE(found.coulomb_proven());
   return {found.associated.multiplier, found.coulomb.multiplier};
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/analysis/limit.h"
-#include "solver/analysis/linear_programme.h"
+#include "solver/limit/limit.h"
+#include "solver/limit/linear_programme.h"
 #include "tests/io/stones/stones_fixture.h"
 #include "tests/verification/collapse.h"
 

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "io/commands/number_range.h"
+
 namespace voussoir::io {
 
 namespace {
@@ -33,7 +35,19 @@ void add_assess_options(CLI::App& command, AssessOptions& o) {
 
 void add_limit_options(CLI::App& command, LimitCommandOptions& o) {
   command.add_option("--direction", o.direction,
-                     "of the live force, which is the multiplier times the weight: x (default), -x, y, -y, or degrees");
+                     "of the live load: x, -x, y, -y, z, -z, degrees from x towards y, or X,Y,Z (default: x; of point loads -z)");
+  command.add_option("--on", o.on, "NAME,...: the live load is the weight of these blocks, stones or groups alone, or --force on each")
+      ->delimiter(',');
+  command.add_option("--force", o.force, "N (default 1000): the live load is this force, on the blocks of --on, at --at or along --path")
+      ->check(number_range(1e-9, 1e15));
+  command.add_option("--at", o.at, "X,Y,Z: where the force acts; without --on on the block that holds the point, or the first behind it")
+      ->delimiter(',')
+      ->expected(3);
+  command
+      .add_option("--path", o.path,
+                  "X,Y,Z,X,Y,Z,...: the force moves along this line, and acts where it meets the model; the weakest place")
+      ->delimiter(',');
+  command.add_option("--positions", o.positions, "places on the path, both ends among them (default 21)")->check(CLI::Range(1, 10000));
   command.add_option("--facets", o.facets, "of the friction cone (default 8; plane models need none)")->check(CLI::Range(4, 64));
   command
       .add_option_function<std::string>(
@@ -45,7 +59,7 @@ void add_limit_options(CLI::App& command, LimitCommandOptions& o) {
   add_format(command, o.json);
   command.add_flag("--overwrite", o.overwrite, "replace an existing file of the mechanism");
   command.add_flag("--quiet", o.quiet, "no progress");
-  command.footer("example: voussoir limit arch --direction y");
+  command.footer("A case with loads that grow has these as live load.\nexample: voussoir limit tilting-wall --direction y");
 }
 
 }  // namespace voussoir::io

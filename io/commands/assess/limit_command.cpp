@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <stdexcept>
 
+#include "cases/names.h"
 #include "io/assess/limit_words.h"
 #include "io/files/errors.h"
 #include "io/files/output_path.h"
@@ -16,23 +18,101 @@
 #include "io/session/exit_code.h"
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
-#include "solver/analysis/linear_programme.h"
+#include "solver/limit/linear_programme.h"
+#include "solver/limit/load_path.h"
 
 namespace voussoir::io {
 namespace {
 
-Vec3 live_direction(const std::string& words) {
+using solver::LiveLoad;
+
+/// "x", "-z", "30" (degrees from x towards y) or "0.6,0,-0.8" as a unit vector.
+Vec3 direction_of(const std::string& words) {
+  const auto refuse = [&] {
+    throw cases::InputError("--direction", "\"" + words +
+                                               "\" is none; allowed: x, -x, y, -y, z, -z, degrees from x towards y, -360 to 360, "
+                                               "or X,Y,Z, not all zero");
+  };
   if (words == "x") return {1, 0, 0};
   if (words == "-x") return {-1, 0, 0};
   if (words == "y") return {0, 1, 0};
   if (words == "-y") return {0, -1, 0};
-  double degrees = 0.0;
-  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), degrees);
-  if (error != std::errc() || end != words.data() + words.size() || !(std::abs(degrees) <= 360.0)) {
-    throw cases::InputError("--direction", "\"" + words + "\" is none; allowed: x, -x, y, -y, or degrees from x towards y, -360 to 360");
+  if (words == "z") return {0, 0, 1};
+  if (words == "-z") return {0, 0, -1};
+  std::vector<double> numbers;
+  for (const char *at = words.data(), *end = at + words.size(); at <= end; ++at) {
+    const auto [next, error] = std::from_chars(at, end, numbers.emplace_back());
+    if (error != std::errc() || (next != end && *next != ',') || !std::isfinite(numbers.back())) refuse();
+    at = next;
   }
-  const double angle = degrees * std::numbers::pi / 180.0;
+  if (numbers.size() == 3) {
+    const double largest = std::max({std::abs(numbers[0]), std::abs(numbers[1]), std::abs(numbers[2])});
+    if (largest == 0.0) refuse();
+    return normalised(Vec3{numbers[0] / largest, numbers[1] / largest, numbers[2] / largest});
+  }
+  if (numbers.size() != 1 || std::abs(numbers[0]) > 360.0) refuse();
+  const double angle = numbers[0] * std::numbers::pi / 180.0;
   return {std::cos(angle), std::sin(angle), 0.0};
+}
+
+std::vector<Vec3> points_of(const std::vector<double>& numbers, const char* option) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  if (numbers.size() % 3 != 0 || points.empty())
+    throw cases::InputError(option, std::to_string(numbers.size()) + " numbers are not the coordinates of points; allowed: X,Y,Z of each");
+  return points;
+}
+
+LiveLoad live_load(const LimitCommandOptions& o, const cases::Case& c) {
+  const bool is_force = o.force || !o.at.empty() || !o.path.empty();
+  if (!o.path.empty() && !(o.at.empty() && o.on.empty()))
+    throw cases::InputError("--path", "says where the force acts; allowed beside it: --force, --direction, --positions");
+  if (!o.path.empty() && points_of(o.path, "--path").size() < 2)
+    throw cases::InputError("--path", "has one point; allowed: two or more, as X,Y,Z,X,Y,Z");
+  if (o.force && o.at.empty() && o.path.empty() && o.on.empty())
+    throw cases::InputError("--force", "acts nowhere; allowed with it: --on, --at or --path");
+  if (o.on.size() > 1 && !o.at.empty()) throw cases::InputError("--at", "is one point; allowed with it: one name of --on, or none");
+  LiveLoad live;
+  live.on = o.on;
+  live.direction = direction_of(!o.direction.empty() ? o.direction : is_force ? "-z" : "x");
+  if (is_force) live.kind = LiveLoad::Kind::force;
+  if (o.force) live.force = *o.force;
+  if (!o.at.empty()) live.at = points_of(o.at, "--at").front();
+  const bool given = is_force || !o.direction.empty() || !o.on.empty();
+  if (!given && std::ranges::any_of(c.loads, &cases::Load::grows)) live.kind = LiveLoad::Kind::loads;
+  return live;
+}
+
+std::string words_of(const LiveLoad& live, const LimitCommandOptions& o) {
+  std::string on, at;
+  for (const std::string& name : live.on) on += (on.empty() ? " on " : ", ") + name;
+  if (live.at)
+    at =
+        (on.empty() ? " at (" : ", at (") + cases::text(live.at->x) + ", " + cases::text(live.at->y) + ", " + cases::text(live.at->z) + ")";
+  const std::string along = !o.direction.empty() ? o.direction : live.kind == LiveLoad::Kind::force ? "-z" : "x";
+  if (live.kind == LiveLoad::Kind::loads) return "multiplier x the loads of the case that grow";
+  if (live.kind == LiveLoad::Kind::force)
+    return "multiplier x " + cases::text(live.force) + " N, along " + along + (o.path.empty() ? on + at : ", along a path");
+  return "multiplier x weight" + (on.empty() ? "" : " of" + on.substr(3)) + ", along " + along;
+}
+
+/// A line of progress that is written over.
+std::function<void(int, double)> ticker(bool coulomb) {
+  const int least = coulomb ? solver::LimitResult::kLeastProgrammes : 1, most = coulomb ? solver::LimitResult::kMostProgrammes : 1;
+  return [least, most](int programmes, double multiplier) {
+    std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
+  };
+}
+
+/// Prints what was found and writes the mechanism. \return the exit code
+int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::Model& model, const solver::LimitResult& found,
+         const solver::LoadPath* path) {
+  std::fputs((o.json ? limit_json(asked, model, found, path) : limit_text(asked, model, found, path)).c_str(), stdout);
+  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(asked, model, found), o.overwrite);
+  bool proven = o.associated || found.coulomb_proven();
+  if (path != nullptr)
+    for (const solver::LoadPosition& p : path->positions) proven = proven && (o.associated || !p.found || p.found->coulomb_proven());
+  return proven ? kDone : kNumericalFailure;
 }
 
 }  // namespace
@@ -45,26 +125,25 @@ int limit_command(const LoadedCase& c, const LimitCommandOptions& o) {
     return kInputFault;
   }
   check_output(o.mechanism, o.overwrite);
-  LimitQuestion asked{c.value.title, o.direction, {live_direction(o.direction), o.facets, o.outer, {}}};
+  LimitQuestion asked{c.value.title, "", {live_load(o, c.value), o.facets, o.outer, {}}};
+  asked.live = words_of(asked.options.live, o);
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
-  if (on_terminal) {
-    const int least = o.associated ? 1 : solver::LimitResult::kLeastProgrammes,
-              most = o.associated ? 1 : solver::LimitResult::kMostProgrammes;
-    asked.options.tick = [least, most](int programmes, double multiplier) {
-      std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
-    };
-  }
+  if (on_terminal) asked.options.tick = ticker(asked.options.coulomb);
   const cases::Model model = build_on_all_threads(c.value);
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
-  if (std::ranges::any_of(c.value.loads, &cases::Load::grows))
-    std::fprintf(stderr, "voussoir: warning: limit analysis takes loads with grows = true as dead loads, at their full size\n");
-  const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
+  if (o.path.empty()) {
+    const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
+    if (on_terminal) std::fputc('\n', stderr);
+    return tell(asked, o, model, found, nullptr);
+  }
+  const std::vector<Vec3> corners = points_of(o.path, "--path");
+  const solver::LoadPath path = solver::limit_along_path(c.value, model, asked.options, corners, o.positions);
   if (on_terminal) std::fputc('\n', stderr);
-  std::fputs((o.json ? limit_json(asked, model, found) : limit_text(asked, model, found)).c_str(), stdout);
-  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(asked, model, found), o.overwrite);
-  return found.coulomb_converged() ? kDone : kNumericalFailure;
+  if (!path.weakest)
+    throw solver::NothingFalls("--path", "nothing falls at any place of it, whatever the force, or it meets no block that can move");
+  return tell(asked, o, model, *path.positions[*path.weakest].found, &path);
 }
 
 }  // namespace voussoir::io

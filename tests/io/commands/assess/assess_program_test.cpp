@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/analysis/linear_programme.h"
+#include "solver/limit/linear_programme.h"
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/analysis/limit.h"
+#include "solver/limit/limit.h"
 
 /// The mechanism of a collapse: which bodies move as one, and how these parts move against each other.
 namespace voussoir::solver {

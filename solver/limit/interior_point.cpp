@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/analysis/interior_point.h"
+#include "solver/limit/interior_point.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>

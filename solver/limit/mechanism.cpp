@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/analysis/limit_mechanism.h"
+#include "solver/limit/mechanism.h"
 
 #include <algorithm>
 #include <cmath>

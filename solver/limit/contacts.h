@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "cases/model.h"
@@ -11,7 +10,8 @@
 /// What limit analysis sees of a model: bodies that cannot come apart, and the points at which they touch.
 namespace voussoir::solver {
 
-/// Elements that move as one rigid body: one element, or those of one timber member (its bonds hold).
+/// Elements that move as one rigid body: one element, those of one timber member (its bonds hold), or the pieces of one stone whose joints
+/// never break.
 struct RigidBody {
   std::vector<std::int32_t> elements;
   double mass = 0.0;  // kg
@@ -24,25 +24,27 @@ struct LimitPoint {
   std::int32_t joint = 0;      // of the assembly
   std::int32_t a = 0, b = -1;  // bodies; −1: the base, or a fixed block
   Vec3 at, normal;             // m; outward of a
+  Vec3 first, second;          // unit tangents: axes of the friction cone
   double friction = 0.0;       // tan φ of the joint without its bond
-};
-
-/// Blocks that are prisms across one vertical plane, all as thick, with a live force in that plane: what lies behind one another is one
-/// point, nothing moves out of the plane, and by symmetry nothing is lost by that.
-struct LimitPlane {
-  Vec3 along;           // horizontal unit vector in the plane
-  double middle = 0.0;  // m, of the blocks' thickness, along z × `along`
 };
 
 struct LimitContacts {
   std::vector<RigidBody> bodies;      // those that can move
   std::vector<std::int32_t> body_of;  // by element; −1: fixed
   std::vector<LimitPoint> points;
-  std::optional<LimitPlane> plane;
   std::int32_t bonded = 0;  // joints with tension or cohesion, which do not count
 };
 
-/// \param live  horizontal unit vector \param reduce  to a plane, where the model allows it
-LimitContacts limit_contacts(const cases::Model& model, Vec3 live, bool reduce);
+/// \param live  direction of the live forces, along which the friction cones have a corner
+LimitContacts limit_contacts(const cases::Model& model, Vec3 live);
+
+/// tan φ of a joint without its bond.
+double limit_friction(const cases::Model& model, std::size_t joint);
+
+/// The axes of the friction cone on a joint: the first along `live` as the joint's plane has it, else along z, else along the joint's own.
+struct Tangents {
+  Vec3 first, second;
+};
+Tangents limit_tangents(const geometry::Joint& joint, Vec3 normal, Vec3 live);
 
 }  // namespace voussoir::solver

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/limit/limit_proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace voussoir::solver {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+Vec3 place(const geometry::Frame& f, const geometry::Segment& s) { return f.centre + s.s * f.axis_s + s.t * f.axis_t; }
+
+}  // namespace
+
+double ForceCheck::worst() const noexcept { return std::max({unbalanced, tension, over_friction, off_joint}); }
+
+ForceCheck LimitModel::check_forces(const std::vector<Vec3>& at_points, double dead, double live) const {
+  const double unit = forces_.weight / static_cast<double>(contacts_.bodies.size());
+  ForceCheck out;
+  std::vector<Vec3> force(contacts_.bodies.size()), moment(force.size());
+  for (std::size_t b = 0; b < force.size(); ++b) {
+    force[b] = dead * forces_.dead.force[b] + live * forces_.live.force[b];
+    moment[b] = dead * forces_.dead.moment[b] + live * forces_.live.moment[b];
+  }
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
+    const LimitPoint& p = contacts_.points[i];
+    const geometry::Joint& joint = model_.assembly.joints[at(p.joint)];
+    for (const std::int32_t b : {p.a, p.b}) {
+      if (b < 0) continue;
+      const Vec3 f = b == p.a ? at_points[i] : -at_points[i];
+      force[at(b)] += f, moment[at(b)] += cross(p.at - contacts_.bodies[at(b)].centre, f);
+    }
+    const double n = -dot(at_points[i], p.normal);
+    const Vec3 shear = at_points[i] + n * p.normal;
+    out.tension = std::max(out.tension, -n / unit);
+    const double limit = limit_friction(model_, at(p.joint)) * std::max(n, 0.0);
+    out.over_friction = std::max(out.over_friction, (cone_.gauge({dot(shear, p.first), dot(shear, p.second)}) - limit) / unit);
+    double near = std::numeric_limits<double>::infinity();
+    for (const auto* side : {&joint.side_a, &joint.side_b})
+      for (const geometry::Segment& s : *side) near = std::min(near, norm(place(joint.frame, s) - p.at));
+    out.off_joint = std::max(out.off_joint, near / forces_.length);
+  }
+  for (std::size_t b = 0; b < force.size(); ++b)
+    out.unbalanced = std::max({out.unbalanced, norm(force[b]) / unit, norm(moment[b]) / (unit * forces_.length)});
+  return out;
+}
+
+Vec3 LimitModel::speed(std::int32_t body, Vec3 where, const std::vector<kernels::Twist>& motion) const {
+  if (body < 0) return {};
+  return motion[at(body)].v + cross(motion[at(body)].w, where - contacts_.bodies[at(body)].centre);
+}
+
+double LimitModel::power(const BodyForces& f, const std::vector<kernels::Twist>& motion) const {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < motion.size(); ++b) sum += dot(f.force[b], motion[b].v) + dot(f.moment[b], motion[b].w);
+  return sum;
+}
+
+MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) const {
+  MotionCheck out;
+  for (std::size_t e = 0; e < model_.blocks.size(); ++e)
+    for (const Vec3 v : model_.blocks[e].shape.vertices) out.fastest = std::max(out.fastest, norm(speed(contacts_.body_of[e], v, motion)));
+  if (out.fastest == 0.0) return out;
+  for (std::size_t j = 0; j < model_.assembly.joints.size(); ++j) {
+    const geometry::Joint& joint = model_.assembly.joints[j];
+    const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : contacts_.body_of[at(e)]; };
+    std::int32_t a = body(joint.element_a), b = body(joint.element_b);
+    if (a == b) continue;
+    const bool turned = a < 0;
+    if (turned) std::swap(a, b);
+    const Vec3 normal = turned ? -joint.frame.normal : joint.frame.normal;
+    const Tangents axes = limit_tangents(joint, normal, direction_);
+    const double friction = limit_friction(model_, j);
+    for (const auto* side : {&joint.side_a, &joint.side_b}) {
+      for (const geometry::Segment& s : *side) {
+        const Vec3 where = place(joint.frame, s), v = speed(b, where, motion) - speed(a, where, motion);
+        const double open = dot(v, normal), needed = friction * cone_.support({dot(v, axes.first), dot(v, axes.second)});
+        out.overlap = std::max(out.overlap, -open / out.fastest);
+        out.off_normal = std::max(out.off_normal, (needed - open) / out.fastest);
+      }
+    }
+  }
+  out.dead_power = power(forces_.dead, motion) / out.fastest;
+  out.live_power = power(forces_.live, motion) / out.fastest;
+  return out;
+}
+
+double LimitModel::lost_power(const std::vector<Vec3>& at_points, const std::vector<kernels::Twist>& motion) const {
+  double lost = 0.0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
+    const LimitPoint& p = contacts_.points[i];
+    const Vec3 v = speed(p.b, p.at, motion) - speed(p.a, p.at, motion);
+    const double n = -dot(at_points[i], p.normal), open = dot(v, p.normal);
+    const double taken = dot(at_points[i] + n * p.normal, v);
+    const double due = limit_friction(model_, at(p.joint)) * n * cone_.support({dot(v, p.first), dot(v, p.second)});
+    lost += std::abs(n * open) + std::abs(due - taken);
+  }
+  return lost / std::abs(power(forces_.live, motion));
+}
+
+double LimitModel::slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const {
+  double pressed = 0.0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) pressed += std::abs(dot(at_points[i], contacts_.points[i].normal));
+  return std::max(c.off_normal, 0.0) * pressed / c.live_power;
+}
+
+}  // namespace voussoir::solver

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/limit/live_load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "cases/loads/gravity.h"
+#include "cases/loads/loads.h"
+#include "cases/names.h"
+#include "geometry/polyhedron.h"
+
+namespace voussoir::solver {
+namespace {
+
+constexpr double kInside = 1e-9;  // of an element's size: a point so near to its surface lies on it
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+class Forces {
+ public:
+  Forces(const cases::Model& model, const LimitContacts& contacts) : model_(model), contacts_(contacts) {}
+
+  [[nodiscard]] BodyForces none() const { return {std::vector<Vec3>(contacts_.bodies.size()), std::vector<Vec3>(contacts_.bodies.size())}; }
+  void act(std::int32_t body, Vec3 where, Vec3 force, BodyForces& on) const {
+    on.force[at(body)] += force;
+    on.moment[at(body)] += cross(where - contacts_.bodies[at(body)].centre, force);
+  }
+  void add(const cases::Load& load, std::size_t index, BodyForces& on) const {
+    if (load.history)
+      throw cases::InputError(cases::indexed_key("load", index, "history"),
+                              "does not go with limit analysis, which knows no time; allowed: force");
+    for (const std::int32_t e : cases::loaded_elements(model_, load, index)) {
+      const std::int32_t body = contacts_.body_of[at(e)];
+      act(body, load.at.value_or(model_.assembly.elements[at(e)].mass.centroid), load.force, on);
+      on.moment[at(body)] += load.moment;
+    }
+  }
+  void add_weights(const LiveLoad& live, double gravity, BodyForces& on) const {
+    std::vector<bool> loaded(contacts_.bodies.size(), live.on.empty());
+    for (const std::string& name : live.on)
+      for (const std::int32_t e : named(name)) loaded[at(contacts_.body_of[at(e)])] = true;
+    for (std::size_t b = 0; b < loaded.size(); ++b)
+      if (loaded[b]) on.force[b] += (contacts_.bodies[b].mass * gravity) * live.direction;
+  }
+  void add_force(const LiveLoad& live, BodyForces& on) const {
+    const Vec3 force = live.force * live.direction;
+    for (const std::string& name : live.on)
+      for (const std::int32_t e : named(name))
+        act(contacts_.body_of[at(e)], live.at.value_or(model_.assembly.elements[at(e)].mass.centroid), force, on);
+    if (!live.on.empty() || !live.at) return;
+    const LoadedPlace place = place_of_load(model_, *live.at, live.direction);
+    const std::int32_t body = place.element < 0 ? -1 : contacts_.body_of[at(place.element)];
+    if (body < 0) throw cases::InputError("--at", "no block that can move lies there, or behind it along the force");
+    act(body, place.at, force, on);
+  }
+
+ private:
+  /// The elements of this name that can move.
+  [[nodiscard]] std::vector<std::int32_t> named(const std::string& name) const {
+    std::vector<std::int32_t> elements = cases::elements_named(model_, name);
+    if (elements.empty()) throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group");
+    std::erase_if(elements, [&](std::int32_t e) { return contacts_.body_of[at(e)] < 0; });
+    if (elements.empty()) throw cases::InputError("--on", cases::quoted(name) + " is fixed, a load cannot move it");
+    return elements;
+  }
+
+  const cases::Model& model_;
+  const LimitContacts& contacts_;
+};
+
+double mean_lever(const LimitContacts& c) {
+  double sum = 0.0;
+  for (const LimitPoint& p : c.points) sum += norm(p.at - c.bodies[at(p.a)].centre);
+  return c.points.empty() ? 1.0 : sum / static_cast<double>(c.points.size());
+}
+
+bool is_nothing(const BodyForces& f) {
+  const auto zero = [](Vec3 v) { return v == Vec3{}; };
+  return std::ranges::all_of(f.force, zero) && std::ranges::all_of(f.moment, zero);
+}
+
+void refuse_growing(const cases::Case& c) {
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    if (c.loads[i].grows)
+      throw cases::InputError(cases::indexed_key("load", i, "grows"),
+                              "= true makes this load the live one; allowed beside it: no --direction, --on, --force, --at or --path");
+  }
+}
+
+}  // namespace
+
+LimitForces limit_forces(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const LiveLoad& live) {
+  const Forces forces(model, contacts);
+  const Vec3 g = cases::gravity_on_base(c);
+  LimitForces out{forces.none(), forces.none(), 0.0, mean_lever(contacts)};
+  for (std::size_t b = 0; b < contacts.bodies.size(); ++b) {
+    out.dead.force[b] += contacts.bodies[b].mass * g;
+    out.weight += contacts.bodies[b].mass * norm(g);
+  }
+  const bool growing = live.kind == LiveLoad::Kind::loads;
+  if (!growing) refuse_growing(c);
+  for (std::size_t i = 0; i < c.loads.size(); ++i) forces.add(c.loads[i], i, c.loads[i].grows ? out.live : out.dead);
+  if (live.kind == LiveLoad::Kind::weight) forces.add_weights(live, norm(g), out.live);
+  if (live.kind == LiveLoad::Kind::force) forces.add_force(live, out.live);
+  if (is_nothing(out.live)) throw cases::InputError("", growing ? "has growing loads without a force or moment" : "the live load is zero");
+  return out;
+}
+
+Vec3 main_direction(const cases::Case& c, const LiveLoad& live) {
+  if (live.kind != LiveLoad::Kind::loads) return live.direction;
+  Vec3 sum;
+  for (const cases::Load& load : c.loads)
+    if (load.grows) sum += load.force;
+  return norm(sum) > 0.0 ? normalised(sum) : Vec3{};
+}
+
+/// An element is convex: the line is in it between the last plane that it enters by and the first that it leaves by.
+LoadedPlace place_of_load(const cases::Model& model, Vec3 from, Vec3 direction) {
+  LoadedPlace best;
+  double nearest = std::numeric_limits<double>::infinity(), off_centre = nearest;
+  const geometry::Assembly& a = model.assembly;
+  for (std::size_t e = 0; e < a.elements.size(); ++e) {
+    double in = 0.0, out = std::numeric_limits<double>::infinity(), size = 0.0;
+    const Vec3 centre = a.elements[e].mass.centroid;
+    for (const Vec3 v : model.blocks[e].shape.vertices) size = std::max(size, norm(v - centre));
+    for (std::size_t f = 0; f < model.blocks[e].shape.faces.size(); ++f) {
+      const geometry::FacePlane plane = geometry::face_plane(model.blocks[e].shape, static_cast<int>(f));
+      const double slope = dot(plane.normal, direction), off = dot(plane.normal, from - plane.centroid);
+      if (std::abs(slope) < kInside) {
+        if (off > kInside * size) out = -1.0;
+      } else if (slope < 0.0) {
+        in = std::max(in, (off - kInside * size) / -slope);
+      } else {
+        out = std::min(out, (kInside * size - off) / slope);
+      }
+    }
+    if (in > out) continue;
+    const Vec3 where = from + in * direction;
+    const double off = norm(where - centre);
+    // Where two elements meet, that whose centre is nearer, whatever their order.
+    const bool nearer = in < nearest - kInside * size, as_near = in <= nearest + kInside * size;
+    if (nearer || (as_near && off < off_centre)) nearest = in, off_centre = off, best = {static_cast<std::int32_t>(e), where};
+  }
+  return best;
+}
+
+}  // namespace voussoir::solver
