@@ -207,4 +207,4 @@ def notched(rng):
     return model
 
 
-KINDS = (wall, wall, tower, steps, round_arch, segmental_arch, pointed_arch, arch_on_piers, flat_arch, slope)
+KINDS = (wall, wall, tower, steps, round_arch, segmental_arch, pointed_arch, arch_on_piers, flat_arch, slope, notched)
