@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""The multiplier of associated flow by the static theorem (solver/analysis/LIMIT.md), one linear programme for HiGHS.
+"""The multiplier of associated flow by the static theorem (solver/limit/LIMIT.md), one linear programme for HiGHS.
 
 Unknowns: a force >= 0 along each edge of the polygonal cone of each contact point, and the multiplier. Equations: balance of each body,
 divided by the mean weight and, for moments about the centroid, by the body's radius. All lengths are taken from the model's own middle.
