@@ -29,7 +29,8 @@ std::vector<double> contact_friction(const Contact& contact, std::span<const Nam
     rule_of[a * n + b] = rule_of[b * n + a] = i;
   }
   const auto own = [&](std::size_t m) {
-    return m < base && materials[m].made_from >= 0 ? static_cast<std::size_t>(materials[m].made_from) : m;
+    if (m == base || materials[m].is_ground) return base;
+    return materials[m].made_from >= 0 ? static_cast<std::size_t>(materials[m].made_from) : m;
   };
   std::vector<double> friction;
   for (std::size_t a = 0; a < n; ++a) {

@@ -61,6 +61,7 @@ struct NamedMaterial {
   std::string name;
   Material value;
   std::int32_t made_from = -1;  // the material whose joint and contact rules it has; −1: its own
+  bool is_ground = false;       // of the parts of the ground: it has the rules of the base
 };
 struct NamedLaw {
   std::string name;  // "dry" is always law 0: no bond

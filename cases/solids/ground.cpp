@@ -146,7 +146,7 @@ std::optional<Case> with_ground(const Case& c) {
 }
 
 void add_ground_material(Model& model) {
-  NamedMaterial ground{"base", {.density = 1.0, .young = 0.0, .poisson = 0.0}, static_cast<std::int32_t>(model.materials.size()) + 1};
+  NamedMaterial ground{"base", {.density = 1.0, .young = 0.0, .poisson = 0.0}, -1, true};
   for (const NamedMaterial& m : model.materials) {
     ground.value.density = std::max(ground.value.density, m.value.density);
     ground.value.young = std::max(ground.value.young, kStiffer * m.value.young);
