@@ -13,6 +13,7 @@
 #include "io/measures/bodies.h"
 #include "io/replay/collapse_parts.h"
 #include "io/replay/frame_reader.h"
+#include "solver/run/run.h"
 
 namespace voussoir::io {
 namespace {
@@ -235,11 +236,11 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
   const auto column = [&](const char* name) { return run.read<double>(std::string("/energy/") + name); };
   const Values input = column("input"), kinetic = column("kinetic"), damping = column("damping"), dashpot = column("dashpot"),
                friction = column("friction"), fracture = column("fracture"), strain = column("strain"), contact = column("contact"),
-               gravity = column("gravity");
+               gravity = column("gravity"), residual = column("residual");
   std::size_t k = 0, kept = 0;
   for (; kept < c.time.size(); ++kept) {
     while (k < time.size() && time[k] < c.time[kept]) ++k;
-    if (k == time.size()) break;
+    if (k == time.size() || !(residual[k] <= solver::kResidualLimit)) break;  // a row in which the run was lost
     c.input.push_back(input[k]), c.kinetic.push_back(kinetic[k]), c.damping.push_back(damping[k]);
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);

@@ -97,6 +97,13 @@ bool try_to(const Write& write, const char* lost) {
   }
 }
 
+/// What a failed run has computed counts up to the failure. \pre its rows are written
+void measure_failed(ResultsWriter& results) {
+  take_measures(results);
+  if (!try_to([&] { results.flush(); }, "the measures are not in the results")) return;
+  if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
+}
+
 /// The observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
@@ -236,7 +243,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
   } catch (const solver::NumericalError& e) {
     watch.finish();
     std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
-    try_to([&] { results.flush(); }, "the last rows are not in the results");
+    if (try_to([&] { results.flush(); }, "the last rows are not in the results")) measure_failed(results);
     if (try_to([&] { checkpoints.save_failed(sim, plan, results.rows()); }, "the state is not saved"))
       std::fprintf(stderr, "voussoir: the state is in %s/checkpoint-failed.h5\n", folder.c_str());
     return kNumericalFailure;

@@ -10,8 +10,11 @@
 #include <iterator>
 #include <string>
 
+#include "io/case_file/case_file.h"
+#include "io/files/hdf5_file.h"
 #include "io/session/exit_code.h"
 #include "io/session/session.h"
+#include "solver/analysis/drive.h"
 #include "tests/io/temp_folder.h"
 
 // A run whose numbers go wrong, in a folder that takes no more files.
@@ -68,7 +71,56 @@ cases::Case blown_up() {
   return c;
 }
 
+/// Two stones on each other, pushed with a step far too long.
+constexpr const char* kPushed = R"(
+[materials.stone]
+density = 2000.0
+young = 1.0e8
+poisson = 0.2
+[gravity]
+settle = false
+[time]
+step = 1.0e-3
+[base]
+[analysis]
+kind = "pushover"
+[output]
+ledger_interval = 1.0e-3
+[[block]]
+name = "lower"
+material = "stone"
+box = [[0.0, 0.0, 0.0], [0.2, 0.2, 0.2]]
+[[block]]
+name = "upper"
+material = "stone"
+box = [[0.0, 0.0, 0.2], [0.2, 0.2, 0.4]]
+)";
+
 }  // namespace
+
+TEST_CASE("a run that is lost keeps its measures, and its capacity curve up to there") {
+  const TempFolder folder;
+  const std::string run = folder.path("run");
+  fs::create_directories(run);
+  const cases::Case c = io::read_case({"case.toml", kPushed}).value;
+  const cases::Model model = cases::build_model(c);
+  solver::Simulation sim(c, model, {}, {});
+  solver::choose_drive(sim, c);
+  io::ResultsWriter results(run, model, kPushed, io::history_names(c), io::provenance(1));
+  io::Checkpoints checkpoints(run, io::facts_of(sim, kPushed, {}, false), {});
+  solver::RunState plan;
+  const CaughtErrors errors(folder.path("errors"));
+  CHECK(io::run_session(c, sim, plan, results, checkpoints, run, true) == io::kNumericalFailure);
+  CAPTURE(errors.text());
+  const io::Hdf5File file = io::Hdf5File::open(run + "/run.h5");
+  CHECK(file.attribute_int("/summary", "finished") == 0);
+  CHECK(file.has_attribute("/summary", "end_time"));
+  CHECK(file.exists("/capacity"));
+  REQUIRE(results.capacity());
+  const std::size_t rows = file.read<double>("/assessment/time").size();
+  CHECK(rows > 1);
+  CHECK(results.capacity()->curve.time.size() == rows - 1);  // without the row in which the balance broke
+}
 
 TEST_CASE("a numerical failure is told and keeps its exit code though neither rows nor state can be written") {
   const TempFolder folder;
