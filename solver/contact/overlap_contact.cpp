@@ -13,6 +13,9 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr double kSudden = 2.0;    // times as far as it has come in the step: a body was there before
+constexpr double kNothing = 1e-6;  // m
+
 bool is_base(const World& w, std::int32_t e) { return e == w.elements.base; }
 
 const kernels::ConvexShape& shape_of(const World& w, std::int32_t e) {
@@ -89,8 +92,33 @@ void end_spring(World& w, const OverlapSpring& s) {
   w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.step_of(level_of(w, s.a, s.b)));
 }
 
+/// Of an overlap beyond what is allowed that is seen for the first time, what the bodies have not gone in this step: their joint bore it.
+/// The spring begins without it, or it would give back what it never took. \param apart  m, by which they have parted in the step
+double there_before(double over, double apart) { return over > kSudden * std::abs(apart) + kNothing ? over + std::min(0.0, apart) : 0.0; }
+
+/// m, how far the points of a joint between the two have been crushed; below 0: they have none that still faces.
+double crushed_in_joint(const World& w, std::int32_t a, std::int32_t b) {
+  const Overlaps& o = w.overlaps;
+  double most = -1.0;
+  for (std::int64_t k = o.first_side[static_cast<std::size_t>(a)]; k < o.first_side[static_cast<std::size_t>(a) + 1]; ++k) {
+    const auto i = static_cast<std::size_t>(o.side[static_cast<std::size_t>(k)]);
+    if (o.joined_to[static_cast<std::size_t>(k)] != b || w.sides.retired[i] != 0) continue;
+    most = std::max(most, 0.0);
+    const kernels::SegmentsView q = w.sides.segments(static_cast<std::int64_t>(i));
+    for (int p = 0; p < w.points.view(w.sides.set[i]).n; ++p) most = std::max(most, -q.closure(p));
+  }
+  return most;
+}
+
+/// Whether the points of a joint between the two bear what overlaps: they give way elastically, the more the longer the elements are, and
+/// miss nothing while the two faces lie before each other.
+bool joint_bears(const World& w, const OverlapPair& p) {
+  const double crushed = crushed_in_joint(w, p.a, p.b);
+  return crushed >= 0.0 && crushed <= allowed_overlap(w, p.a, p.b);
+}
+
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
-OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels::Overlap& at) {
+OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& at) {
   OverlapSpring s;
   s.a = last.a, s.b = last.b;
   const double step = w.step_of(level_of(w, s.a, s.b));
@@ -98,9 +126,11 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, const kernels:
   const Motion m = motion_of(w, s.a, s.b);
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
-  const double xn = allowed_overlap(w, s.a, s.b) - at.depth;
-  const kernels::ContactStep c = kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step,
-                                                           w.contact.dashpot_excess);
+  const double over = at.depth - allowed_overlap(w, s.a, s.b);
+  s.from = goes_on ? std::min(last.from, over) : there_before(over, step * dot(rate, at.normal));
+  const double xn = s.from - over;
+  const kernels::ContactStep c =
+      kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step, w.contact.dashpot_excess);
   s.shear = transposed(turn) * c.spring;
   s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
   s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);
@@ -166,6 +196,8 @@ void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
   std::vector<OverlapSpring>& springs = w.overlaps.springs;
   w.overlaps.wrench.clear();
   if (found.empty() && springs.empty()) return;
+  // Here, where joints have been advanced: another thread may still do so while pairs are found.
+  std::erase_if(found, [&](const OverlapFound& f) { return joint_bears(w, w.overlaps.pairs[f.pair]); });
   std::ranges::sort(found, {}, &OverlapFound::pair);
   std::vector<OverlapSpring> now;
   now.reserve(found.size());
@@ -185,7 +217,7 @@ void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
     OverlapSpring before;
     before.a = p.a, before.b = p.b;
     if (goes_on) before = *last++;
-    now.push_back(advance_spring(w, before, f.at));
+    now.push_back(advance_spring(w, before, goes_on, f.at));
   }
   for (; last != springs.end(); ++last) leave(*last);
   springs = std::move(now);

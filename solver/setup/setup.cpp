@@ -148,8 +148,8 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_multirate(*w, c);
   set_up_sides(*w, c);
   set_up_patches(*w);
-  set_up_overlaps(*w);
   set_up_side_views(*w);
+  set_up_overlaps(*w);
   set_up_softening(*w);
   set_up_closing(*w);
   set_up_crushing(*w, c.contact);

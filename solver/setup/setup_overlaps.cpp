@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -77,9 +79,28 @@ void append(std::vector<T>& to, const std::vector<T>& what) {
   to.insert(to.end(), what.begin(), what.end());
 }
 
+/// Which pairs have a joint, and its sides.
+void list_joined_pairs(World& w) {
+  Overlaps& o = w.overlaps;
+  std::vector<std::array<std::int32_t, 3>> all;  // the lower element, the other, the side
+  for (std::int64_t id = 0; id < w.sides.count(); ++id) {
+    if (w.sides.joint[static_cast<std::size_t>(id)] < 0) continue;
+    const kernels::Side s = w.sides.side(id);
+    all.push_back({std::min(s.master, s.slave), std::max(s.master, s.slave), static_cast<std::int32_t>(id)});
+  }
+  std::ranges::sort(all);
+  o.first_side.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  for (const auto& [a, b, side] : all) {
+    ++o.first_side[static_cast<std::size_t>(a) + 1];
+    o.joined_to.push_back(b), o.side.push_back(side);
+  }
+  std::partial_sum(o.first_side.begin(), o.first_side.end(), o.first_side.begin());
+}
+
 }  // namespace
 
 void set_up_overlaps(World& w) {
+  list_joined_pairs(w);
   Overlaps& o = w.overlaps;
   const cases::Model& m = w.model;
   const bool all_small = std::ranges::all_of(m.blocks, [](const cases::Block& b) { return is_small(b.shape); });

@@ -19,6 +19,7 @@ struct OverlapSpring {
   Vec3 shear;                      // m, elongation along the contact, in the body axes of a
   double stored = 0.0;             // J
   Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
+  double from = 0.0;               // m, beyond what is allowed: the overlap that was there when the spring began, and has not gone since
 };
 
 /// Contact of whole bodies by their exact overlap, where contact points see too little: at edges, corners and crossed edges, and deep
@@ -31,6 +32,8 @@ struct Overlaps {
   std::vector<std::int32_t> shape_of;            // by element
   std::vector<double> stiffness_n, stiffness_s;  // N/m, by element; the base is rigid: 0
   std::vector<double> allowed;                   // m, by element
+  std::vector<std::int64_t> first_side;          // by first element of a pair, count + 1 entries, into the next two
+  std::vector<std::int32_t> joined_to, side;     // the other element of a joint (the base may be one), and a side of the joint
   // State.
   std::vector<OverlapPair> pairs;           // ascending (a, b); state, since at several rates elements are moved by them
   ByLevel by_level;                         // of pairs; empty unless multi-rate (derived)
