@@ -108,9 +108,9 @@ void Ledger::sum_losses(const World& w, const kernels::BodyForces& f, EnergyRow&
     dashpot_early -= 0.5 * step * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
-  // No kind of contact gives back more than it took: what it gives beyond that is no loss below zero, but part of the residual.
-  row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + std::max(0.0, total(w.sides.impact)) +
-                std::max(0.0, total(w.patches, &FreePatch::impact)) + std::max(0.0, w.overlaps.impact);
+  // Springs of whole bodies begin without energy: what they give out beyond what they took is no loss below zero, but residual.
+  row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
+                std::max(0.0, w.overlaps.impact);
   row.friction =
       total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
   row.fracture = total(w.sides.fracture) + total(w.patches, &FreePatch::fracture) + total(w.ties, &kernels::TieState::released);
