@@ -33,12 +33,24 @@ void put_cracks(std::string& out, const std::string& name, const CrackFigures& f
                 mm(f.mean).c_str(), mm(f.largest_opening).c_str(), mm(f.largest_sliding).c_str());
 }
 
+void put_seats(std::string& out, const Assessment& a) {
+  if (std::ranges::none_of(a.walls, [](const WallAssessment& w) { return w.seats.joints > 0; })) return;
+  out += format("\n%-44s %7s %10s %10s %10s %10s\n", "slip of timber on walls [mm]", "joints", "largest", "mean", "opening", "sliding");
+  for (const WallAssessment& w : a.walls)
+    if (w.seats.joints > 0) put_cracks(out, w.name, w.seats, 44);
+}
+
 void put_walls(std::string& out, const Assessment& a) {
   if (a.walls.empty()) return;
   out += format("\n%-44s %7s %10s %10s %10s %10s\n", "cracks [mm]", "joints", "largest", "mean", "opening", "sliding");
   for (const WallAssessment& w : a.walls) put_cracks(out, w.name, w.cracks, 44);
   for (const auto& [corner, figures] : a.corners)
     if (figures.joints > 0) put_cracks(out, "  " + a.walls[static_cast<std::size_t>(corner.wall)].name + ", " + corner.name, figures, 44);
+  for (const WallAssessment& w : a.walls)
+    if (w.parted > 0)
+      out += format("%-44s %7zu joints have parted by more than %.0f mm: no cracks any more\n", w.name.c_str(), w.parted,
+                    1e3 * JointWidth::kWidestCrack);
+  put_seats(out, a);
   out += format("\n%-44s %10s %10s %10s %10s\n", "out of plane, over the thickness", "thickness", "now", "peak", "at");
   for (const WallAssessment& w : a.walls)
     out += format("%-44s %8.2f m %10s %10s %8.2f s\n", w.name.c_str(), w.thickness, percent(w.out_of_plane_now).c_str(),
@@ -99,7 +111,9 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
                             {"thickness", w.thickness},
                             {"out_of_plane", json_of(w.out_of_plane)},
                             {"out_of_plane_now", w.out_of_plane_now},
-                            {"cracks", json_of(w.cracks)}});
+                            {"cracks", json_of(w.cracks)},
+                            {"parted_joints", w.parted},
+                            {"timber_slip", json_of(w.seats)}});
   for (const auto& [c, f] : a.corners)
     out["corners"].push_back({{"wall", a.walls[static_cast<std::size_t>(c.wall)].name},
                               {"name", c.name},

@@ -146,7 +146,7 @@ class Assessor {
     check_levels(building, heights);
     std::vector<std::int32_t> houses;
     for (std::size_t w = 0; w < building.walls.size(); ++w) {
-      out_.walls.push_back({building.walls[w].name, building.walls[w].thickness(), {}, 0, {}});
+      out_.walls.push_back({building.walls[w].name, building.walls[w].thickness(), {}, 0, {}, 0, {}});
       pieces_.push_back(pieces_of(building, static_cast<std::int32_t>(w)));
       houses.push_back(building.walls[w].house);
     }
@@ -176,6 +176,8 @@ class Assessor {
     out_.joints = joint_widths(run, building_, start_, out_.time, poses_of(frames_, now));
     for (std::size_t w = 0; w < out_.walls.size(); ++w) {
       out_.walls[w].cracks = wall_figures(out_.joints, static_cast<std::int32_t>(w));
+      out_.walls[w].parted = parted_joints(out_.joints, static_cast<std::int32_t>(w));
+      out_.walls[w].seats = seat_figures(out_.joints, static_cast<std::int32_t>(w));
       for (OpeningCorner& c : opening_corners(building_, static_cast<std::int32_t>(w))) {
         const CrackFigures f = corner_figures(out_.joints, building_, c);
         out_.corners.emplace_back(std::move(c), f);

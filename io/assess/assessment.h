@@ -29,6 +29,8 @@ struct WallAssessment {
   Peak out_of_plane;            // of the piece of about half a metre displaced most against the wall's foot, over the thickness
   double out_of_plane_now = 0;  // the same at the moment looked at
   CrackFigures cracks;          // at the moment looked at
+  std::size_t parted = 0;       // joints that are wider than any crack then
+  CrackFigures seats;           // slips of timber on the wall then
 };
 
 /// Horizontal displacement of a level against the one below it, over their height: a ratio.

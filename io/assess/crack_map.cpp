@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "io/replay/joint_cracks.h"
 #include "io/drawing/svg.h"
+#include "io/replay/joint_cracks.h"
 
 namespace voussoir::io {
 namespace {
@@ -21,7 +21,6 @@ constexpr double kLargestScale = 240.0;                       // units per metre
 constexpr double kLeastSheet = 820.0;                         // for the legend
 constexpr double kOnFace = 1e-4;                              // m
 constexpr std::size_t kLabels = 6;                            // widths that are written
-constexpr double kWidestNumber = 0.2;                         // m: what is wider is no crack, but something that has fallen
 constexpr double kApart = 0.4;                                // m, two of these at least
 
 std::string text(const char* format, double value) {
@@ -55,11 +54,11 @@ class Map {
     left_ = std::max(kMargin, 0.5 * (kLeastSheet - wide));
     Svg svg(std::max(wide + 2.0 * kMargin, kLeastSheet), kHead + high + kFoot);
     svg.text({kMargin, 26.0}, title + ": " + wall_.name, 17.0);
-    svg.text({kMargin, 46.0}, "cracks at " + text("%.3f s", time) + ", seen from outside", 13.0);
     draw_elements(svg, fallen);
     const double ground = kHead + high;
     svg.line({left_ - 12.0, ground}, {left_ + wide + 12.0, ground}, "#222", 1.6);
-    draw_cracks(svg, run, joints);
+    const double widest = draw_cracks(svg, run, joints);
+    svg.text({kMargin, 46.0}, "cracks at " + text("%.3f s", time) + ", seen from outside" + widths(joints, widest), 13.0);
     draw_legend(svg, ground + 30.0);
     draw_scale_bar(svg, {left_ + wide, ground + 74.0});
     return std::move(svg).finish();
@@ -88,10 +87,19 @@ class Map {
     }
   }
 
-  void draw_cracks(Svg& svg, const Hdf5File& run, const std::vector<JointWidth>& joints) {
+  /// "; widest 17 mm": that of the table (wall_figures), and that on this face if it is another. \param drawn  widest on this face, m
+  [[nodiscard]] std::string widths(const std::vector<JointWidth>& joints, double drawn) const {
+    const CrackFigures f = wall_figures(joints, number_);
+    if (f.joints == 0) return "";
+    const std::string here = drawn > 0.0 ? text("; on this face %.2f mm", 1e3 * drawn) : "; none of them on this face";
+    return text("; widest %.2f mm", 1e3 * f.largest) + (drawn < f.largest ? here : "");
+  }
+
+  /// \return the largest width of a crack on the outer face, m; 0: there is none
+  double draw_cracks(Svg& svg, const Hdf5File& run, const std::vector<JointWidth>& joints) {
     std::vector<JointWidth> here;
     for (const JointWidth& j : joints)
-      if ((j.wall[0] == number_ || j.wall[1] == number_) && class_of(j.width) != nullptr) here.push_back(j);
+      if (j.kind != OpeningKind::seat && j.is_of(number_) && class_of(j.width) != nullptr) here.push_back(j);
     std::ranges::stable_sort(here, {}, &JointWidth::width);  // the widest on top
     std::vector<std::size_t> rows;
     for (const JointWidth& j : here) rows.push_back(j.joint);
@@ -106,9 +114,10 @@ class Map {
         length_[static_cast<std::size_t>(&c - kCrackClasses.data())] += norm(e.to - e.from);
         any = true;
       }
-      if (any && here[i].width >= CrackFigures::kHair && here[i].width <= kWidestNumber) drawn.push_back(here[i]);
+      if (any && is_crack_of(here[i], number_)) drawn.push_back(here[i]);
     }
     write_widths(svg, drawn);
+    return drawn.empty() ? 0.0 : drawn.back().width;
   }
 
   /// The widest cracks that are not beside one another.
@@ -131,8 +140,9 @@ class Map {
       svg.text({x + 30.0, top + 15.0}, text("%.1f m", length_[k]), 11.0, "start", "#666");
       x += 122.0;
     }
-    svg.text({kMargin, top + 44.0}, "width: opening and sliding together; numbers in mm; lengths as drawn; grey: fallen", 11.0, "start",
-             "#444");
+    svg.text({kMargin, top + 44.0},
+             "width: opening and sliding together; numbers in mm; lengths as drawn; grey: fallen; slip of timber is left out", 11.0,
+             "start", "#444");
   }
 
   void draw_scale_bar(Svg& svg, Point2 end) const {

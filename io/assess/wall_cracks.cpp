@@ -100,7 +100,9 @@ std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& buildi
     const auto ea = static_cast<std::size_t>(j.a), eb = static_cast<std::size_t>(std::max(j.b, 0));
     const Vec3 n{normal[3 * j.row], normal[3 * j.row + 1], normal[3 * j.row + 2]}, apart = j.apart(poses);
     const Vec3 across = j.b < 0 ? n : normalised(poses[ea].rotation * n + poses[eb].rotation * n);  // the mean, as in THEORY.md (7)
-    JointWidth w{j.row, dot(apart, across), 0, norm(apart), area[j.row], j.centre, {building.wall[ea], -1}};
+    JointWidth w{j.row, dot(apart, across), 0, norm(apart), area[j.row], j.centre, {building.wall[ea], -1}, OpeningKind::crack};
+    if (w.width > JointWidth::kWidestCrack) w.kind = OpeningKind::parted;
+    if (building.is_seat(j.a, j.b)) w.kind = OpeningKind::seat;
     w.sliding = norm(apart - w.opening * across);
     if (j.b >= 0 && building.wall[eb] != w.wall[0]) w.wall[1] = building.wall[eb];
     out.push_back(w);
@@ -145,20 +147,38 @@ void CrackFigures::add(const JointWidth& j) {
 
 void CrackFigures::finish() { mean = area_ > 0 ? sum_ / area_ : 0.0; }
 
+bool is_crack_of(const JointWidth& joint, std::int32_t wall) {
+  return joint.kind == OpeningKind::crack && joint.is_of(wall) && joint.width >= CrackFigures::kHair;
+}
+
 CrackFigures wall_figures(const std::vector<JointWidth>& joints, std::int32_t wall) {
   CrackFigures f;
   for (const JointWidth& j : joints)
-    if (wall >= 0 && (j.wall[0] == wall || j.wall[1] == wall)) f.add(j);
+    if (is_crack_of(j, wall)) f.add(j);
   f.finish();
   return f;
+}
+
+CrackFigures seat_figures(const std::vector<JointWidth>& joints, std::int32_t wall) {
+  CrackFigures f;
+  for (const JointWidth& j : joints)
+    if (j.kind == OpeningKind::seat && j.is_of(wall)) f.add(j);
+  f.finish();
+  return f;
+}
+
+std::size_t parted_joints(const std::vector<JointWidth>& joints, std::int32_t wall) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(joints, [&](const JointWidth& j) { return j.kind == OpeningKind::parted && j.is_of(wall); }));
 }
 
 CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Building& building, const OpeningCorner& corner) {
   const Wall& w = building.walls[static_cast<std::size_t>(corner.wall)];
   CrackFigures f;
   for (const JointWidth& j : joints) {
-    const bool of_wall = j.wall[0] == corner.wall || j.wall[1] == corner.wall;
-    if (of_wall && std::hypot(component(j.centre, 1 - w.across) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear) f.add(j);
+    if (is_crack_of(j, corner.wall) &&
+        std::hypot(component(j.centre, 1 - w.across) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear)
+      f.add(j);
   }
   f.finish();
   return f;

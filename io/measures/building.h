@@ -73,6 +73,17 @@ struct Building {
   [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
     return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
   }
+  /// Timber that lies on walls, in their pockets or beside them: a rafter, a beam of a roof or floor, a ring beam, a column. A lintel is of
+  /// its wall.
+  [[nodiscard]] bool is_timber(std::size_t element) const noexcept {
+    using enum cases::PartKind;
+    return kind[element] == beam || kind[element] == floor_beam || kind[element] == ring_beam || kind[element] == column;
+  }
+  /// Whether timber meets a wall, the base or other timber between these elements: what opens there is its slip, and no crack of a wall.
+  /// \param b  -1: the base
+  [[nodiscard]] bool is_seat(std::int32_t a, std::int32_t b) const noexcept {
+    return is_timber(static_cast<std::size_t>(a)) || (b >= 0 && is_timber(static_cast<std::size_t>(b)));
+  }
 };
 
 /// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam", "front wall, storey 1" of itself.

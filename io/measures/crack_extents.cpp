@@ -11,6 +11,7 @@ namespace voussoir::io {
 Cracks::Cracks(const Hdf5File& run, const Building& building, const std::vector<Pose>& start) {
   const auto area = run.read<double>("/model/joint/area");
   for (const OpenJoint& j : open_joints(run, start)) {
+    if (building.is_seat(j.a, j.b)) continue;
     const std::int32_t wall_a = building.wall[static_cast<std::size_t>(j.a)];
     const std::int32_t other = j.b < 0 ? -1 : building.wall[static_cast<std::size_t>(j.b)], wall_b = other == wall_a ? -1 : other;
     if (wall_a >= 0 || wall_b >= 0) joints_.push_back({j, area[j.row], wall_a, wall_b});

@@ -20,7 +20,7 @@ struct CrackExtent {
 };
 
 /// How far cracks go in each wall. A crack's width is the distance, in opening and sliding together, of the two points that met in the
-/// middle of a joint. A joint between two walls counts for both.
+/// middle of a joint. A joint between two walls counts for both; one with timber that lies on a wall (Building::is_seat) counts for none.
 class Cracks {
  public:
   static constexpr double kFineCrack = 1e-3, kLargeCrack = 5e-3;  // m

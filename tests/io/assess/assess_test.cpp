@@ -11,6 +11,7 @@
 #include "io/assess/crack_map.h"
 #include "io/assess/floor_spectra.h"
 #include "io/case_file/case_file.h"
+#include "io/measures/measures.h"
 #include "io/results/case_of_run.h"
 #include "tests/cases/paper_house.h"
 #include "tests/io/results_fixture.h"
@@ -41,17 +42,17 @@ cases::Case wall_with_window() {
   return c;
 }
 
-/// A run whose every frame moves what lies above the bed joint as a whole.
+/// A run whose every frame moves what lies above the bed joint, at this height [m], as a whole.
 class Shifted {
  public:
-  explicit Shifted(const cases::Case& c) : case_(c), model_(cases::build_model(c)) {
+  explicit Shifted(const cases::Case& c, double bed = kBed) : case_(c), model_(cases::build_model(c)), bed_(bed) {
     ResultsOptions options = by_hand();
     for (const cases::Cut& cut : c.output.cuts) options.cuts.push_back(cut.name);
     const std::vector<std::string> names{"top"};
     results_.emplace(folder_.path(), model_, resolved_toml(c), names, Provenance{}, options);
   }
   [[nodiscard]] bool above(std::int32_t e) const {
-    return e >= 0 && model_.assembly.elements[static_cast<std::size_t>(e)].mass.centroid.z > kBed;
+    return e >= 0 && model_.assembly.elements[static_cast<std::size_t>(e)].mass.centroid.z > bed_;
   }
   [[nodiscard]] const cases::Model& model() const { return model_; }
   ResultsWriter& results() { return *results_; }
@@ -87,6 +88,7 @@ class Shifted {
  private:
   cases::Case case_;
   cases::Model model_;
+  double bed_;  // m
   TempFolder folder_;
   std::optional<ResultsWriter> results_;
 };
@@ -166,6 +168,59 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   CHECK(map.find("cracks at 1.000 s, seen from outside") != std::string::npos);
   CHECK(map.find(">1 m<") != std::string::npos);
   CHECK(count(map, std::string("stroke=\"") + kCrackClasses[5].colour) == 1);
+}
+
+TEST_CASE("assess: the slip of beams on a wall is no crack of the wall, in table, map and measures") {
+  cases::Case c = testing::paper_flat20();
+  c.output.history.resize(1), c.output.history[0].name = "top";
+  Shifted run(c, 2.4);  // m: the walls' top
+  run.frame(0.0, {});
+  CHECK(run.crack_bed(0.5).size() > 20);
+  run.frame(1.0, {0.0, 0.154, 0.0});
+  const Hdf5File file = run.done();
+  const Assessment a = assessed(file, {}, {});
+  REQUIRE(a.walls.size() == 4);
+  std::size_t seats = 0;
+  for (std::size_t w = 0; w < 4; ++w) {
+    INFO(a.walls[w].name);
+    CHECK(a.walls[w].cracks.joints == 0);
+    CHECK(a.walls[w].cracks.largest == 0.0);
+    CHECK(a.walls[w].parted == 0);
+    seats += a.walls[w].seats.joints;
+    if (a.walls[w].seats.joints > 0) CHECK(a.walls[w].seats.largest == doctest::Approx(0.154).epsilon(1e-4));
+    const std::string map = crack_map(file, "house", building_of(file), static_cast<std::int32_t>(w), a.time, a.joints, a.fallen);
+    CHECK(map.find("widest") == std::string::npos);
+    CHECK(count(map, std::string("stroke=\"") + kCrackClasses[5].colour) == 1);  // the legend's
+  }
+  CHECK(seats > 20);
+  const std::string words = assessment_text(a, {}, {});
+  CHECK(count(words, "slip of timber on walls [mm]") == 1);
+  CHECK(nlohmann::json::parse(assessment_json(a, {}, {}))["walls"][0]["cracks"]["joints"] == 0);
+  const Measures m = measure(file);
+  CHECK(m.damage_grade == 0);
+  for (const WallMeasures& w : m.walls) {
+    CHECK(w.crack_extent == 0.0);
+    CHECK(w.opened_extent == 0.0);
+  }
+}
+
+TEST_CASE("assess: what has parted by more than a crack's width is told apart; table and map name one width") {
+  Shifted run(wall_with_window());
+  run.frame(0.0, {});
+  const std::size_t bed = run.crack_bed(0.5).size();
+  run.frame(1.0, {0.017, 0.0, 0.0});
+  run.frame(2.0, {0.25, 0.0, 0.0});
+  const Hdf5File file = run.done();
+  const Assessment cracked = assessed(file, 1.0, {}), parted = assessed(file, 2.0, {});
+  CHECK(cracked.walls[0].parted == 0);
+  CHECK(parted.walls[0].parted == bed);
+  CHECK(parted.walls[0].cracks.joints == 0);
+  CHECK(parted.walls[0].cracks.largest == 0.0);
+  const auto map = [&](const Assessment& a) { return crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen); };
+  CHECK(map(cracked).find("; widest 17.00 mm<") != std::string::npos);
+  CHECK(assessment_text(cracked, {}, {}).find(" 17.00 ") != std::string::npos);
+  CHECK(map(parted).find("widest") == std::string::npos);
+  CHECK(assessment_text(parted, {}, {}).find("have parted by more than 200 mm") != std::string::npos);
 }
 
 TEST_CASE("assess: out of plane over the thickness, storey drift, what has fallen does not count") {
