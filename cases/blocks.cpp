@@ -47,14 +47,17 @@ Polyhedron shape_as_given(const BlockSpec& spec, const std::string& key) {
   return geometry::make_prism(spec.polygon, (*spec.extrude)[0], (*spec.extrude)[1]);
 }
 
+Polyhedron turned(const Polyhedron& shape, const Rotation& r) {
+  return geometry::rotated(shape, r.axis, r.angle * std::numbers::pi / 180.0, r.about);
+}
+
 Polyhedron shape_of(const BlockSpec& spec, const std::string& key) {
   try {
     Polyhedron shape = shape_as_given(spec, key);
     geometry::validate(shape);
     if (!spec.rotate) return shape;
     if (norm(spec.rotate->axis) == 0.0) throw InputError(key + ".rotate.axis", "has no direction; give a vector other than [0, 0, 0]");
-    const double angle = spec.rotate->angle * std::numbers::pi / 180.0;
-    return geometry::rotated(shape, spec.rotate->axis, angle, spec.rotate->about);
+    return spec.halves ? shape : turned(shape, *spec.rotate);  // halves are cut before they are turned
   } catch (const geometry::ModelError& e) {
     throw InputError(key, e.what());
   }
@@ -85,14 +88,31 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   }
 }
 
-/// What is made of two elements is a box that stands straight, free, and without a spin.
+/// What is made of two elements is a box, and free: what is fixed cannot crack.
 void check_halves(const BlockSpec& spec, const std::string& key) {
-  const char* against = !spec.box                         ? "vertices or a polygon"
-                        : spec.rotate                     ? "[block.rotate]"
-                        : spec.fixed                      ? "fixed = true"
-                        : spec.angular_velocity == Vec3{} ? nullptr
-                                                          : "an angular velocity";
+  const char* against = !spec.box ? "vertices or a polygon" : spec.fixed ? "fixed = true" : nullptr;
   if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
+}
+
+/// m, of a box, turned or not.
+Vec3 centre_of(const Polyhedron& box) {
+  Vec3 sum;
+  for (const Vec3 v : box.vertices) sum += v;
+  return sum / static_cast<double>(box.vertices.size());
+}
+
+/// The two halves of a block that was cut as it lay before `rotate`: turned, and moving as parts of one body.
+std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
+  std::array<Block, 2> halves = in_halves(whole, whole.given);
+  if (spec.rotate) {
+    for (Block& half : halves) half.shape = turned(half.shape, *spec.rotate);
+  }
+  const Vec3 to_second = 0.5 * (centre_of(halves[1].shape) - centre_of(halves[0].shape));
+  if (!(spec.angular_velocity == Vec3{})) {
+    halves[0].velocity += cross(spec.angular_velocity, -to_second);
+    halves[1].velocity += cross(spec.angular_velocity, to_second);
+  }
+  return halves;
 }
 
 }  // namespace
@@ -141,7 +161,7 @@ void add_free_blocks(const Case& c, Model& model) {
       continue;
     }
     check_halves(spec, key);
-    for (Block& half : in_halves(block, block.given)) {
+    for (Block& half : moving_halves(spec, block)) {
       if (const auto [at, added] = first.emplace(half.name, i); !added) {
         throw InputError(key + ".name", quoted(half.name) + ", its half, is already the name of " + indexed_key("block", at->second, ""));
       }

@@ -15,6 +15,7 @@
 #include "cases/house/house_pitched.h"
 #include "cases/house/house_ties.h"
 #include "cases/names.h"
+#include "cases/solids/outside.h"
 #include "geometry/polygon.h"
 
 namespace voussoir::cases {
@@ -33,17 +34,6 @@ struct End {
   Vec3 point;
   Vec3 inwards;  // unit, to the other end
 };
-
-/// m, from the point to the element: of the face that it is farthest outside of, below 0 inside.
-double distance_outside(const geometry::Assembly& a, std::size_t element, Vec3 point) {
-  double most = -kNever;
-  const geometry::Element& e = a.elements[element];
-  for (std::int32_t f = 0; f < e.face_count; ++f) {
-    const geometry::Face& face = a.faces[static_cast<std::size_t>(e.first_face + f)];
-    most = std::max(most, dot(face.normal, point) - face.offset);
-  }
-  return most;
-}
 
 [[noreturn]] void refuse_point(const Case& c, const Model& model, const End& end) {
   double least = kNever;

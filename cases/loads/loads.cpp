@@ -5,22 +5,56 @@
 #include <algorithm>
 
 #include "cases/names.h"
+#include "cases/solids/outside.h"
 #include "cases/solids/stone_blocks.h"
 
 namespace voussoir::cases {
+namespace {
+
+constexpr double kSamePlace = 1e-9;  // m: a point between two parts is on the first
+
+/// The block of this name, or the one in halves of which one has it.
+const BlockSpec* block_named(const Case& c, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      c.blocks, [&](const BlockSpec& b) { return b.name == name || (b.halves && (b.name + "/1" == name || b.name + "/2" == name)); });
+  return found == c.blocks.end() ? nullptr : &*found;
+}
+
+/// The part that holds the point, or is nearest to it.
+std::int32_t part_at(const Model& model, const std::vector<std::int32_t>& parts, Vec3 point) {
+  const auto outside = [&](std::int32_t e) { return std::max(0.0, distance_outside(model.assembly, static_cast<std::size_t>(e), point)); };
+  std::int32_t best = parts.front();
+  for (const std::int32_t e : parts)
+    if (outside(e) < outside(best) - kSamePlace) best = e;
+  return best;
+}
+
+/// A load on a whole that is in parts: its force and moment in all are as given.
+void share_out(const Model& model, const Load& load, const std::vector<std::int32_t>& parts, std::vector<LoadShare>& out) {
+  const auto mass = [&](std::int32_t e) -> const geometry::MassProperties& {
+    return model.assembly.elements[static_cast<std::size_t>(e)].mass;
+  };
+  if (load.at || parts.size() == 1) {
+    const std::int32_t e = load.at ? part_at(model, parts, *load.at) : parts.front();
+    out.push_back({e, 1.0, load.at.value_or(mass(e).centroid)});
+    return;
+  }
+  double volume = 0.0;
+  for (const std::int32_t e : parts) volume += mass(e).volume;
+  for (const std::int32_t e : parts) out.push_back({e, mass(e).volume / volume, mass(e).centroid});
+}
+
+}  // namespace
 
 void check_loads(const Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const Load& load = c.loads[i];
-    const auto named = std::find_if(c.blocks.begin(), c.blocks.end(), [&](const BlockSpec& b) { return b.name == load.block; });
-    if (named == c.blocks.end() && !is_stone_or_group(c, load.block)) {
+    const BlockSpec* named = block_named(c, load.block);
+    if (named == nullptr && !is_stone_or_group(c, load.block)) {
       throw InputError(indexed_key("load", i, "block"),
                        "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
     }
-    if (named != c.blocks.end() && named->halves) {
-      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is in halves; allowed: a block in one piece");
-    }
-    if (named != c.blocks.end() && named->fixed) {
+    if (named != nullptr && named->fixed) {
       throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
     }
     if (!(load.ramp[0] <= load.ramp[1])) {
@@ -30,13 +64,17 @@ void check_loads(const Case& c) {
   }
 }
 
-std::vector<std::int32_t> loaded_elements(const Model& model, const Load& load, std::size_t index) {
-  std::vector<std::int32_t> elements = elements_named(model, load.block);
+std::vector<LoadShare> load_shares(const Model& model, const Load& load, std::size_t index) {
+  std::vector<std::vector<std::int32_t>> wholes = parts_named(model, load.block);
   const std::string key = indexed_key("load", index, "block");
-  if (elements.empty()) throw InputError(key, "= " + quoted(load.block) + " is the name of no block");
-  std::erase_if(elements, [&](std::int32_t e) { return model.blocks[static_cast<std::size_t>(e)].fixed; });
-  if (elements.empty()) throw InputError(key, quoted(load.block) + " is fixed, a load cannot move it");
-  return elements;
+  if (wholes.empty()) throw InputError(key, "= " + quoted(load.block) + " is the name of no block");
+  std::vector<LoadShare> shares;
+  for (std::vector<std::int32_t>& parts : wholes) {
+    std::erase_if(parts, [&](std::int32_t e) { return model.blocks[static_cast<std::size_t>(e)].fixed; });
+    if (!parts.empty()) share_out(model, load, parts, shares);
+  }
+  if (shares.empty()) throw InputError(key, quoted(load.block) + " is fixed, a load cannot move it");
+  return shares;
 }
 
 }  // namespace voussoir::cases

@@ -49,22 +49,6 @@ void add_stone(const Stone& stone, const Block& like, const std::string& part, M
   }
 }
 
-/// The element of a stone in pieces that is nearest to the stone's centroid.
-std::int32_t middle_piece(const Model& model, std::int32_t stone) {
-  Vec3 centre;
-  double volume = 0.0;
-  std::vector<std::int32_t> pieces;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    if (model.blocks[i].stone != stone) continue;
-    const geometry::MassProperties& m = model.assembly.elements[i].mass;
-    centre += m.volume * m.centroid, volume += m.volume;
-    pieces.push_back(static_cast<std::int32_t>(i));
-  }
-  centre = centre / volume;
-  const auto off = [&](std::int32_t e) { return norm(model.assembly.elements[static_cast<std::size_t>(e)].mass.centroid - centre); };
-  return *std::min_element(pieces.begin(), pieces.end(), [&](auto a, auto b) { return off(a) < off(b); });
-}
-
 }  // namespace
 
 double metres_in(const std::string& unit) noexcept {
@@ -118,18 +102,25 @@ bool is_stone_or_group(const Case& c, const std::string& name) {
   return false;
 }
 
-std::vector<std::int32_t> elements_named(const Model& model, const std::string& name) {
+std::vector<std::vector<std::int32_t>> parts_named(const Model& model, const std::string& name) {
+  std::vector<std::int32_t> block;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    if (model.blocks[i].house < 0 && model.blocks[i].name == name) return {static_cast<std::int32_t>(i)};
+    const Block& b = model.blocks[i];
+    if (b.house >= 0) continue;
+    if (b.name == name) return {{static_cast<std::int32_t>(i)}};
+    if (b.given >= 0 && b.unit >= 0 && (b.name == name + "/1" || b.name == name + "/2")) block.push_back(static_cast<std::int32_t>(i));
   }
-  std::vector<std::int32_t> found;
+  if (!block.empty()) return {block};
+  std::vector<std::vector<std::int32_t>> found;
   std::int32_t last = -1;
-  for (const Block& b : model.blocks) {
-    if (b.stone < 0 || b.stone == last) continue;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& b = model.blocks[i];
+    if (b.stone < 0) continue;
     const bool in_group = std::find(b.groups.begin(), b.groups.end(), name) != b.groups.end();
     if ((b.part_of.empty() ? b.name : b.part_of) != name && !in_group) continue;
+    if (b.stone != last) found.emplace_back();
     last = b.stone;
-    found.push_back(middle_piece(model, b.stone));
+    found.back().push_back(static_cast<std::int32_t>(i));
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "cases/loads/gravity.h"
@@ -32,10 +33,10 @@ class Forces {
     if (load.history)
       throw cases::InputError(cases::indexed_key("load", index, "history"),
                               "does not go with limit analysis, which knows no time; allowed: force");
-    for (const std::int32_t e : cases::loaded_elements(model_, load, index)) {
-      const std::int32_t body = contacts_.body_of[at(e)];
-      act(body, load.at.value_or(model_.assembly.elements[at(e)].mass.centroid), load.force, on);
-      on.moment[at(body)] += load.moment;
+    for (const cases::LoadShare& share : cases::load_shares(model_, load, index)) {
+      const std::int32_t body = contacts_.body_of[at(share.element)];
+      act(body, share.point, share.part * load.force, on);
+      on.moment[at(body)] += share.part * load.moment;
     }
   }
   void add_weights(const LiveLoad& live, double gravity, BodyForces& on) const {
@@ -46,23 +47,27 @@ class Forces {
       if (loaded[b]) on.force[b] += (contacts_.bodies[b].mass * gravity) * live.direction;
   }
   void add_force(const LiveLoad& live, BodyForces& on) const {
-    const Vec3 force = live.force * live.direction;
-    for (const std::string& name : live.on)
-      for (const std::int32_t e : named(name))
-        act(contacts_.body_of[at(e)], live.at.value_or(model_.assembly.elements[at(e)].mass.centroid), force, on);
+    cases::Load load;
+    load.force = live.force * live.direction, load.at = live.at;
+    for (const std::string& name : live.on) {
+      load.block = name;
+      if (!named(name).empty()) add(load, 0, on);
+    }
     if (!live.on.empty() || !live.at) return;
     const LoadedPlace place = place_of_load(model_, *live.at, live.direction);
     const std::int32_t body = place.element < 0 ? -1 : contacts_.body_of[at(place.element)];
     if (body < 0) throw cases::InputError("--at", "no block that can move lies there, or behind it along the force");
-    act(body, place.at, force, on);
+    act(body, place.at, load.force, on);
   }
 
  private:
   /// The elements of this name that can move.
   [[nodiscard]] std::vector<std::int32_t> named(const std::string& name) const {
-    std::vector<std::int32_t> elements = cases::elements_named(model_, name);
-    if (elements.empty()) throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group");
-    std::erase_if(elements, [&](std::int32_t e) { return contacts_.body_of[at(e)] < 0; });
+    const std::vector<std::vector<std::int32_t>> wholes = cases::parts_named(model_, name);
+    if (wholes.empty()) throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group");
+    std::vector<std::int32_t> elements;
+    for (const std::vector<std::int32_t>& parts : wholes)
+      std::ranges::copy_if(parts, std::back_inserter(elements), [&](std::int32_t e) { return contacts_.body_of[at(e)] >= 0; });
     if (elements.empty()) throw cases::InputError("--on", cases::quoted(name) + " is fixed, a load cannot move it");
     return elements;
   }

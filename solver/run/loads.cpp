@@ -34,7 +34,7 @@ double power(const World& w, std::int32_t element, Vec3 force, Vec3 moment) {
 void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, double t, double factor, bool first) {
   for (std::size_t k = 0; k < w.loads.size(); ++k) {
     const PointLoad& l = w.loads[k];
-    const Vec3 whole = l.history != nullptr ? value_at(*l.history, t) : l.force;
+    const Vec3 whole = l.history != nullptr ? l.part * value_at(*l.history, t) : l.force;
     const Wrench now = wrench_of(w, l, whole, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
     kernels::add_wrench(w.elements.wrench.data(), l.element, now.force, now.moment);
     if (!first) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));

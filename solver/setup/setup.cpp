@@ -85,11 +85,12 @@ void set_up_patches(World& w) {
 void set_up_loads(World& w, const cases::Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
-    for (const std::int32_t e : cases::loaded_elements(w.model, l, i)) {
-      PointLoad p{e, l.force, l.moment, {}, l.ramp[0], l.ramp[1], nullptr, l.follows, l.grows};
+    for (const cases::LoadShare& s : cases::load_shares(w.model, l, i)) {
+      const Vec3 centre = w.model.assembly.elements[static_cast<std::size_t>(s.element)].mass.centroid;
+      PointLoad p{s.element, s.part * l.force, s.part * l.moment, s.point - centre, l.ramp[0],
+                  l.ramp[1], nullptr,          l.follows,         l.grows,          s.part};
       if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
         p.history = &w.model.support_motions[static_cast<std::size_t>(h)];
-      if (l.at) p.arm = *l.at - w.model.assembly.elements[static_cast<std::size_t>(e)].mass.centroid;
       w.loads.push_back(p);
     }
   }

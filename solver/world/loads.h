@@ -17,6 +17,7 @@ struct PointLoad {
   const cases::SupportHistory* history = nullptr;  // of the force, in place of the ramp
   bool follows = false;                            // force and moment turn with the element
   bool grows = false;                              // multiplied by the load factor (run/load_program.h)
+  double part = 1.0;                               // that this element bears of the history's force
 };
 struct Support {
   std::int32_t element = 0;

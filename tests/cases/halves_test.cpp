@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <utility>
 
+#include "cases/loads/loads.h"
 #include "tests/cases/paper_house.h"
 #include "tests/cases/refused.h"
 
@@ -51,7 +53,7 @@ TEST_CASE("a block in halves is two elements, and the law between them is that o
   for (std::size_t i = 0; i < 4; ++i) CHECK(m.assembly.elements[i].mass.volume == doctest::Approx(0.001).epsilon(1e-12));
   CHECK(m.assembly.elements[1].mass.centroid.x == doctest::Approx(0.15).epsilon(1e-12));
   const auto areas = areas_by_law(m);
-  CHECK(areas.at("own") == doctest::Approx(2 * 0.01).epsilon(1e-12));             // two cuts
+  CHECK(areas.at("own") == doctest::Approx(2 * 0.01).epsilon(1e-12));               // two cuts
   CHECK(areas.at("mortar") == doctest::Approx(0.01 + 0.04 + 0.02).epsilon(1e-12));  // head joint, base, bed
 }
 
@@ -63,14 +65,62 @@ TEST_CASE("blocks in halves are refused where two elements cannot stand for one"
   refused([](Case& x) { x.materials["brick"].inside.reset(); }, "materials.brick.inside", "is missing");
   refused([](Case& x) { x.materials["brick"].inside = "glue"; }, "materials.brick.inside", "glue");
   refused([](Case& x) { x.blocks[0].fixed = true; }, "block[0].halves", "fixed");
-  refused([](Case& x) { x.blocks[1].angular_velocity = {0, 0, 1}; }, "block[1].halves", "angular velocity");
-  refused([](Case& x) { x.blocks[1].rotate = Rotation{{0, 0, 1}, 10.0, {}}; }, "block[1].halves", "rotate");
   refused([](Case& x) { x.blocks[2].name = "a/2"; }, "block[2].name", "already the name of block[0]");
   refused([](Case& x) { x.blocks[2].name = "b", x.blocks[1].name = "b/1", x.blocks[1].halves = false, x.blocks[2].halves = true; },
           "block[2].name", "already the name of block[1]");
-  refused([](Case& x) { x.loads.emplace_back().block = "a"; }, "load[0].block", "is in halves");
+  refused([](Case& x) { x.loads.emplace_back().block = "a/3"; }, "load[0].block", "there is no [[block]] named \"a/3\"");
+  refused([](Case& x) { x.loads.emplace_back().block = "c/1"; }, "load[0].block", "there is no [[block]] named \"c/1\"");
   // The key of a block behind blocks in halves.
   refused([](Case& x) { (*x.blocks[2].box)[0].z = 0.05; }, "block[2]", "overlaps");
+}
+
+TEST_CASE("a load on a block in halves acts on the whole: force and moment in all are as given") {
+  const Case c = two_courses();
+  const Model m = build_model(c);
+  Load load;
+  load.block = "b", load.force = {10.0, -20.0, 30.0}, load.moment = {1.0, 2.0, 3.0};
+  const auto resultant = [&](const std::vector<LoadShare>& shares) {
+    Vec3 force, moment;  // about the origin
+    for (const LoadShare& s : shares) {
+      force += s.part * load.force;
+      moment += s.part * load.moment + cross(s.point, s.part * load.force);
+    }
+    return std::pair{force, moment};
+  };
+  const auto is = [](Vec3 a, Vec3 b) { return norm(a - b) < 1e-12; };
+  const auto middle = load_shares(m, load, 0);
+  REQUIRE(middle.size() == 2);
+  CHECK(is(resultant(middle).first, load.force));
+  CHECK(is(resultant(middle).second, load.moment + cross(Vec3{0.3, 0.05, 0.05}, load.force)));
+  load.at = Vec3{0.36, 0.02, 0.1};
+  const auto at = load_shares(m, load, 0);
+  REQUIRE(at.size() == 1);
+  CHECK(m.blocks[static_cast<std::size_t>(at[0].element)].name == "b/2");
+  CHECK(is(resultant(at).second, load.moment + cross(*load.at, load.force)));
+  load.at->x = 0.3;  // between the two
+  CHECK(m.blocks[static_cast<std::size_t>(load_shares(m, load, 0).at(0).element)].name == "b/1");
+  load.block = "b/2", load.at.reset();
+  const auto half = load_shares(m, load, 0);
+  REQUIRE(half.size() == 1);
+  CHECK(half[0].part == 1.0);
+  CHECK(is(half[0].point, {0.35, 0.05, 0.05}));
+}
+
+TEST_CASE("a block in halves may be turned, and may move and spin: its halves move as one body") {
+  Case c = two_courses();
+  c.blocks.erase(c.blocks.begin() + 1, c.blocks.end());
+  c.blocks[0].free = true;
+  c.blocks[0].rotate = Rotation{{0, 0, 1}, 90.0, {0.1, 0.05, 0.05}};
+  c.blocks[0].velocity = {1.0, 0.0, 0.0}, c.blocks[0].angular_velocity = {0.0, 0.0, 2.0};
+  const Model m = build_model(c);
+  REQUIRE(m.blocks.size() == 2);
+  CHECK(norm(m.assembly.elements[0].mass.centroid - Vec3{0.1, 0.0, 0.05}) < 1e-12);
+  CHECK(norm(m.assembly.elements[1].mass.centroid - Vec3{0.1, 0.1, 0.05}) < 1e-12);
+  CHECK(norm(m.blocks[0].velocity - Vec3{1.1, 0.0, 0.0}) < 1e-12);
+  CHECK(norm(m.blocks[1].velocity - Vec3{0.9, 0.0, 0.0}) < 1e-12);
+  CHECK(m.blocks[1].angular_velocity == Vec3{0.0, 0.0, 2.0});
+  const auto areas = areas_by_law(m);
+  CHECK(areas.at("own") == doctest::Approx(0.01).epsilon(1e-9));
 }
 
 TEST_CASE("the whole bricks of a house are cut, its timber and cut bricks are not") {

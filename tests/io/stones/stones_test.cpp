@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "cases/loads/loads.h"
+#include "cases/solids/stone_blocks.h"
 #include "geometry/separation.h"
 #include "io/results/checkpoint_stones.h"
 #include "tests/io/stones/written_files.h"
@@ -283,11 +285,21 @@ TEST_CASE("a load acts on a stone, on each stone of a group, on a stone in piece
   std::string text = obj({l, {"cube", box({2, 0, 0}, {3, 1, 1})}});
   text.insert(text.find("f "), "g all\n");
   const Model m = model_of(load(folder.write("a.obj", text), "name = \"x\"", kBase));
-  CHECK(voussoir::cases::elements_named(m, "x/cube") == std::vector<std::int32_t>{2});
-  CHECK(voussoir::cases::elements_named(m, "x/L").size() == 1);
-  CHECK(voussoir::cases::elements_named(m, "x/L/2") == std::vector<std::int32_t>{1});
-  CHECK(voussoir::cases::elements_named(m, "x/all").size() == 2);
-  CHECK(voussoir::cases::elements_named(m, "all").empty());
+  using Parts = std::vector<std::vector<std::int32_t>>;
+  CHECK(voussoir::cases::parts_named(m, "x/cube") == Parts{{2}});
+  CHECK(voussoir::cases::parts_named(m, "x/L") == Parts{{0, 1}});
+  CHECK(voussoir::cases::parts_named(m, "x/L/2") == Parts{{1}});
+  CHECK(voussoir::cases::parts_named(m, "x/all") == Parts{{0, 1}, {2}});
+  CHECK(voussoir::cases::parts_named(m, "all").empty());
+  // The force goes through the centroid of the whole L: pieces of 1 x 0.4 and 0.4 x 0.6 m.
+  voussoir::cases::Load load;
+  load.block = "x/L";
+  Vec3 point;
+  double parts = 0.0;
+  for (const auto& s : voussoir::cases::load_shares(m, load, 0)) parts += s.part, point += s.part * s.point;
+  CHECK(parts == doctest::Approx(1.0).epsilon(1e-12));
+  CHECK(point.x == doctest::Approx((0.4 * 0.5 + 0.24 * 0.2) / 0.64).epsilon(1e-9));
+  CHECK(point.y == doctest::Approx((0.4 * 0.2 + 0.24 * 0.7) / 0.64).epsilon(1e-9));
 }
 
 TEST_CASE("stones in a checkpoint come back as they were; what does not fit is not taken") {
