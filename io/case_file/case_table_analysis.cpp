@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/case_file/case_tables.h"
+#include "io/case_file/usual_ranges.h"
 
 namespace voussoir::io {
 namespace {
@@ -68,9 +69,9 @@ Table<Analysis> analysis_table() {
            "share", &S::share, "", above(0.0),
            "stiffness of the loading spring over the initial one of the structure: displacement control begins where the tangent of the "
            "structure falls below that of the spring; none: 0.5, cyclic: 5"),
-       value<S>("pace", &S::pace, "s", above(0.0),
+       value<S>("pace", &S::pace, "s", above(0.0).usually(usual::kDuration),
                 "time in which the displacement grows e-fold; none: 20 first periods, 2 s at least. Twice the pace is half the rate"),
-       value<S>("damping", &S::damping, "1/s", at_least(0.0),
+       value<S>("damping", &S::damping, "1/s", at_least(0.0).usually(usual::kDecay),
                 "mass damping, of rotations too; none: a tenth of critical at the first frequency, less where it would bear 0.2 % of the "
                 "weight"),
        value<S>("longest", &S::longest, "s", within(0.0, kLongestRun),
@@ -78,7 +79,8 @@ Table<Analysis> analysis_table() {
        value<S>("largest_factor", &S::largest_factor, "", above(0.0), "the run ends when the load factor (tangent of the tilt) gets there"),
        value<S>("largest_drift", &S::largest_drift, "", above(0.0),
                 "the run ends when the control point has moved by this share of its height in `direction`"),
-       value<S>("amplitudes", &S::amplitudes, "m", any(), "cyclic: of the displacement of the loads that grow, one after another"),
+       value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
+                "cyclic: of the displacement of the loads that grow, one after another"),
        value<S>("cycles", &S::cycles, "", within(1.0, 1000.0), "cyclic: at each amplitude"),
        value<S>("level", &S::level, "", any(), "cyclic: blocks with a load that grows do not turn (the top is held level)")},
       check_own_keys};
@@ -114,8 +116,10 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   if (by_weight && norm(c.gravity.acceleration) == 0.0)
     check.fault("analysis.kind", "needs gravity: its load factor is a share of the weight");
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
-    if (c.loads[i].grows && c.loads[i].force == Vec3{})
-      check.fault(path_to("load", i) + ".force", "is missing: a load that grows needs a force (N)");
+    if (!c.loads[i].grows || c.loads[i].force != Vec3{}) continue;
+    if (c.loads[i].moment == Vec3{}) check.fault(path_to("load", i), "grows from nothing: give it a force (N) or a moment (N m)");
+    if (a.level)
+      check.fault("analysis.level", "keeps loaded blocks from turning; load[" + std::to_string(i) + "] is a moment without force");
   }
 }
 

@@ -22,6 +22,7 @@ constexpr double kWindow = 0.1;        // of the pace: the load factor is a mean
 constexpr double kOnward = 0.9;        // of the way in such a window is onward
 constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
 constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
+constexpr double kLeastShear = 1e-3;   // of the loads: less is none, as where all that grows is moments
 constexpr double kItalianShare = 0.7;  // of the largest base shear: the elastic branch goes through it
 
 using Values = std::vector<double>;
@@ -113,11 +114,11 @@ void look_at_motion(Capacity& c, double pace, double weight) {
   }
 }
 
-void look_at_shear(Capacity& c, double drop) {
+void look_at_shear(Capacity& c, double drop, double weight) {
   const CapacityCurve& r = c.curve;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.base_shear) - r.base_shear.begin());
   c.peak_shear = r.base_shear[peak], c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
-  if (c.peak_shear <= 0.0) return;
+  if (c.peak_shear <= kLeastShear * weight * c.multiplier) return;
   c.first_stiffness = kFirstShare * c.peak_shear / crossing(r.displacement, r.base_shear, 0, peak, kFirstShare * c.peak_shear);
   const double left = (1.0 - drop) * c.peak_shear;
   c.ultimate_displacement = crossing(r.displacement, r.base_shear, peak + 1, r.time.size(), left);
@@ -268,7 +269,7 @@ Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double 
   if (kind == cases::AnalysisKind::cyclic)
     c.loops = loops_of(c.curve, weight);
   else
-    look_at_shear(c, drop);
+    look_at_shear(c, drop, weight);
   return c;
 }
 

@@ -63,6 +63,10 @@ Json loops_json(const std::vector<Loop>& loops) {
   return out;
 }
 
+std::string mechanisms(const Capacity& c) {
+  return "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
+}
+
 std::string loops_text(const std::vector<Loop>& loops) {
   std::string text;
   for (std::size_t k = 0; k < loops.size(); ++k) {
@@ -151,10 +155,13 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
 }
 
 std::string capacity_text(const Capacity& c) {
-  std::string text = line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  const bool on = c.ended == "not yet";
+  std::string text = on ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
+                        : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
   if (c.kind == AnalysisKind::settlement) {
-    text += std::isnan(c.collapse_movement) ? line("fell", "never; supports moved by %.4f m", c.curve.support_moved.back())
-                                            : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
+    text += std::isnan(c.collapse_movement)
+                ? line("fell", "%s; supports moved by %.4f m", on ? "not so far" : "never", c.curve.support_moved.back())
+                : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
     return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
   const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
@@ -168,15 +175,16 @@ std::string capacity_text(const Capacity& c) {
     text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);
     text += loops_text(c.loops);
   } else {
+    if (std::isnan(c.first_stiffness)) return text + line("base shear", "none along the push: no capacity curve") + mechanisms(c);
     text += line("largest base shear", "%.2f kN at %.3f mm; first stiffness %.4g kN/mm", 1e-3 * c.peak_shear, 1e3 * c.peak_displacement,
                  1e-6 * c.first_stiffness);
     text += std::isnan(c.ultimate_displacement)
-                ? line("ultimate", "not reached")
+                ? line("ultimate", on ? "not reached so far" : "not reached")
                 : line("ultimate", "%.3f mm, drift %.3f %%", 1e3 * c.ultimate_displacement, 1e2 * c.ultimate_drift);
     text += bilinear_text("bilinear, EC 8", c.ec8);
     text += bilinear_text("bilinear, NTC 2018", c.ntc);
   }
-  return text + "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
+  return text + mechanisms(c);
 }
 
 void write_capacity(Hdf5File& file, const Capacity& c) {

@@ -154,10 +154,26 @@ Shape shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double
   return shape;
 }
 
+/// m, of the elements that are not fixed, from the lowest corner to the highest.
+double height_that_moves(const World& w) {
+  double low = 1e300, high = -1e300;
+  for (const cases::Block& b : w.model.blocks) {
+    if (b.fixed) continue;
+    const auto [from, to] = geometry::bounds(b.shape);
+    low = std::min(low, from.z), high = std::max(high, to.z);
+  }
+  return high - low;
+}
+
+/// N, of all forces at a load factor of 1. A moment without a force counts as a force at the top with this moment about the foot, so that
+/// the displacement that it works on is that of the top.
 double weight_of(const cases::Case& c, const World& w, double gravity, double mass) {
   if (!pushes_by_loads(c)) return gravity * mass;
   double sum = 0.0;
-  for (const PointLoad& l : w.loads) sum += l.grows ? norm(l.force) : 0.0;
+  for (const PointLoad& l : w.loads) {
+    if (!l.grows) continue;
+    sum += l.force == Vec3{} ? norm(l.moment) / height_that_moves(w) : norm(l.force);
+  }
   return sum;
 }
 

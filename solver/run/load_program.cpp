@@ -65,6 +65,8 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
   if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
     shape_.assign(static_cast<std::size_t>(e.count), {});
+  moments_ = std::ranges::any_of(w.loads, &PointLoad::grows) &&
+             std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; });
   if (!analysis_.level) return;
   for (const PointLoad& l : w.loads) {
     if (!l.grows) continue;
@@ -147,9 +149,10 @@ bool LoadProgram::is_over(const World& w) const {
     case AnalysisKind::tilt: {
       // A jolt lowers one of them for a moment, but not the means of both over a first period; and while loads are small, vibrations that
       // settling has left are not.
-      const bool softer = analysis_.kind == AnalysisKind::tilt ? state_.mean_factor < left * state_.most_factor
-                                                               : state_.mean_factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor &&
-                                                                     state_.shear < left * state_.most_shear;
+      const bool softer =
+          analysis_.kind == AnalysisKind::tilt || moments_
+              ? state_.mean_factor < left * state_.most_factor
+              : state_.mean_factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor && state_.shear < left * state_.most_shear;
       const bool dropped = softer && state_.target > drive_.first;
       return dropped || state_.factor >= analysis_.largest_factor || control_displacement(w) >= analysis_.largest_drift * height_;
     }

@@ -83,6 +83,7 @@ class LoadProgram {
   double last_support_ = 0.0;  // s, of the histories of supports; infinity: one goes on for ever
   std::int32_t control_ = 0;   // element
   double height_ = 1.0;        // m, of it above the base
+  bool moments_ = false;       // what grows are moments alone: they push nothing along
   Drive drive_;
   std::vector<Vec3> shape_;
   State state_;

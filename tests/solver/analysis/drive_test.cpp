@@ -80,6 +80,19 @@ TEST_CASE("drive: the step bears the spring of loads with an arm and a moment, a
   CHECK(r.drive.stiffness * square / r.drive.weight == doctest::Approx(2e-3 * 4.0 / (r.dt * r.dt)).epsilon(1e-9));
 }
 
+TEST_CASE("drive: a moment that grows by itself counts as a force at the top with that moment about the foot") {
+  cases::Case c = pier(5, cases::LoadPattern::given);
+  c.loads = {push("block4", {}, {0.0, 30.0, 0.0})};
+  const solver::Drive by_moment = chosen(c).drive;
+  CHECK(by_moment.weight == doctest::Approx(30.0 / (5 * kHigh)).epsilon(1e-12));
+  CHECK(std::isfinite(by_moment.stiffness));
+  CHECK(by_moment.stiffness > 0.0);
+  CHECK(by_moment.compliance > 0.0);
+  CHECK(by_moment.first > 0.0);
+  c.loads.push_back(push("block4", {7.0, 0.0, 0.0}));
+  CHECK(chosen(c).drive.weight == doctest::Approx(30.0 / (5 * kHigh) + 7.0).epsilon(1e-12));
+}
+
 TEST_CASE("drive: the rotations of blocks that are kept level are no modes, however many there are") {
   const auto frequency = [](int piers) {
     cases::Case c = pier(3, cases::LoadPattern::given);
