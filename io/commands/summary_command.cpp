@@ -13,6 +13,8 @@
 #include "io/files/hdf5_file.h"
 #include "io/measures/capacity_file.h"
 #include "io/measures/measures_file.h"
+#include "io/results/case_of_run.h"
+#include "io/session/stop_words.h"
 
 namespace voussoir::io {
 namespace {
@@ -39,6 +41,11 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     out["fallen_mass_fraction"] = m.fallen_mass_fraction;
     out["first_crack_time"] = m.first_crack_time;
     if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
+  }
+  if (out.value("finished", 0) == 0 && out.contains("end_time")) {
+    const cases::Case c = case_of_run(run);
+    const double end = out["end_time"];
+    out["stage"] = stage_at(c, end), out["place"] = place_in_run(c, end), out["planned_end"] = c.end();
   }
   out.update(Json::parse(measures_json(m)));
   if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
@@ -125,7 +132,8 @@ void print_modes(const Json& s) {
 
 void print_table(const Json& s, const Measures& m) {
   const double end = s.value("end_time", 0.0);
-  line("run", (s.value("finished", 0) != 0 ? "finished at " : "not finished, to ") + text("%.3f s", end));
+  line("run", s.contains("place") ? "not finished: " + s["place"].get<std::string>() : "finished at " + text("%.3f s", end));
+  if (s.contains("place")) line("", "figures are those so far; if it does not run any more, voussoir resume goes on");
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
   line("first crack",

@@ -14,6 +14,7 @@
 #include "io/measures/settling_warning.h"
 #include "io/session/exit_code.h"
 #include "io/session/progress.h"
+#include "io/session/stop_words.h"
 #include "io/session/tie_lines.h"
 #include "io/session/views.h"
 #include "solver/world/errors.h"
@@ -41,12 +42,12 @@ class Signals {
   }
 };
 
-void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder) {
-  std::printf("collapsed            %s\n", s.collapsed ? "yes" : "no");
+void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder, bool stopped) {
+  std::printf("collapsed            %s\n", s.collapsed ? "yes" : stopped ? "not so far" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
   std::printf("first crack          ");
   if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; of the shaking ", s.settling.first_crack_time);
-  s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf("none\n");
+  s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf(stopped ? "none so far\n" : "none\n");
   const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
     std::printf("%-20s %s in tension, %s in shear, %s in compression", what, format_count(tension).c_str(), format_count(shear).c_str(),
                 format_count(compression).c_str());
@@ -61,7 +62,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy residual      %.2g at worst\n", s.worst_residual);
   std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
-  if (!s.settled) std::printf("warning              gravity did not come to rest before the shaking began\n");
+  if (!s.settled && s.end_time >= 0.0) std::printf("warning              gravity did not come to rest before the shaking began\n");
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
 
@@ -234,7 +235,8 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     }
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
-    print_summary(r.summary, hash, folder);
+    if (r.stopped) std::fputs(stop_lines(c, r.summary.end_time, static_cast<int>(stop_signal), folder).c_str(), stdout);
+    print_summary(r.summary, hash, folder, r.stopped);
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
     print_tie_outcome(sim.world().ties, sim.world().model);
     print_stages(sim.stage_times());

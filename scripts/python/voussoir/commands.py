@@ -125,7 +125,9 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     if failed:
         raise failed[0]
     if code in (128 + signal.SIGINT, 128 + signal.SIGTERM):
-        raise Stopped("the run was stopped; its state is saved, and Run(folder).resume() goes on")
+        place = re.search(r"^stopped +(.*)$", "".join(out), re.MULTILINE)
+        where = f" {place[1]}" if place else ""
+        raise Stopped(f"the run was stopped{where}; its state is saved, and Run(folder).resume() goes on")
     if code != 0:
         raise error_of(code, others)
     if interrupted:  # it came to its end meanwhile
