@@ -30,12 +30,15 @@ std::string place_of(const Body& b, const Wall& w) {
   return where + (wide >= kWhole && tall > 0.3 ? " half" : " part");
 }
 
+const char* along_z(Vec3 u) { return u.z < 0 ? "sinks" : "rises"; }
+
 std::string motion_of(const Body& b, const Wall* w) {
   const Vec3 u = b.displacement, r = b.rotation;
   const double size = std::max({b.box.size(0), b.box.size(1), b.box.size(2)});
   if (norm(u) + 0.5 * size * norm(r) < kStill) return "stands";
   if (u.z < -kSunk * b.box.size(2)) return "falls";
-  if (w == nullptr) return norm(r) * size > norm(u) ? "turns" : "slides";
+  const bool upright = std::abs(u.z) > std::hypot(u.x, u.y);
+  if (w == nullptr) return norm(r) * size > norm(u) ? "turns" : upright ? along_z(u) : "slides";
   const std::size_t along = 1 - w->across;
   const double out = w->outward * component(u, w->across);
   const std::array<double, 4> reach{std::abs(component(r, along)) * b.box.size(2), std::abs(r.z) * b.box.size(along),
@@ -50,6 +53,7 @@ std::string motion_of(const Body& b, const Wall* w) {
     default:
       break;
   }
+  if (upright) return along_z(u);
   if (std::abs(out) >= std::abs(component(u, along))) return out >= 0 ? "moves out" : "moves in";
   return "slides along";
 }

@@ -16,8 +16,8 @@
 #include "io/replay/joint_cracks.h"
 #include "io/replay/joint_openings.h"
 #include "io/replay/opened_faces.h"
-#include "io/report/report_page.h"
 #include "io/report/report_model.h"
+#include "io/report/report_page.h"
 #include "tests/io/results_fixture.h"
 
 namespace voussoir::io {
@@ -131,7 +131,8 @@ TEST_CASE("faces of elements of several cells are given as they are: a prism ove
   cases::Model m = two_cubes();
   const std::array<std::array<double, 2>, 5> house{{{0, 0}, {0.1, 0}, {0.1, 0.1}, {0.05, 0.15}, {0, 0.1}}};
   m.blocks[1].shape = geometry::make_prism(house, 0.1, 0.2);
-  m.assembly = geometry::assemble(std::array{geometry::Part{&m.blocks[0].shape, 0.025, true}, geometry::Part{&m.blocks[1].shape, 0.025, true}}, {});
+  m.assembly =
+      geometry::assemble(std::array{geometry::Part{&m.blocks[0].shape, 0.025, true}, geometry::Part{&m.blocks[1].shape, 0.025, true}}, {});
   m.joint_law.assign(m.assembly.joints.size(), 1);
   m.joint_strength.assign(m.assembly.joints.size(), 1.0);
   ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
@@ -240,6 +241,27 @@ TEST_CASE("an edge along a face that a joint covers is inside the masonry") {
   ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   CHECK(joint_edges(run, {0})[0].size() == 4);  // the lower edge is still on the surface of the second cube
+}
+
+TEST_CASE("a body that goes straight down or up sinks or rises; it slides along nothing") {
+  Building building;
+  building.mass = {1.0, 9.0};
+  Body body;
+  body.mass = 1.0;
+  body.box.low = {0.0, 0.0, 0.0}, body.box.high = {1.0, 0.2, 1.0};
+  const auto named = [&](Vec3 displacement) {
+    body.displacement = displacement;
+    return body_name(body, building);
+  };
+  CHECK(named({0.001, 0.0, -0.03}).ends_with(", sinks"));
+  CHECK(named({0.001, 0.0, 0.03}).ends_with(", rises"));
+  CHECK(named({0.03, 0.0, -0.001}).ends_with(", slides"));
+  Wall& wall = building.walls.emplace_back();
+  wall.name = "front wall", wall.box = body.box, wall.across = 1, wall.outward = -1.0;
+  body.wall = 0;
+  CHECK(named({0.001, -0.001, -0.03}) == "front wall, sinks");
+  CHECK(named({0.001, -0.03, -0.01}) == "front wall, moves out");
+  CHECK(named({0.03, 0.0, -0.01}) == "front wall, slides along");
 }
 
 TEST_CASE("two elements move as one until their joint is open by a millimetre, and a hinge is where they turn") {
