@@ -31,6 +31,7 @@
 #include "io/motion/motion_files.h"
 #include "io/report/stills.h"
 #include "io/results/provenance.h"
+#include "io/session/likely_slips.h"
 #include "io/session/prepared_case.h"
 #include "io/session/process.h"
 #include "io/session/threads.h"
@@ -231,6 +232,7 @@ void add_check(CLI::App& app, Words& w) {
   add_short_keys(check, w);
   check->add_option("--draw", w.check.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
   check->add_flag("--overwrite", w.check.overwrite, "replace an existing drawing");
+  check->add_option("--format", w.format, "text, or json: one object, with all findings")->check(CLI::IsMember({"text", "json"}));
   check->footer("example: voussoir check my-house.toml --draw my-house.svg");
 }
 
@@ -275,6 +277,7 @@ void add_manual(CLI::App& app, Words& w) {
 int with_case(Words& w, const std::function<int(const io::LoadedCase&)>& use, bool view = false) {
   io::LoadedCase c = io::load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
+  io::warn_of(c.findings);
   try {
     if (!view) {
       io::load_stones(c.value);
@@ -307,7 +310,10 @@ int dispatch(const CLI::App& app, Words& w) {
   if (app.got_subcommand("assess")) return io::assess_command(w.assess);
   if (app.got_subcommand("report")) return io::report_command(w.report);
   if (app.got_subcommand("motion")) return io::motion_command(w.files, w.motion_options);
-  if (app.got_subcommand("check")) return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
+  if (app.got_subcommand("check")) {
+    w.check.json = w.format == "json";
+    return with_case(w, [&](const auto& c) { return io::check_command(c, w.check); });
+  }
   if (app.got_subcommand("view"))
     return with_case(
         w, [&](const auto& c) { return io::view_command(c, w.view); }, true);

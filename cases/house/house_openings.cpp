@@ -7,11 +7,11 @@
 #include <functional>
 #include <tuple>
 
-#include "cases/house/walls/arches.h"
 #include "cases/house/house_courses.h"
 #include "cases/house/house_floors.h"
-#include "cases/house/walls/ground.h"
 #include "cases/house/house_wall.h"
+#include "cases/house/walls/arches.h"
+#include "cases/house/walls/ground.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -265,7 +265,46 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   throw InputError(key_of(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
 }
 
+/// Whether all of a stretch of a wall is open right above a height.
+bool is_open_above(const WallPlan& wall, Interval along, Tick height) {
+  Tick covered = along.low;
+  for (const Hole& h : wall.holes) {  // ascending along the wall
+    if (h.height.low <= height && height < h.height.high && h.along.low <= covered) covered = std::max(covered, h.along.high);
+  }
+  return covered >= along.high;
+}
+
+/// Masonry right above an opening: of its wall, of the same wall of the next storey, or a gable.
+bool has_masonry_above(const House& house, const HousePlan& plan, const WallPlan& wall, const Hole& opening) {
+  const Tick top = opening.height.high;
+  if (top < wall.height.high) return !is_open_above(wall, opening.along, top);
+  for (const WallPlan& above : plan.walls) {
+    const bool same = above.storey == wall.storey + 1 && above.pier < 0 && above.inner == wall.inner && above.side == wall.side;
+    if (same && above.built) return !is_open_above(above, opening.along, top);
+  }
+  const RoofKind roof = house.roof.kind;
+  const bool gabled = roof == RoofKind::vault || roof == RoofKind::gables || roof == RoofKind::pitched;
+  return gabled && wall.outer() && !wall.along_x && wall.storey + 1 == static_cast<int>(plan.storeys.size());
+}
+
 }  // namespace
+
+std::vector<InputError> unsupported_heads(const House& house) {
+  std::vector<InputError> found;
+  const HousePlan plan = plan_house(house);
+  for (const WallPlan& wall : plan.walls) {
+    if (!wall.built) continue;
+    for (const Hole& h : wall.holes) {
+      if (h.lintel || h.arch || h.floor >= 0 || h.ground >= 0) continue;
+      const Opening& opening = house.openings[h.opening];
+      if (opening.lintel || opening.arch || 2 * h.along.length() <= plan.brick_length) continue;
+      if (!has_masonry_above(house, plan, wall, h)) continue;
+      found.emplace_back(key_of(h.opening), "the opening in the " + wall_name(house, wall) + ", " + text(opening.width) +
+                                                " m wide, has masonry above it and nothing that carries it; give it a lintel or an arch");
+    }
+  }
+  return found;
+}
 
 void plan_openings(const House& house, HousePlan& plan) {
   add_holes(house, plan);

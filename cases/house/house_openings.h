@@ -11,4 +11,8 @@ namespace voussoir::cases {
 /// a piece of wall shorter than half a brick; then the message gives the nearest place where it fits.
 void plan_openings(const House& house, HousePlan& plan);
 
+/// Openings with courses, a gable or a wall of the next storey above them that neither a lintel nor an arch carries: built so, these bricks
+/// fall, or hang by the mortar. (Over half a brick's length the courses carry themselves.) Keyed at house.opening[i].
+std::vector<InputError> unsupported_heads(const House& house);
+
 }  // namespace voussoir::cases

@@ -52,8 +52,8 @@ LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overr
     loaded.keys[key] = {place_of(document, overrides, known.source), known.value, included};
   }
   for (const Fault& d : reading.doubts())
-    loaded.notes.push_back(place_of(document, overrides, d.source) + ": " + sentence_of(d.key, d.value, d.problem));
-  if (const std::string note = inherited_values(loaded); !note.empty()) loaded.notes.push_back(note);
+    loaded.findings.push_back(place_of(document, overrides, d.source) + ": " + sentence_of(d.key, d.value, d.problem));
+  if (const std::string note = inherited_values(loaded); !note.empty()) loaded.findings.push_back(note);
   return loaded;
 }
 

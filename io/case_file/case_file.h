@@ -44,7 +44,8 @@ struct LoadedCase {
   cases::Case value;
   std::string path;                      // as in CaseText
   std::map<std::string, KeyPlace> keys;  // by the path of InputError: "house.opening[1].width"; only keys that are given
-  std::vector<std::string> notes;        // what people should be told of before it runs; none is a fault
+  std::vector<std::string> notes;        // what overrides did beside what they say
+  std::vector<std::string> findings;     // what is let through, but is likely a slip: unusual values, keys without effect
 
   /// The whole message of a fault found later: "house.toml:14: house.opening[1].width = 7 m is wider than the wall (5.4 m)".
   /// If the key itself is not given, file and line are those of the nearest table around it.

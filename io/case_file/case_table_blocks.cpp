@@ -3,6 +3,7 @@
 #include <set>
 
 #include "io/case_file/case_tables.h"
+#include "io/case_file/usual_ranges.h"
 #include "io/document/history_name.h"
 
 namespace voussoir::io {
@@ -26,7 +27,7 @@ Table<Rotation> rotation_table() {
 Table<SupportMotion> support_motion_table() {
   using S = SupportMotion;
   return {"motion of a fixed block, or of a part of the base: velocity or file",
-          {value<S>("velocity", &S::velocity, "m/s", any(), "constant velocity"),
+          {value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "constant velocity"),
            value<S>("file", &S::file, "", filled(),
                     "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
           [](const S& s, const RuleCheck& check) {
@@ -68,7 +69,7 @@ void check_block(const BlockSpec& s, const RuleCheck& check) {
 
 /// One factor for all, or one for each of L, T, V.
 Key<Motion> scale_key() {
-  Key<Motion> key = value<Motion>("scale", &Motion::scale, "", any(),
+  Key<Motion> key = value<Motion>("scale", &Motion::scale, "", any().usually(usual::kFactor),
                                   "factor of the motion, or one each for L, T, V (for x, y, z if files are given so)");
   key.info.shape = "a number or an array [L, T, V]";
   key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
@@ -200,8 +201,8 @@ Table<BlockSpec> block_table() {
                 "the law materials.<name>.inside between them"),
        value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
        value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
-       value<S>("velocity", &S::velocity, "m/s", any(), "at the start"),
-       value<S>("angular_velocity", &S::angular_velocity, "rad/s", any(), "at the start, about global axes"),
+       value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "at the start"),
+       value<S>("angular_velocity", &S::angular_velocity, "rad/s", any().usually(usual::kSpin), "at the start, about global axes"),
        table<S>("rotate", &S::rotate, rotation_table()), table<S>("motion", &S::motion, support_motion_table())},
       check_block};
 }
@@ -210,10 +211,11 @@ Table<Load> load_table() {
   using S = Load;
   return {
       "a force and a moment on a block, constant after the ramp unless they grow",
-      {required(value<S>("block", &S::block, "", filled(), "name of the block")), value<S>("force", &S::force, "N", any(), "force"),
-       value<S>("moment", &S::moment, "N m", any(), "moment"),
+      {required(value<S>("block", &S::block, "", filled(), "name of the block")),
+       value<S>("force", &S::force, "N", any().usually(usual::kForce), "force"),
+       value<S>("moment", &S::moment, "N m", any().usually(usual::kForce), "moment"),
        value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
-       value<S>("ramp", &S::ramp, "s", any(), "grows linearly from the first time to the second"),
+       value<S>("ramp", &S::ramp, "s", any().usually(usual::kDuration), "grows linearly from the first time to the second"),
        value<S>("history", &S::history, "", filled(), "CSV of t, x, y, z in s and N: the force over time, in place of `force` and `ramp`"),
        value<S>("follows", &S::follows, "", any(), "force and moment turn with the block; false: a dead load, which keeps its direction"),
        value<S>("grows", &S::grows, "", any(),
@@ -245,7 +247,7 @@ Table<Motion> motion_table() {
        file_key("z", &S::xyz, 2, "file of the motion along z"), file_key("L", &S::ltv, 0, "file of the longitudinal motion"),
        file_key("T", &S::ltv, 1, "file of the transverse motion"), file_key("V", &S::ltv, 2, "file of the vertical motion"),
        choice<S>("unit", &S::unit, "", units, "of the files, where a format does not say"),
-       value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(1e-4, 0.1),
+       value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(usual::kSample),
                 "between samples of the files, where a format does not say (one column)"),
        value<S>(
            "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0),
@@ -265,12 +267,13 @@ Table<Output> output_table() {
   using S = Output;
   return {
       "what is written, and how often",
-      {value<S>("history_interval", &S::history_interval, "s", above(0.0),
+      {value<S>("history_interval", &S::history_interval, "s", above(0.0).usually(usual::kInterval),
                 "between rows of histories; time.step = \"auto\" takes a step that divides it"),
        auto_or_number<S>("frame_interval", &S::frame_interval, "s",
                          "between frames of the whole model; auto: 0.02, or for large models the least of 0.05, 0.1, 0.2, 0.5, ... with "
                          "which elements times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02"),
-       value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0), "between rows of energy, forces and damage"),
+       value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0).usually(usual::kInterval),
+                "between rows of energy, forces and damage"),
        table<S>("history", &S::history, history_table()), table<S>("cut", &S::cuts, cut_table())},
       [](const S& s, const RuleCheck& check) {
         std::set<std::string> cuts;

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "io/case_file/case_tables.h"
+#include "io/case_file/usual_ranges.h"
 
 namespace voussoir::io {
 namespace {
@@ -43,45 +44,46 @@ void check_roof_keys(const Roof& s, const RuleCheck& check) {
 
 Table<Roof> roof_table() {
   using S = Roof;
-  return {"beams side by side, a barrel vault along x, or pairs of rafters",
-          {choice<S, RoofKind S::*, RoofKind>(
-               "kind", &S::kind, "",
-               {{"none", RoofKind::none},
-                {"flat", RoofKind::flat},
-                {"vault", RoofKind::vault},
-                {"gables", RoofKind::gables},
-                {"pitched", RoofKind::pitched}},
-               "kind of roof; gables: the non-bearing walls go on as under a vault, but there is none; pitched: pairs of rafters on the "
-               "bearing walls, and gables under them"),
-           value<S>("beam", &S::beam, "m", above(0.0), "flat, pitched: width along x and height of a beam or rafter"),
-           value<S>("element", &S::element, "m", above(0.0), "flat, pitched: length of an element of a beam or rafter"),
-           value<S>("between_beams", &S::between_beams, "", filled(),
-                    "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
-           value<S>("edge_beams", &S::edge_beams, "", filled(),
-                    "flat: joint law between the first or the last beam, over a side wall, and its neighbour; none: `between_beams`"),
-           value<S>("bearing", &S::bearing, "m", above(0.0),
-                    "flat: length over which a beam rests on each bearing wall, from the wall's inner face, at most the wall's thickness; "
-                    "none: that thickness, at most a brick's length"),
-           value<S>("radius", &S::radius, "m", above(0.0), "vault, gables: inner radius"),
-           value<S>("thickness", &S::thickness, "m", above(0.0), "vault: thickness"),
-           value<S>("ring", &S::ring, "m", above(0.0), "vault: length of a ring along x"),
-           value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "vault, gables: number in a ring"),
-           value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(2.0, 700.0),
-                    "flat, vault, pitched: mass on the upper surface, added to the roof's elements"),
-           value<S>("pitch", &S::pitch, "degrees", within(5.0, 60.0), "pitched: of the rafters"),
-           value<S>("spacing", &S::spacing, "m", above(0.0),
-                    "pitched: of the axes of rafters, at most; the first and the last are flush with the ends of the house"),
-           table<S>("tie", &S::tie, roof_tie_table()), table<S>("deck", &S::deck, deck_table())},
-          [](const S& s, const RuleCheck& check) {
-            check_roof_keys(s, check);
-            if (s.bearing && s.kind != RoofKind::flat) check.fault("bearing", "needs kind = \"flat\"");
-            if (s.kind == RoofKind::pitched) return;
-            const auto only_pitched = [&](const char* key, bool given) {
-              if (given) check.fault(key, "needs kind = \"pitched\"");
-            };
-            only_pitched("pitch", s.pitch != S{}.pitch), only_pitched("spacing", s.spacing != S{}.spacing);
-            only_pitched("tie", s.tie.has_value()), only_pitched("deck", s.deck.has_value());
-          }};
+  return {
+      "beams side by side, a barrel vault along x, or pairs of rafters",
+      {choice<S, RoofKind S::*, RoofKind>(
+           "kind", &S::kind, "",
+           {{"none", RoofKind::none},
+            {"flat", RoofKind::flat},
+            {"vault", RoofKind::vault},
+            {"gables", RoofKind::gables},
+            {"pitched", RoofKind::pitched}},
+           "kind of roof; gables: the non-bearing walls go on as under a vault, but there is none; pitched: pairs of rafters on the "
+           "bearing walls, and gables under them"),
+       value<S>("beam", &S::beam, "m", above(0.0).usually(usual::kSection), "flat, pitched: width along x and height of a beam or rafter"),
+       value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "flat, pitched: length of an element of a beam or rafter"),
+       value<S>("between_beams", &S::between_beams, "", filled(),
+                "joint law; flat: between neighbouring beams, pitched: between the rafters of a pair, in the ridge"),
+       value<S>("edge_beams", &S::edge_beams, "", filled(),
+                "flat: joint law between the first or the last beam, over a side wall, and its neighbour; none: `between_beams`"),
+       value<S>("bearing", &S::bearing, "m", above(0.0).usually(usual::kMember),
+                "flat: length over which a beam rests on each bearing wall, from the wall's inner face, at most the wall's thickness; "
+                "none: that thickness, at most a brick's length"),
+       value<S>("radius", &S::radius, "m", above(0.0).usually(usual::kRadius), "vault, gables: inner radius"),
+       value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection), "vault: thickness"),
+       value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember), "vault: length of a ring along x"),
+       value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "vault, gables: number in a ring"),
+       value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
+                "flat, vault, pitched: mass on the upper surface, added to the roof's elements"),
+       value<S>("pitch", &S::pitch, "degrees", within(5.0, 60.0), "pitched: of the rafters"),
+       value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kHouse),
+                "pitched: of the axes of rafters, at most; the first and the last are flush with the ends of the house"),
+       table<S>("tie", &S::tie, roof_tie_table()), table<S>("deck", &S::deck, deck_table())},
+      [](const S& s, const RuleCheck& check) {
+        check_roof_keys(s, check);
+        if (s.bearing && s.kind != RoofKind::flat) check.fault("bearing", "needs kind = \"flat\"");
+        if (s.kind == RoofKind::pitched) return;
+        const auto only_pitched = [&](const char* key, bool given) {
+          if (given) check.fault(key, "needs kind = \"pitched\"");
+        };
+        only_pitched("pitch", s.pitch != S{}.pitch), only_pitched("spacing", s.spacing != S{}.spacing);
+        only_pitched("tie", s.tie.has_value()), only_pitched("deck", s.deck.has_value());
+      }};
 }
 
 Table<ThroughStones> through_table() {
@@ -89,7 +91,8 @@ Table<ThroughStones> through_table() {
   return {
       "stones through both leaves, a brick's width along the wall and a course high; none where an opening, a corner or a beam is in "
       "the way",
-      {value<S>("spacing", &S::spacing, "m", above(0.0), "along the wall, at least two bricks; those of the next row lie between them"),
+      {value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kHouse),
+                "along the wall, at least two bricks; those of the next row lie between them"),
        value<S>("every", &S::every, "", within(2.0, 1000.0), "course with such stones"),
        value<S>("material", &S::material, "", filled(), "none: that of the bricks")},
       nullptr};
@@ -97,22 +100,22 @@ Table<ThroughStones> through_table() {
 
 Table<Leaves> leaves_table() {
   using S = Leaves;
-  return {
-      "outer walls of two leaves, each in the house's bond; storeys whose walls are too thin for two leaves have one",
-      {value<S>("walls", &S::walls, "", filled(), "front, right, rear, left; none: all that are built"),
-       value<S>("outer", &S::outer, "m", above(0.0), "thickness of the outer leaf, a whole number of brick widths; none: half the wall"),
-       value<S>("joint", &S::joint, "", filled(),
-                "law of the collar joint between the leaves (dry: friction alone); none: that of the bricks"),
-       table<S>("through", &S::through, through_table())},
-      nullptr};
+  return {"outer walls of two leaves, each in the house's bond; storeys whose walls are too thin for two leaves have one",
+          {value<S>("walls", &S::walls, "", filled(), "front, right, rear, left; none: all that are built"),
+           value<S>("outer", &S::outer, "m", above(0.0).usually(usual::kThickness),
+                    "thickness of the outer leaf, a whole number of brick widths; none: half the wall"),
+           value<S>("joint", &S::joint, "", filled(),
+                    "law of the collar joint between the leaves (dry: friction alone); none: that of the bricks"),
+           table<S>("through", &S::through, through_table())},
+          nullptr};
 }
 
 Table<Lintel> lintel_table() {
   using S = Lintel;
   return {"timber over an opening, centred on it",
-          {required(value<S>("length", &S::length, "m", above(0.0), "along the wall")),
-           value<S>("height", &S::height, "m", above(0.0), "height"),
-           value<S>("element", &S::element, "m", above(0.0), "length of an element of it")},
+          {required(value<S>("length", &S::length, "m", above(0.0).usually(usual::kMember), "along the wall")),
+           value<S>("height", &S::height, "m", above(0.0).usually(usual::kOpening), "height"),
+           value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "length of an element of it")},
           nullptr};
 }
 
@@ -121,10 +124,12 @@ Table<Arch> arch_table() {
   return {
       "an arch of voussoirs over an opening, upon its lintel if it has one; its wedges reach up to the course above, and a springer of one "
       "piece stands at either end",
-      {value<S>("rise", &S::rise, "m", at_least(0.0),
+      {value<S>("rise", &S::rise, "m", at_least(0.0).usually(usual::kMember),
                 "of its soffit above the top of the opening or of the lintel, at most half the width; 0: a flat arch"),
-       required(value<S>("thickness", &S::thickness, "m", above(0.0), "at the crown, half a course or more; the top ends a course")),
-       value<S>("springer", &S::springer, "m", above(0.0), "that it reaches beyond the opening at either side, half a brick or more"),
+       required(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection),
+                         "at the crown, half a course or more; the top ends a course")),
+       value<S>("springer", &S::springer, "m", above(0.0).usually(usual::kMember),
+                "that it reaches beyond the opening at either side, half a brick or more"),
        value<S>("voussoirs", &S::voussoirs, "", within(3.0, 101.0), "number; none: odd, each about a brick's width at the soffit"),
        value<S>("material", &S::material, "", filled(), "none: that of the bricks")},
       nullptr};
@@ -148,22 +153,23 @@ Table<Opening> opening_table() {
   return {"a door or a window",
           {required(value<S>("wall", &S::wall, "", filled(), "the wall it is in: front, rear, left, right, or the name of an inner wall")),
            value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey it is in"),
-           required(value<S>("from", &S::from, "m", at_least(0.0), "start along the wall, x or y from the outer corner of the house")),
-           required(value<S>("width", &S::width, "m", above(0.0), "clear width")),
-           value<S>("sill", &S::sill, "m", at_least(0.0), "height of its lower edge above the foot of its storey"),
-           required(value<S>("height", &S::height, "m", above(0.0), "clear height")), table<S>("lintel", &S::lintel, lintel_table()),
-           table<S>("arch", &S::arch, arch_table())},
+           required(value<S>("from", &S::from, "m", at_least(0.0).usually(usual::kHouse),
+                             "start along the wall, x or y from the outer corner of the house")),
+           required(value<S>("width", &S::width, "m", above(0.0).usually(usual::kOpening), "clear width")),
+           value<S>("sill", &S::sill, "m", at_least(0.0).usually(usual::kLevel), "height of its lower edge above the foot of its storey"),
+           required(value<S>("height", &S::height, "m", above(0.0).usually(usual::kOpening), "clear height")),
+           table<S>("lintel", &S::lintel, lintel_table()), table<S>("arch", &S::arch, arch_table())},
           nullptr};
 }
 
 Table<Storey> storey_table() {
   using S = Storey;
-  return {
-      "a storey upon those before it; a low one on top is a parapet",
-      {value<S>("height", &S::height, "m", above(0.0).usually(0.1, 60.0), "of its walls"),
-       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0), "thickness; none: as below, and at most that; outer faces are flush"),
-       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0), "likewise")},
-      nullptr};
+  return {"a storey upon those before it; a low one on top is a parapet",
+          {value<S>("height", &S::height, "m", above(0.0).usually(usual::kHeight), "of its walls"),
+           value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0).usually(usual::kThickness),
+                    "thickness; none: as below, and at most that; outer faces are flush"),
+           value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0).usually(usual::kThickness), "likewise")},
+          nullptr};
 }
 
 Table<InnerWall> inner_wall_table() {
@@ -171,8 +177,9 @@ Table<InnerWall> inner_wall_table() {
   return {"a wall from an outer wall to that opposite, toothed into all walls that it meets or crosses",
           {value<S>("name", &S::name, "", filled(), "a name of its own, for openings, messages and results"),
            choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}}, "where it runs"),
-           required(value<S>("at", &S::at, "m", above(0.0), "its face nearer to the origin, y or x from the outer corner of the house")),
-           value<S>("thickness", &S::thickness, "m", above(0.0), "thickness"),
+           required(value<S>("at", &S::at, "m", above(0.0).usually(usual::kHouse),
+                             "its face nearer to the origin, y or x from the outer corner of the house")),
+           value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection), "thickness"),
            value<S>("storeys", &S::storeys, "", within(1.0, 100.0), "that it goes through; none: all")},
           nullptr};
 }
@@ -181,10 +188,12 @@ Table<Pier> pier_table() {
   using S = Pier;
   return {"a pier or buttress on the outer face of a wall, toothed into it",
           {required(value<S>("wall", &S::wall, "", filled(), "front, rear, left or right")),
-           required(value<S>("from", &S::from, "m", above(0.0), "start along the wall, x or y from the outer corner of the house")),
-           value<S>("width", &S::width, "m", above(0.0), "along the wall, a whole number of brick widths"),
-           value<S>("depth", &S::depth, "m", above(0.0), "out of the wall, half a brick or more"),
-           value<S>("height", &S::height, "m", above(0.0), "of its top above the foot of the walls; none: that of the first storey")},
+           required(value<S>("from", &S::from, "m", above(0.0).usually(usual::kHouse),
+                             "start along the wall, x or y from the outer corner of the house")),
+           value<S>("width", &S::width, "m", above(0.0).usually(usual::kOpening), "along the wall, a whole number of brick widths"),
+           value<S>("depth", &S::depth, "m", above(0.0).usually(usual::kOpening), "out of the wall, half a brick or more"),
+           value<S>("height", &S::height, "m", above(0.0).usually(usual::kOpening),
+                    "of its top above the foot of the walls; none: that of the first storey")},
           nullptr};
 }
 
@@ -192,15 +201,15 @@ Table<Reinforcement> reinforcement_table() {
   using S = Reinforcement;
   return {
       "timber columns at the inner faces of the walls, and ring beams there or upon the walls",
-      {value<S>("column", &S::column, "m", above(0.0), "section of the columns, along x and y"),
-       value<S>("bearing", &S::bearing, "m", at_least(0.0), "x of the column axes at both bearing walls"),
-       value<S>("nonbearing", &S::nonbearing, "m", at_least(0.0), "y of the column axes at both non-bearing walls"),
-       value<S>("ring_beam", &S::ring_beam, "m", above(0.0), "section of the ring beams, width and height"),
+      {value<S>("column", &S::column, "m", above(0.0).usually(usual::kSection), "section of the columns, along x and y"),
+       value<S>("bearing", &S::bearing, "m", at_least(0.0).usually(usual::kHouse), "x of the column axes at both bearing walls"),
+       value<S>("nonbearing", &S::nonbearing, "m", at_least(0.0).usually(usual::kHouse), "y of the column axes at both non-bearing walls"),
+       value<S>("ring_beam", &S::ring_beam, "m", above(0.0).usually(usual::kSection), "section of the ring beams, width and height"),
        choice<S, RingPlace S::*, RingPlace>(
            "ring_beam_place", &S::ring_beam_place, "", {{"inside", RingPlace::inside}, {"middle", RingPlace::middle}},
            "inside: at the inner faces of the walls, flush with their top; middle: upon the walls, over their middle, under a flat roof "
            "or none (at most as wide as the thinnest wall)"),
-       value<S>("element", &S::element, "m", above(0.0), "length of an element of a member")},
+       value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "length of an element of a member")},
       nullptr};
 }
 
@@ -211,11 +220,11 @@ Table<House> house_table() {
   return {
       "a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at "
       "high x), before turn",
-      {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(0.1, 100.0), "inside the walls, along x and y"),
-       value<S>("height", &S::height, "m", above(0.0).usually(0.1, 60.0), "of the walls; of the first storey if there are more"),
-       value<S>("brick", &S::brick, "m", above(0.0).usually(0.02, 3.0),
+      {value<S>("inner_size", &S::inner_size, "m", above(0.0).usually(usual::kHouse), "inside the walls, along x and y"),
+       value<S>("height", &S::height, "m", above(0.0).usually(usual::kHeight), "of the walls; of the first storey if there are more"),
+       value<S>("brick", &S::brick, "m", above(0.0).usually(usual::kBrick),
                 "length, width, height; with mortar, or without it if `mortar` is given"),
-       value<S>("mortar", &S::mortar, "m", at_least(0.0),
+       value<S>("mortar", &S::mortar, "m", at_least(0.0).usually(usual::kMortar),
                 "thickness of beds and upright joints, as in the law of `joint`; 0: `brick` has it in it"),
        choice<S, Bond S::*, Bond>(
            "bond", &S::bond, "",
@@ -237,9 +246,9 @@ Table<House> house_table() {
        value<S>("origin", &S::origin, "m", any(), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
        value<S>("copies", &S::copies, "", within(1.0, 1000.0), "number of houses along x and y"),
-       value<S>("spacing", &S::spacing, "m", above(0.0), "from house to house along x and y"),
-       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0).usually(0.05, 5.0), "thickness"),
-       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0).usually(0.05, 5.0), "thickness"),
+       value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kHouse), "from house to house along x and y"),
+       value<S>("bearing_wall", &S::bearing_wall, "m", above(0.0).usually(usual::kThickness), "thickness"),
+       value<S>("nonbearing_wall", &S::nonbearing_wall, "m", above(0.0).usually(usual::kThickness), "thickness"),
        value<S>("walls", &S::walls, "", filled(), "walls that are built: front, right, rear, left"),
        table<S>("storey", &S::storeys, storey_table()),
        table<S>("inner_wall", &S::inner_walls, inner_wall_table()),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/case_file/case_tables.h"
+#include "io/case_file/usual_ranges.h"
 
 namespace voussoir::io {
 namespace {
@@ -13,16 +14,20 @@ void add_bar_keys(std::vector<Key<S>>& keys, Bar bar) {
   const auto member = [bar](auto Tie::*m) {
     return [ bar, m ](auto& s) -> auto& { return bar(s).*m; };
   };
-  keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0).usually(1e-7, 0.1), "of its section")));
-  keys.push_back(value<S>("young", member(&Tie::young), "Pa", above(0.0).usually(1e7, 1e12), "modulus; the default is that of steel"));
-  keys.push_back(value<S>("yield", member(&Tie::yield), "Pa", above(0.0).usually(1e5, 5e9), "stress at which it yields; none: elastic"));
-  keys.push_back(value<S>("hardening", member(&Tie::hardening), "Pa", at_least(0.0), "slope of stress over strain beyond yield"));
-  keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0).usually(1e-3, 1.0), "strain at which it breaks; none: never"));
-  keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0).usually(50.0, 1e7),
+  keys.push_back(required(value<S>("area", member(&Tie::area), "m2", above(0.0).usually(usual::kBarArea), "of its section")));
+  keys.push_back(
+      value<S>("young", member(&Tie::young), "Pa", above(0.0).usually(usual::kBarYoung), "modulus; the default is that of steel"));
+  keys.push_back(
+      value<S>("yield", member(&Tie::yield), "Pa", above(0.0).usually(usual::kYield), "stress at which it yields; none: elastic"));
+  keys.push_back(value<S>("hardening", member(&Tie::hardening), "Pa", at_least(0.0).usually(usual::kHardening),
+                          "slope of stress over strain beyond yield"));
+  keys.push_back(value<S>("elongation", member(&Tie::elongation), "", above(0.0).usually(usual::kElongation),
+                          "strain at which it breaks; none: never"));
+  keys.push_back(value<S>("pretension", member(&Tie::pretension), "N", at_least(0.0).usually(usual::kPretension),
                           "force that it would have if its ends did not move; put on with gravity, or at once without settling"));
   keys.push_back(
       value<S>("compression", member(&Tie::compression), "", any(), "bears compression, too, without buckling; else it goes slack"));
-  keys.push_back(value<S>("plate", member(&Tie::plate), "m", above(0.0),
+  keys.push_back(value<S>("plate", member(&Tie::plate), "m", above(0.0).usually(usual::kSection),
                           "width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one "
                           "element"));
 }
@@ -51,10 +56,10 @@ Table<MeshConnectors> connectors_table() {
   using S = MeshConnectors;
   return {"bars through the wall that join the two faces of a mesh at its nodes, in tension and compression",
           {value<S>("every", &S::every, "", within(1.0, 1000.0), "nodes, along and up, from one to the next"),
-           required(value<S>("area", &S::area, "m2", above(0.0).usually(1e-7, 0.1), "of the section")),
-           value<S>("young", &S::young, "Pa", above(0.0).usually(1e7, 1e12), "modulus; the default is that of steel"),
-           value<S>("yield", &S::yield, "Pa", above(0.0).usually(1e5, 5e9), "stress at which they yield; none: elastic"),
-           value<S>("elongation", &S::elongation, "", above(0.0).usually(1e-3, 1.0), "strain at which they break; none: never")},
+           required(value<S>("area", &S::area, "m2", above(0.0).usually(usual::kBarArea), "of the section")),
+           value<S>("young", &S::young, "Pa", above(0.0).usually(usual::kBarYoung), "modulus; the default is that of steel"),
+           value<S>("yield", &S::yield, "Pa", above(0.0).usually(usual::kYield), "stress at which they yield; none: elastic"),
+           value<S>("elongation", &S::elongation, "", above(0.0).usually(usual::kElongation), "strain at which they break; none: never")},
           nullptr};
 }
 
@@ -86,10 +91,13 @@ Table<HouseTie> house_tie_table() {
            "along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the "
            "next")),
        value<S>("walls", &S::walls, "", filled(), kWalls),
-       required(value<S>("heights", &S::heights, "m", at_least(0.0), "above the foot of the walls, a rod at each")),
-       value<S>("at", &S::at, "m", at_least(0.0), "across: where along the wall, x or y from the outer corner of the house, a rod at each"),
-       value<S>("depth", &S::depth, "m", at_least(0.0), "along: from the outer face of the wall; none: half its thickness"),
-       value<S>("reach", &S::reach, "m", at_least(0.0), "corner: from the outer corner to either end, along the walls")},
+       required(value<S>("heights", &S::heights, "m", at_least(0.0).usually(usual::kLevel), "above the foot of the walls, a rod at each")),
+       value<S>("at", &S::at, "m", at_least(0.0).usually(usual::kHouse),
+                "across: where along the wall, x or y from the outer corner of the house, a rod at each"),
+       value<S>("depth", &S::depth, "m", at_least(0.0).usually(usual::kThickness),
+                "along: from the outer face of the wall; none: half its thickness"),
+       value<S>("reach", &S::reach, "m", at_least(0.0).usually(usual::kHouse),
+                "corner: from the outer corner to either end, along the walls")},
       check_house_tie};
   add_bar_keys(
       table.keys, [](auto& s) -> auto& { return s.bar; });
@@ -101,15 +109,18 @@ Table<HouseMesh> house_mesh_table() {
   return {"a net, mesh or bandage on the faces of walls: straps between nodes, in tension alone",
           {required(value<S>("name", &S::name, "", filled(), "begins the names of its straps")),
            value<S>("walls", &S::walls, "", filled(), kWalls),
-           value<S>("from", &S::from, "m", at_least(0.0), "lower edge, above the foot of the walls"),
-           value<S>("to", &S::to, "m", above(0.0), "upper edge; none: the top of the walls"),
-           value<S>("spacing", &S::spacing, "m", above(0.0), "of the nodes, along and up; every brick should have one"),
+           value<S>("from", &S::from, "m", at_least(0.0).usually(usual::kLevel), "lower edge, above the foot of the walls"),
+           value<S>("to", &S::to, "m", above(0.0).usually(usual::kLevel), "upper edge; none: the top of the walls"),
+           value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kOpening),
+                    "of the nodes, along and up; every brick should have one"),
            choice<S, MeshFaces S::*, MeshFaces>("faces", &S::faces, "",
                                                 {{"both", MeshFaces::both}, {"outside", MeshFaces::outside}, {"inside", MeshFaces::inside}},
                                                 "of the walls that it covers"),
-           required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide")),
-           value<S>("strength", &S::strength, "N/m", above(0.0), "force at which a strip one metre wide yields; none: elastic"),
-           value<S>("elongation", &S::elongation, "", above(0.0).usually(1e-3, 1.0), "strain at which it breaks; none: never"),
+           required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
+                             "force over strain of a strip one metre wide")),
+           value<S>("strength", &S::strength, "N/m", above(0.0).usually(usual::kStripStrength),
+                    "force at which a strip one metre wide yields; none: elastic"),
+           value<S>("elongation", &S::elongation, "", above(0.0).usually(usual::kElongation), "strain at which it breaks; none: never"),
            table<S>("connectors", &S::connectors, connectors_table())},
           [](const S& s, const RuleCheck& check) {
             if (s.to && *s.to <= s.from) check.fault("to", "must be above house.mesh.from");
@@ -123,7 +134,8 @@ Table<BeamAnchor> beam_anchor_table() {
   using S = BeamAnchor;
   Table<S> table{"what holds the ends of beams to the walls",
                  {value<S>("every", &S::every, "", within(1.0, 100.0), "beam that has one: 1 for all, 2 for every second"),
-                  value<S>("reach", &S::reach, "m", above(0.0), "from the face of the wall into the room, where it holds the beam")},
+                  value<S>("reach", &S::reach, "m", above(0.0).usually(usual::kMember),
+                           "from the face of the wall into the room, where it holds the beam")},
                  [](const S& s, const RuleCheck& check) { check_bar(s.bar, check); }};
   add_bar_keys(
       table.keys, [](auto& s) -> auto& { return s.bar; });
@@ -147,13 +159,16 @@ Table<Tie> roof_tie_table() {
 
 Table<Deck> deck_table() {
   using S = Deck;
-  return {
-      "boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams",
-      {required(value<S>("shear_stiffness", &S::shear_stiffness, "N/m", above(0.0), "shear flow over shear angle, G t")),
-       value<S>("shear_strength", &S::shear_strength, "N/m", above(0.0), "shear flow at which it yields; none: elastic"),
-       required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0), "force over strain of a strip one metre wide, across the beams")),
-       value<S>("strength", &S::strength, "N/m", above(0.0), "force at which such a strip yields; none: elastic")},
-      nullptr};
+  return {"boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams",
+          {required(value<S>("shear_stiffness", &S::shear_stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
+                             "shear flow over shear angle, G t")),
+           value<S>("shear_strength", &S::shear_strength, "N/m", above(0.0).usually(usual::kStripStrength),
+                    "shear flow at which it yields; none: elastic"),
+           required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
+                             "force over strain of a strip one metre wide, across the beams")),
+           value<S>("strength", &S::strength, "N/m", above(0.0).usually(usual::kStripStrength),
+                    "force at which such a strip yields; none: elastic")},
+          nullptr};
 }
 
 Table<Floor> house_floor_table() {
@@ -163,11 +178,14 @@ Table<Floor> house_floor_table() {
       {value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey under it"),
        choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
                                           "where its beams run: from wall to wall, through inner walls"),
-       value<S>("beam", &S::beam, "m", above(0.0), "width and height of a beam"),
-       value<S>("spacing", &S::spacing, "m", above(0.0).usually(0.1, 3.0), "from axis to axis; in each room as many as fit, the rest at both ends"),
-       value<S>("bearing", &S::bearing, "m", above(0.0), "depth of the pockets in the outer walls, a whole number of brick widths"),
-       value<S>("element", &S::element, "m", above(0.0), "length of an element of a beam"),
-       value<S>("load", &S::load, "kg/m2", at_least(0.0).usually(2.0, 700.0), "mass of boards and all on them; each beam has load x spacing x its length"),
+       value<S>("beam", &S::beam, "m", above(0.0).usually(usual::kSection), "width and height of a beam"),
+       value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kBeamSpacing),
+                "from axis to axis; in each room as many as fit, the rest at both ends"),
+       value<S>("bearing", &S::bearing, "m", above(0.0).usually(usual::kThickness),
+                "depth of the pockets in the outer walls, a whole number of brick widths"),
+       value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "length of an element of a beam"),
+       value<S>("load", &S::load, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
+                "mass of boards and all on them; each beam has load x spacing x its length"),
        value<S>("joint", &S::joint, "", filled(), "joint law of beams with walls, or \"dry\": friction alone"),
        choice<S, Anchorage S::*, Anchorage>(
            "anchorage", &S::anchorage, "",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/case_file/case_tables.h"
 
+#include "io/case_file/usual_ranges.h"
+
 namespace voussoir::io {
 namespace {
 
@@ -12,8 +14,9 @@ Table<Gravity> gravity_table() {
   return {"body force and the settling before time zero",
           {value<S>("acceleration", &S::acceleration, "m/s2", any(), "acceleration of free fall"),
            value<S>("settle", &S::settle, "", any(), "ramp gravity and wait for rest before time zero"),
-           value<S>("ramp", &S::ramp, "s", at_least(0.0), "length of the ramp; none: five periods of damping.frequency, else 1 s"),
-           value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0),
+           value<S>("ramp", &S::ramp, "s", at_least(0.0).usually(usual::kWait),
+                    "length of the ramp; none: five periods of damping.frequency, else 1 s"),
+           value<S>("settle_limit", &S::settle_limit, "s", at_least(0.0).usually(usual::kWait),
                     "longest wait for rest after the ramp; then the run goes on with a warning")},
           [](const S& s, const RuleCheck& check) {
             const double g = norm(s.acceleration);
@@ -27,8 +30,8 @@ Table<Time> time_table() {
   using S = Time;
   return {"time step and duration",
           {auto_or_number<S>("step", &S::step, "s", "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval"),
-           value<S>("duration", &S::duration, "s", within(0.0, kLongestRun), "of the run, after settling"),
-           value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0),
+           value<S>("duration", &S::duration, "s", within(0.0, kLongestRun).usually(usual::kDuration), "of the run, after settling"),
+           value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0).usually(usual::kWait),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
            choice<S, int S::*, int>("multirate", &S::multirate, "", {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
                                     "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are "
@@ -39,7 +42,7 @@ Table<Time> time_table() {
 
 /// A frequency in Hz, or "auto" for the model's own.
 Key<Damping> frequency_key() {
-  Key<Damping> key = value<Damping>("frequency", &Damping::frequency, "Hz", above(0.0),
+  Key<Damping> key = value<Damping>("frequency", &Damping::frequency, "Hz", above(0.0).usually(usual::kFrequency),
                                     "where the ratio holds: the natural frequency; auto: of the mode with the largest mass in y, computed "
                                     "before the run and kept in its case.toml (four digits)");
   key.info.shape = "\"auto\" or a number";
@@ -59,8 +62,10 @@ Table<Damping> damping_table() {
   using S = Damping;
   return {
       "mass damping: ratio at frequency, or alpha",
-      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0).usually(1e-4, 0.2), "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
-       frequency_key(), value<S>("alpha", &S::alpha, "1/s", at_least(0.0), "mass damping coefficient, instead of a ratio"),
+      {value<S>("ratio", &S::ratio, "", from_below(0.0, 1.0).usually(usual::kRatio),
+                "of critical damping, at `frequency` (Eq. 14): 0.02 for 2 %"),
+       frequency_key(),
+       value<S>("alpha", &S::alpha, "1/s", at_least(0.0).usually(usual::kDecay), "mass damping coefficient, instead of a ratio"),
        choice<S, bool S::*, bool>("debris", &S::debris, "", {{"keep", true}, {"off", false}}, "mass damping of elements without a bond"),
        choice<S, bool S::*, bool>("frame", &S::inertial, "", {{"ground", false}, {"inertial", true}},
                                   "velocities that are damped while it shakes: ground: relative to the moving ground, as in Eqs. 13 and "
@@ -77,9 +82,9 @@ Table<Damping> damping_table() {
 Table<Material> material_table() {
   using S = Material;
   return {"a material of elements",
-          {required(value<S>("density", &S::density, "kg/m3", above(0.0).usually(200.0, 12000.0), "mass per volume")),
-           required(value<S>("young", &S::young, "Pa", above(0.0).usually(1e6, 5e11), "Young's modulus")),
-           required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio")),
+          {required(value<S>("density", &S::density, "kg/m3", above(0.0).usually(usual::kDensity), "mass per volume")),
+           required(value<S>("young", &S::young, "Pa", above(0.0).usually(usual::kYoung), "Young's modulus")),
+           required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5).usually(usual::kPoisson), "Poisson's ratio")),
            value<S>("inside", &S::inside, "", filled(),
                     "law between the convex pieces of a stone that is not convex, and between the halves of a unit (house.halves, "
                     "block.halves): a name of joint_laws; none: pieces of a stone never part")},
@@ -119,40 +124,42 @@ Table<JointLaw> joint_law_table() {
   using S = JointLaw;
   return {
       "strength of a joint (Eqs. 5-7) and its mortar (Eq. 3)",
-      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0).usually(100.0, 1e13), "tensile strength f_t")),
-       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0).usually(100.0, 1e13), "cohesion c")),
-       required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
+      {required(value<S>("tension", &S::tension, "Pa", at_least(0.0).usually(usual::kStrength), "tensile strength f_t")),
+       required(value<S>("cohesion", &S::cohesion, "Pa", at_least(0.0).usually(usual::kStrength), "cohesion c")),
+       required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(usual::kFriction),
                          "angle of friction phi of the bond (Eq. 6); once it is broken: [contact]")),
-       required(value<S>("compression", &S::compression, "Pa", above(0.0).usually(1e4, 1e13),
+       required(value<S>("compression", &S::compression, "Pa", above(0.0).usually(usual::kCompression),
                          "compressive strength f_m of the bond; of contacts: contact.compression")),
-       value<S>("cap", &S::cap, "", at_least(0.0), "C_s of the compression cap"),
-       value<S>("thickness", &S::thickness, "m", at_least(0.0).usually(1e-4, 0.1), "of the mortar; 0: no mortar, Eq. 2"),
-       value<S>("young", &S::young, "Pa", at_least(0.0).usually(1e5, 1e11), "Young's modulus of the mortar"),
-       value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5), "Poisson's ratio of the mortar"),
-       value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0),
+       value<S>("cap", &S::cap, "", at_least(0.0).usually(usual::kCap), "C_s of the compression cap"),
+       value<S>("thickness", &S::thickness, "m", at_least(0.0).usually(usual::kMortar), "of the mortar; 0: no mortar, Eq. 2"),
+       value<S>("young", &S::young, "Pa", at_least(0.0).usually(usual::kMortarYoung), "Young's modulus of the mortar"),
+       value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5).usually(usual::kPoisson), "Poisson's ratio of the mortar"),
+       value<S>("fracture_energy_tension", &S::fracture_energy_tension, "J/m2", at_least(0.0).usually(usual::kFracture),
                 "mode I, elastic part included: more than f_t^2 / (2 k_n); 0: brittle in tension"),
-       value<S>("fracture_energy_shear", &S::fracture_energy_shear, "J/m2", at_least(0.0),
+       value<S>("fracture_energy_shear", &S::fracture_energy_shear, "J/m2", at_least(0.0).usually(usual::kFracture),
                 "mode II, of the cohesion alone, elastic part included: more than c^2 / (2 k_s); 0: by failure.post_shear"),
        choice<S, SofteningCurve S::*, SofteningCurve>("softening", &S::softening, "",
                                                       {{"exponential", SofteningCurve::exponential}, {"linear", SofteningCurve::linear}},
                                                       "how f_t and c fall over what opens or slides"),
-       value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
+       value<S>("residual_friction", &S::residual_friction, "degrees", from_below(0.0, 90.0).usually(usual::kFriction),
                 "angle of friction of this joint when its bond is gone, until its faces have slid by half a segment; none: [contact]"),
-       value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0),
+       value<S>("dilatancy", &S::dilatancy, "degrees", from_below(0.0, 90.0).usually(usual::kDilatancy),
                 "angle by which the first slip under pressure opens the joint, no more than friction; dies with cohesion, needs "
                 "fracture_energy_shear"),
-       value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0).usually(1e6, 1e14),
+       value<S>("normal_stiffness", &S::normal_stiffness, "Pa/m", above(0.0).usually(usual::kJointStiffness),
                 "of the joint alone, in series with its blocks (and with one block on the base); in place of thickness; none: rigid"),
-       value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0).usually(1e6, 1e14), "the same along the joint; both stand, or none"),
+       value<S>("shear_stiffness", &S::shear_stiffness, "Pa/m", above(0.0).usually(usual::kJointStiffness),
+                "the same along the joint; both stand, or none"),
        value<S>(
-           "maximum_closure", &S::maximum_closure, "m", above(0.0),
+           "maximum_closure", &S::maximum_closure, "m", above(0.0).usually(usual::kClosure),
            "largest closure of a dry joint (Bandis' hyperbola): its stiffness grows from normal_stiffness, without pressure; friction is "
            "residual_friction or that of [contact]; none: one stiffness")},
       [](const S& s, const RuleCheck& check) {
         check_softening(s, check);
         check_stiffness(s, check);
         check_closure(s, check);
-        if (s.thickness <= 0.0 && s.young > 0.0) check.doubt("young", "has no effect without the thickness of the mortar (m), or stones.gap");
+        if (s.thickness <= 0.0 && s.young > 0.0)
+          check.doubt("young", "has no effect without the thickness of the mortar (m), or stones.gap");
         if (s.thickness <= 0.0) return;
         if (!check.given("young")) check.fault("young", "is missing: mortar with a thickness needs Young's modulus (Pa, > 0)");
         if (!check.given("poisson")) check.fault("poisson", "is missing: mortar with a thickness needs Poisson's ratio (in [0, 0.5))");
@@ -165,7 +172,7 @@ Table<Scatter> scatter_table() {
   return {"random strength of joints: one factor a joint on tension, cohesion and compression of its law",
           {value<S>("seed", &S::seed, "", any(), "the same seed gives the same strengths"),
            value<S>(
-               "variation", &S::variation, "", at_least(0.0),
+               "variation", &S::variation, "", at_least(0.0).usually(usual::kVariation),
                "coefficient of variation, at most 0.33 (normal), 0.57 (uniform), 1 (lognormal); 0: all joints of a law are equally strong"),
            choice<S, Distribution S::*, Distribution>(
                "distribution", &S::distribution, "",
@@ -209,7 +216,7 @@ Table<ContactRule> contact_rule_table() {
   using S = ContactRule;
   return {"friction of two materials, whether they were joined or not",
           {required(value<S>("materials", &S::materials, "", filled(), "the two materials; \"base\" counts as one; a pair may stand once")),
-           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0), "angle of friction"))},
+           required(value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(usual::kFriction), "angle of friction"))},
           nullptr};
 }
 
@@ -230,22 +237,22 @@ Table<Contact> contact_table() {
   using S = Contact;
   return {
       "contact of faces without a bond",
-      {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(5.0, 75.0),
+      {value<S>("friction", &S::friction, "degrees", from_below(0.0, 90.0).usually(usual::kFriction),
                 "angle of friction of all pairs of materials, broken joints too, but of those in `between`"),
-       value<S>("damping", &S::damping, "", at_least(0.0), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
+       value<S>("damping", &S::damping, "", at_least(0.0).usually(usual::kDashpot), "h_n = h_s of the dashpots (Eqs. 9, 10)"),
        choice<S, Dashpots S::*, Dashpots>("dashpots", &S::dashpots, "",
                                           {{"bounded", Dashpots::bounded}, {"unbounded", Dashpots::unbounded}},
                                           "bounded: spring and dashpot together never pull and never exceed friction; unbounded: the whole "
                                           "dashpot acts while faces touch"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
-       value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(1e4, 1e13),
+       value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(usual::kCompression),
                 "pressure at which contacts crush: broken joints and bodies that meet at their points; 0: they bear any pressure"),
-       value<S>("crushing_energy", &S::crushing_energy, "J/m2", at_least(0.0),
+       value<S>("crushing_energy", &S::crushing_energy, "J/m2", at_least(0.0).usually(usual::kCrushing),
                 "that crushing takes above the residual, more than (compression - residual)^2 / (2 k_n); 0: strength does not fall"),
-       value<S>("residual_compression", &S::residual_compression, "Pa", at_least(0.0),
+       value<S>("residual_compression", &S::residual_compression, "Pa", at_least(0.0).usually(usual::kCompression),
                 "that crushed contacts still bear, less than compression; needs crushing_energy"),
-       value<S>("crushing_depth", &S::crushing_depth, "m", above(0.0),
+       value<S>("crushing_depth", &S::crushing_depth, "m", above(0.0).usually(usual::kCrushed),
                 "most that a contact point is crushed: what is crushed so far is compacted and bears any pressure"),
        table<S>("between", &S::between, contact_rule_table())},
       [](const S& s, const RuleCheck& check) { check_crushing(s, check); }};
@@ -253,13 +260,14 @@ Table<Contact> contact_table() {
 
 Table<Case> segments_table() {
   const auto size = [](auto& c) -> auto& { return c.segment_size; };
-  return {"segments of the faces",
-          {value<Case>("size", size, "m", above(0.0), "for all faces; none: per unit, a quarter of its shortest edge"),
-           choice<Case, geometry::SegmentRule Case::*, geometry::SegmentRule>(
-               "rule", &Case::segment_rule, "", {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}},
-               "where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 "
-               "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments")},
-          nullptr};
+  return {
+      "segments of the faces",
+      {value<Case>("size", size, "m", above(0.0).usually(usual::kSegment), "for all faces; none: per unit, a quarter of its shortest edge"),
+       choice<Case, geometry::SegmentRule Case::*, geometry::SegmentRule>(
+           "rule", &Case::segment_rule, "", {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}},
+           "where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 "
+           "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments")},
+      nullptr};
 }
 
 Table<BasePart> base_part_table() {
@@ -267,13 +275,15 @@ Table<BasePart> base_part_table() {
   return {
       "a part of the ground above the base, as a slope has in steps, or one that moves: a rectangle in plan, or what lies under a wall of "
       "the house; walls begin upon it",
-      {value<S>("x", &S::x, "m", any(), "its two ends along x, with y; axes of the case"),
-       value<S>("y", &S::y, "m", any(), "its two ends along y"),
+      {value<S>("x", &S::x, "m", any().usually(usual::kGround), "its two ends along x, with y; axes of the case"),
+       value<S>("y", &S::y, "m", any().usually(usual::kGround), "its two ends along y"),
        value<S>("wall", &S::wall, "", any(),
                 "in place of x and y: all that is under this wall: front, rear, left, right, or the name of an inner wall"),
-       value<S>("from", &S::from, "m", at_least(0.0), "with wall: start along it, from the outer corner of the house; none: its start"),
-       value<S>("to", &S::to, "m", above(0.0), "with wall: its end; none: the wall's"),
-       required(value<S>("level", &S::level, "m", above(0.0), "height of its top above base.z; at most so much can it sink")),
+       value<S>("from", &S::from, "m", at_least(0.0).usually(usual::kHouse),
+                "with wall: start along it, from the outer corner of the house; none: its start"),
+       value<S>("to", &S::to, "m", above(0.0).usually(usual::kHouse), "with wall: its end; none: the wall's"),
+       required(value<S>("level", &S::level, "m", above(0.0).usually(usual::kLevel),
+                         "height of its top above base.z; at most so much can it sink")),
        table<S>("motion", &S::motion, support_motion_table())},
       [](const S& s, const RuleCheck& check) {
         const bool rectangle = s.x || s.y;
@@ -291,8 +301,8 @@ Table<BasePart> base_part_table() {
 Table<Base> base_table() {
   using S = Base;
   return {"fixed half-space under everything",
-          {value<S>("z", &S::z, "m", any(), "height of its top, the lowest ground"),
-           value<S>("tilt", &S::tilt, "degrees", inside(-90.0, 90.0), "about x and y; turns gravity"),
+          {value<S>("z", &S::z, "m", any().usually(usual::kGround), "height of its top, the lowest ground"),
+           value<S>("tilt", &S::tilt, "degrees", inside(-90.0, 90.0).usually(usual::kTilt), "about x and y; turns gravity"),
            table<S>("part", &S::parts, base_part_table())},
           nullptr};
 }

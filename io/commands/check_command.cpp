@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@
 #include "io/files/text_file.h"
 #include "io/measures/capacity_file.h"
 #include "io/motion/motion_files.h"
+#include "io/session/likely_slips.h"
 #include "io/session/prepared_case.h"
 #include "io/session/progress.h"
 #include "io/session/tie_lines.h"
@@ -102,7 +104,8 @@ void print_joint_laws(const cases::Model& m) {
     std::string after = cases::text(rows[i].least);
     if (rows[i].most > rows[i].least) after += " to " + cases::text(rows[i].most);
     std::printf("%-24s %10s %13s %13s %16s %12s %14s\n", m.laws[i].name.c_str(), format_count(rows[i].joints).c_str(),
-                figure(l.tension).c_str(), figure(l.cohesion).c_str(), figure(l.compression).c_str(), figure(l.friction).c_str(), after.c_str());
+                figure(l.tension).c_str(), figure(l.cohesion).c_str(), figure(l.compression).c_str(), figure(l.friction).c_str(),
+                after.c_str());
   }
 }
 
@@ -204,6 +207,33 @@ void print_loading(const cases::Case& c, const cases::GroundMotion& motion) {
     std::printf("\n%s", c.motion ? motion_lines(c, motion).c_str() : "motion                   none\n");
 }
 
+/// All that is likely a slip: of values, and of the model and the motion.
+std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
+  const std::vector<std::string> slips = likely_slips(c, model, motion);
+  warn_of(slips);  // those of values have been told as the case was read
+  std::vector<std::string> all = c.findings;
+  all.insert(all.end(), slips.begin(), slips.end());
+  return all;
+}
+
+int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
+  const cases::Census n = cases::census(model);
+  const double step = sim.dt();
+  std::string fault;
+  try {
+    time_a_step(sim);
+  } catch (const solver::NumericalError& e) {
+    fault = std::string("the first steps go wrong: ") + e.what();
+  }
+  nlohmann::ordered_json out{
+      {"title", c.value.title}, {"elements", n.elements}, {"joints", n.joints},         {"base_joints", n.base_joints},
+      {"volume", n.volume},     {"mass", n.mass},         {"step_bound", n.step_bound}, {"step", step}};
+  out["faults"] = fault.empty() ? std::vector<std::string>{} : std::vector{fault};
+  out["findings"] = findings_of(c, model, motion);
+  std::printf("%s\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  return fault.empty() ? kDone : kInputFault;
+}
+
 }  // namespace
 
 int check_command(const LoadedCase& c, const CheckOptions& o) {
@@ -212,6 +242,10 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   solver::Simulation sim(c.value, model, motion, options);
+  if (o.json) {
+    if (!o.draw.empty()) write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    return check_as_json(c, model, motion, sim);
+  }
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
   std::printf("elements                 %s\n", format_count(n.elements).c_str());
@@ -236,8 +270,13 @@ int check_command(const LoadedCase& c, const CheckOptions& o) {
     write_text_file(o.draw, draw(c.value, model), o.overwrite);
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
   }
-  warn_of_slips(c, model, motion);
-  std::printf(sound ? "\nno faults found\n" : "\na fault: the first steps go wrong, see estimate\n");
+  const std::size_t findings = findings_of(c, model, motion).size();
+  if (!sound) std::printf("\na fault: the first steps go wrong, see estimate\n");
+  if (findings > 0)
+    std::printf("\nwarnings: %zu (on standard error)%s\n", findings,
+                sound ? "; nothing else found, but each of them is likely a slip" : "");
+  else if (sound)
+    std::printf("\nno faults found\n");
   return sound ? kDone : kInputFault;
 }
 

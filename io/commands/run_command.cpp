@@ -10,6 +10,7 @@
 #include "io/files/run_folder.h"
 #include "io/motion/motion_files.h"
 #include "io/results/base_motion.h"
+#include "io/session/likely_slips.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
 #include "io/session/tie_lines.h"
@@ -39,7 +40,7 @@ int run_command(const LoadedCase& c, const RunOptions& o) {
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);
-  warn_of_slips(c, model, motion);
+  warn_of(likely_slips(c, model, motion));
   warn_of_step(c.value, model, sim.world().dt);
 
   cases::Case used = anchored(c.value);

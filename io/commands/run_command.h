@@ -29,6 +29,7 @@ int run_command(const LoadedCase& c, const RunOptions& o);
 struct CheckOptions {
   std::string draw;  // SVG file of a drawing; empty: none
   bool overwrite = false;
+  bool json = false;
 };
 
 /// Reads, builds and reports; runs nothing. \throw cases::InputError, FileError

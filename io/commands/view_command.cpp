@@ -15,6 +15,7 @@
 #include "io/report/stills.h"
 #include "io/results/results.h"
 #include "io/session/exit_code.h"
+#include "io/session/likely_slips.h"
 #include "io/session/prepared_case.h"
 #include "io/session/session.h"
 #include "io/stones/stones.h"
@@ -90,6 +91,13 @@ Shown shown(const LoadedCase& given) {
   return s;
 }
 
+/// What stands above the model: why it is refused, and all that is likely a slip.
+std::string in_page(const std::string& fault, const std::vector<std::string>& findings) {
+  std::string text = fault;
+  for (const std::string& f : findings) text += (text.empty() ? "" : "\n") + ("warning: " + f);
+  return text;
+}
+
 }  // namespace
 
 int view_command(const LoadedCase& c, const ViewOptions& o) {
@@ -103,10 +111,18 @@ int view_command(const LoadedCase& c, const ViewOptions& o) {
     ResultsWriter results(scratch.path(), s.model, resolved_toml(anchored(s.value)), history_names(s.value), provenance(1));
     results.flush();
   }
-  const std::string text = model_html(scratch.path() + "/run.h5", s.fault, s.at_fault);
+  std::vector<std::string> findings = c.findings;
+  if (s.fault.empty()) {
+    const LoadedCase used{s.value, c.path, c.keys, {}, {}};  // with its stones
+    const std::vector<std::string> slips = slips_of_model(used, s.model);
+    warn_of(slips);
+    findings.insert(findings.end(), slips.begin(), slips.end());
+  }
+  const std::string text = model_html(scratch.path() + "/run.h5", in_page(s.fault, findings), s.at_fault);
   if (o.still.empty()) {
     write_text_file(page, text, o.overwrite);
-    std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
+    std::printf("%s  %.1f MB%s\n", page.c_str(), 1e-6 * static_cast<double>(text.size()),
+                findings.empty() ? "" : ("; warnings: " + std::to_string(findings.size())).c_str());
   } else {
     write_still(text, o.view, page);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -15,19 +16,24 @@
 /// What the option tables are made of: limits, faults, and the way from a node to a typed value and back to text.
 namespace voussoir::io {
 
+/// Sizes that buildings have, without their sign.
+struct Usual {
+  double low, high;
+};
+
 /// The range of a number, or of each number of an array. Every number must be finite anyway.
 struct Limits {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
   bool filled = false;  // a string must not be empty
-  // Of values that buildings have; 0 mostly means "none". What lies outside is let through with a note: its unit may be another.
+  // Of values that buildings have; 0 mostly means "none". What lies outside is let through, but told: its unit may be another.
   double usual_low = -std::numeric_limits<double>::infinity(), usual_high = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool contains(double v) const noexcept { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
-  [[nodiscard]] bool is_usual(double v) const noexcept { return v == 0.0 || (v >= usual_low && v <= usual_high); }
-  [[nodiscard]] Limits usually(double from, double to) const {
+  [[nodiscard]] bool is_usual(double v) const noexcept { return v == 0.0 || (std::abs(v) >= usual_low && std::abs(v) <= usual_high); }
+  [[nodiscard]] Limits usually(Usual range) const {
     Limits l = *this;
-    l.usual_low = from, l.usual_high = to;
+    l.usual_low = range.low, l.usual_high = range.high;
     return l;
   }
   /// ">= 0", "in [0, 0.5)"; empty: any.

@@ -20,11 +20,4 @@ cases::Model prepared_model(const cases::Case& c);
 /// case as used says it. Tells which mode on standard error. \throw cases::InputError if no mode moves the building along y
 void fill_own_frequency(cases::Case& c);
 
-/// What in a case is likely a slip, told on standard error: rules of joints.between that never apply; materials and joint laws of the
-/// case's own file that nothing has; a motion that is stronger than any record, or that ends before 80 % of the run; an intensity that the
-/// run does not reach, or that is the mean of a strong and a nearly still component; a damping.frequency that is neither within 20 % of the
-/// model's main frequency along y nor of that along x. Modes are computed for that (a house: 2 s), unless the model has more than 10,000
-/// elements. (Values that are unusual by themselves are LoadedCase::notes.)
-void warn_of_slips(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion);
-
 }  // namespace voussoir::io

@@ -7,7 +7,7 @@
 
 #include "io/case_file/case_file.h"
 
-// Values that are let through with a note, since no building has them: most are slips of units.
+// Findings: values that are let through, though no building has them: most are slips of units.
 
 using namespace voussoir;
 
@@ -15,7 +15,7 @@ namespace {
 
 using Notes = std::vector<std::string>;
 
-Notes notes_of(const std::string& text) { return io::read_case({"test.toml", text}).notes; }
+Notes notes_of(const std::string& text) { return io::read_case({"test.toml", text}).findings; }
 
 const std::string kStone = "[materials.stone]\nyoung = 10e9\npoisson = 0.2\n";
 const std::string kLaw = "[joint_laws.lime]\ncompression = 2e6\n";
@@ -30,7 +30,7 @@ TEST_CASE("notes: an unusual value is told with its place, its unit and what is 
         Notes{"test.toml:3: joint_laws.lime.tension = 0.05 Pa is unusual; usually 100 to 1e13 Pa",
               "test.toml:5: joint_laws.lime.friction = 0.5 degrees is unusual; usually 5 to 75 degrees"});
   CHECK(notes_of("[house]\nbrick = [250, 120, 60]\n").size() == 3);  // mm
-  CHECK(io::read_case({"test.toml", kStone + "density = 2200.0\n"}, {"materials.stone.density=1e6"}).notes ==
+  CHECK(io::read_case({"test.toml", kStone + "density = 2200.0\n"}, {"materials.stone.density=1e6"}).findings ==
         Notes{"--set materials.stone.density=1e6: materials.stone.density = 1e+06 kg/m3 is unusual; usually 200 to 12000 kg/m3"});
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("notes: keys of another kind of roof, in the file that says the kind")
   CHECK(notes_of(flat + "radius = 1.4\nring = 0.3\n").size() == 2);
   CHECK(notes_of("[house.roof]\nkind = \"gables\"\nradius = 1.4\nthickness = 0.1\n").size() == 1);
   CHECK(notes_of(vault + "beam = [0.2, 0.2]\n") == Notes{});  // the default, as a resolved case has it
-  CHECK(io::read_case({"test.toml", flat + "beam = [0.1, 0.15]\n"}, {"house.roof.kind=vault"}).notes == Notes{});  // meant so
+  CHECK(io::read_case({"test.toml", flat + "beam = [0.1, 0.15]\n"}, {"house.roof.kind=vault"}).findings == Notes{});  // meant so
 }
 
 TEST_CASE("notes: levels of intensity that look like g") {
