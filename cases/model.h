@@ -128,9 +128,9 @@ Model build_model(const Case& c, int threads = 1);
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;
 
-/// The elements that a load on `name` acts on: the block of that name; of a stone in pieces the piece nearest to its centroid; of a group
-/// of stones so one element of each. Empty: nothing has this name.
-std::vector<std::int32_t> elements_named(const Model& model, const std::string& name);
+/// What has this name, each as its elements: a block (both halves of one that is cut), a half of one, a stone (all its pieces), a piece of
+/// one, or all stones of a group. Empty: nothing has it.
+std::vector<std::vector<std::int32_t>> parts_named(const Model& model, const std::string& name);
 
 /// How a message calls an element: `front wall (element 12)`, with the house if there are several; `block "slider" (element 3)`.
 std::string describe(const Block& block, std::size_t element);

@@ -15,10 +15,6 @@ namespace voussoir::cases {
 /// \throw InputError with the key at fault: no stones were read, a name that stands twice, an unknown material.
 void add_stone_blocks(const Case& c, Model& model);
 
-/// What has this name, each as its elements: a block (both halves of one that is cut), a half of one, a stone (all its pieces), a piece of
-/// one, or all stones of a group. Empty: nothing has it.
-std::vector<std::vector<std::int32_t>> parts_named(const Model& model, const std::string& name);
-
 /// Whether some stone, or a group of stones, has this name.
 bool is_stone_or_group(const Case& c, const std::string& name);
 
