@@ -9,7 +9,7 @@ namespace voussoir::cases {
 
 namespace {
 
-constexpr double kMostSegments = 1e3;  // across; more are found where a joint is no rectangle, and has no n
+constexpr double kMostAcross = 1e3;  // across; more are found where a joint is no rectangle, and has no n
 
 /// Extent of a joint along one axis and the cells along it: centres of n equal cells lie over b (1 − 1/n) and have the second moment
 /// A b² (1 − 1/n²)/12, which gives both without its grid. Clipped cells make n a fraction.
@@ -55,7 +55,7 @@ std::vector<Lever> levers(const Case& c, const Model& model) {
   Lever coarsest;
   for (std::size_t i = 0; i < model.assembly.joints.size(); ++i) {
     Lever l = coarser(model.assembly.joints[i]);
-    if (l.segments > kMostSegments) continue;
+    if (l.segments > kMostAcross) continue;
     if (coarsest.joint >= 0 && l.segments >= coarsest.segments - 1e-6) continue;
     coarsest = l;
     coarsest.joint = static_cast<std::int32_t>(i);

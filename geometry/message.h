@@ -10,11 +10,20 @@ namespace voussoir::geometry {
 /// "block 7: " for a known subject, else nothing.
 inline std::string block_prefix(int subject) { return subject < 0 ? std::string() : "block " + std::to_string(subject) + ": "; }
 
-/// A figure for a message: six significant digits, general format.
-inline std::string figure(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
+/// What printf prints of `values`.
+template <class... Values>
+std::string printed(const char* format, Values... values) {
+  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
   return text;
 }
+
+/// A figure for a message: six significant digits, general format.
+inline std::string figure(double value) { return printed("%.6g", value); }
+/// A figure that needs no more than four digits.
+inline std::string short_figure(double value) { return printed("%.4g", value); }
+
+/// A length of stones that differ by little: "0.12 mm".
+inline std::string millimetres(double metres) { return printed("%.3g mm", 1e3 * metres); }
 
 }  // namespace voussoir::geometry

@@ -21,8 +21,6 @@ struct Level {
   int sign = 1;          // the level moves up (1) or down with the value
 };
 
-std::string metres_text(Tick t) { return text(metres(t)); }
-
 /// The foot, the tops of storeys, then the openings in the order of the case, then the beams of floors and the tops of piers.
 std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   std::vector<Level> levels{{}, {plan.storeys[0].high, "house.height", house.height, true}};

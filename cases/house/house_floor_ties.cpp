@@ -9,10 +9,6 @@
 namespace voussoir::cases {
 namespace {
 
-std::string key_of(std::size_t floor, const char* field = "") { return indexed_key("house.floor", floor, field); }
-
-std::string metres_text(Tick t) { return text(metres(t)); }
-
 /// Axes of the house for a point by its place along the beams, across them, and its height.
 Vec3 on_floor(const Floor& floor, double along, double across, double z) {
   return floor.along == PlanAxis::x ? Vec3{along, across, z} : Vec3{across, along, z};
@@ -43,13 +39,13 @@ void check_anchor(const House& house, const HousePlan& plan, std::size_t index) 
   for (const Side side : {ends.low, ends.high}) {
     const Tick wall = plan.wall(side, floor.storey - 1).thickness;
     if (floor.anchorage == Anchorage::anchor && ticks(floor.bearing) == wall)
-      throw InputError(key_of(index, "bearing"), text(floor.bearing) + " m leaves nothing of the " + name(side) +
-                                                     " wall behind the beams for anchors to hold; at most " +
-                                                     metres_text(wall - plan.brick_width) + " m");
+      throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m leaves nothing of the " + name(side) +
+                                                        " wall behind the beams for anchors to hold; at most " +
+                                                        metres_text(wall - plan.brick_width) + " m");
   }
   const double half = 0.5 * metres(plan.floors[index].length.length()) - floor.bearing;
   if (!(floor.anchor->reach < half))
-    throw InputError(key_of(index, "anchor.reach"),
+    throw InputError(floor_key(index, "anchor.reach"),
                      text(floor.anchor->reach) + " m is not less than half the span of the beams, " + text(half) + " m");
 }
 

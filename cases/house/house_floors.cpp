@@ -4,16 +4,12 @@
 
 #include <algorithm>
 
-#include "cases/house/walls/ground.h"
 #include "cases/house/house_parts.h"
+#include "cases/house/walls/ground.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
 namespace {
-
-std::string key_of(std::size_t floor, const char* field = "") { return indexed_key("house.floor", floor, field); }
-
-std::string metres_text(Tick t) { return text(metres(t)); }
 
 /// The walls beside which beams lie.
 BeamEnds sides_of(const Floor& floor) {
@@ -23,10 +19,11 @@ BeamEnds sides_of(const Floor& floor) {
 void check_storey(const House& house, std::size_t index) {
   const int storey = house.floors[index].storey, most = static_cast<int>(house.storeys.size()) + 1;
   if (storey < 1 || storey > most)
-    throw InputError(key_of(index, "storey"), "there is no storey " + std::to_string(storey) + "; allowed: 1 to " + std::to_string(most));
+    throw InputError(floor_key(index, "storey"),
+                     "there is no storey " + std::to_string(storey) + "; allowed: 1 to " + std::to_string(most));
   for (std::size_t other = 0; other < index; ++other) {
     if (house.floors[other].storey == storey)
-      throw InputError(key_of(index, "storey"), "storey " + std::to_string(storey) + " has " + key_of(other) + " already");
+      throw InputError(floor_key(index, "storey"), "storey " + std::to_string(storey) + " has " + floor_key(other) + " already");
   }
 }
 
@@ -62,10 +59,10 @@ std::vector<Interval> beams_in(Interval room, Tick width, Tick spacing) {
 std::optional<Interval> pocket_depth(const Floor& floor, std::size_t index, const WallPlan& wall, const HousePlan& plan) {
   if (wall.pier >= 0 || wall.along_x == (floor.along == PlanAxis::x)) return std::nullopt;
   if (wall.inner >= 0) return Interval{0, wall.thickness};
-  const Tick depth = multiple_of(floor.bearing, plan.brick_width, key_of(index, "bearing"), "brick widths");
+  const Tick depth = multiple_of(floor.bearing, plan.brick_width, floor_key(index, "bearing"), "brick widths");
   if (depth > wall.thickness)
-    throw InputError(key_of(index, "bearing"), text(floor.bearing) + " m is deeper than the " + name(wall.side) + " wall; at most " +
-                                                   metres_text(wall.thickness) + " m");
+    throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m is deeper than the " + name(wall.side) + " wall; at most " +
+                                                      metres_text(wall.thickness) + " m");
   return Interval{wall.thickness - depth, wall.thickness};
 }
 
@@ -88,10 +85,10 @@ void add_pocket(const House& house, const Hole& pocket, WallPlan& wall, const Ho
   for (const Hole& other : wall.holes) {
     if (other.floor >= 0 || !other.along.overlaps(pocket.along) || !other.height.overlaps(pocket.height)) continue;
     const auto index = static_cast<std::size_t>(pocket.floor);
-    throw InputError(key_of(index, "beam"), "a beam from " + metres_text(pocket.along.low) + " to " + metres_text(pocket.along.high) +
-                                                " m of the " + wall_name(house, wall) + ", " + metres_text(pocket.height.low) +
-                                                " m above the ground, lies in " + hole_key(other) +
-                                                "; lower that, or move the beams (spacing)");
+    throw InputError(floor_key(index, "beam"), "a beam from " + metres_text(pocket.along.low) + " to " + metres_text(pocket.along.high) +
+                                                   " m of the " + wall_name(house, wall) + ", " + metres_text(pocket.height.low) +
+                                                   " m above the ground, lies in " + hole_key(other) +
+                                                   "; lower that, or move the beams (spacing)");
   }
   wall.holes.push_back(pocket);
 }
@@ -100,7 +97,7 @@ void check_walls(const House& house, std::size_t index, const HousePlan& plan) {
   const BeamEnds ends = ends_of(house.floors[index]);
   for (const Side side : {ends.low, ends.high}) {
     if (!plan.wall(side, 0).built)
-      throw InputError(key_of(index), "its beams rest on the " + std::string(name(side)) + " wall, which house.walls leaves out");
+      throw InputError(floor_key(index), "its beams rest on the " + std::string(name(side)) + " wall, which house.walls leaves out");
   }
 }
 
@@ -109,31 +106,34 @@ FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan
   const Floor& floor = house.floors[index];
   const int storey = floor.storey - 1;
   const Interval walls = plan.storeys[static_cast<std::size_t>(storey)];
-  const Tick width = positive_length(floor.beam[0], key_of(index, "beam")), height = positive_length(floor.beam[1], key_of(index, "beam"));
-  const Tick spacing = positive_length(floor.spacing, key_of(index, "spacing"));
+  const Tick width = positive_length(floor.beam[0], floor_key(index, "beam")),
+             height = positive_length(floor.beam[1], floor_key(index, "beam"));
+  const Tick spacing = positive_length(floor.spacing, floor_key(index, "spacing"));
   if (height >= walls.length())
-    throw InputError(key_of(index, "beam"),
+    throw InputError(floor_key(index, "beam"),
                      text(floor.beam[1]) + " m is not less than the height of the storey, " + metres_text(walls.length()) + " m");
   if (spacing < width + plan.shortest_piece())
-    throw InputError(key_of(index, "spacing"), text(floor.spacing) + " m leaves less than half a brick between beams; at least " +
-                                                   metres_text(width + plan.shortest_piece()) + " m");
+    throw InputError(floor_key(index, "spacing"), text(floor.spacing) + " m leaves less than half a brick between beams; at least " +
+                                                      metres_text(width + plan.shortest_piece()) + " m");
   FloorPlan laid;
   laid.height = {walls.high - height, walls.high};
   const BeamEnds ends = ends_of(floor);
-  const Tick bearing = multiple_of(floor.bearing, plan.brick_width, key_of(index, "bearing"), "brick widths");
+  const Tick bearing = multiple_of(floor.bearing, plan.brick_width, floor_key(index, "bearing"), "brick widths");
   laid.length = {plan.wall(ends.low, storey).thickness - bearing,
                  plan.outer[floor.along == PlanAxis::x ? 0 : 1] - plan.wall(ends.high, storey).thickness + bearing};
-  element_length(floor.element, laid.length.length(), key_of(index, "element"));
+  element_length(floor.element, laid.length.length(), floor_key(index, "element"));
   bool any = false;
   for (const Interval room : rooms_beside(floor, plan, storey)) {
     laid.rooms.push_back(beams_in({room.low + plan.shortest_piece(), room.high - plan.shortest_piece()}, width, spacing));
     any = any || !laid.rooms.back().empty();
   }
-  if (!any) throw InputError(key_of(index, "beam"), text(floor.beam[0]) + " m is too wide for the rooms of the storey");
+  if (!any) throw InputError(floor_key(index, "beam"), text(floor.beam[0]) + " m is too wide for the rooms of the storey");
   return laid;
 }
 
 }  // namespace
+
+std::string floor_key(std::size_t floor, const char* field) { return indexed_key("house.floor", floor, field); }
 
 BeamEnds ends_of(const Floor& floor) noexcept {
   return floor.along == PlanAxis::y ? BeamEnds{Side::front, Side::rear} : BeamEnds{Side::left, Side::right};

@@ -8,6 +8,9 @@
 /// Floors of beams in pockets, what anchors them, and their decks. Internal to cases/.
 namespace voussoir::cases {
 
+/// "house.floor[1].bearing"
+std::string floor_key(std::size_t floor, const char* field = "");
+
 /// The walls in which beams end.
 struct BeamEnds {
   Side low, high;

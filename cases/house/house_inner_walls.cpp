@@ -9,8 +9,6 @@
 namespace voussoir::cases {
 namespace {
 
-std::string metres_text(Tick t) { return text(metres(t)); }
-
 bool goes_through(const InnerWall& wall, int storey) {
   return wall.storeys.empty() || std::ranges::find(wall.storeys, storey + 1) != wall.storeys.end();
 }

@@ -17,21 +17,17 @@
 namespace voussoir::cases {
 namespace {
 
-std::string key_of(std::size_t opening, const char* field = "") { return indexed_key("house.opening", opening, field); }
-
-std::string metres_text(Tick t) { return text(metres(t)); }
-
-std::string from_to(Interval i) { return "from " + metres_text(i.low) + " to " + metres_text(i.high) + " m"; }
+std::string opening_key(std::size_t opening, const char* field = "") { return indexed_key("house.opening", opening, field); }
 
 WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
   const Opening& opening = house.openings[index];
   const int storeys = static_cast<int>(plan.storeys.size());
   if (opening.storey < 1 || opening.storey > storeys)
-    throw InputError(key_of(index, "storey"),
+    throw InputError(opening_key(index, "storey"),
                      "there is no storey " + std::to_string(opening.storey) + "; allowed: 1 to " + std::to_string(storeys));
   for (WallPlan& wall : plan.walls) {
     if (wall.storey != opening.storey - 1 || opening.wall + " wall" != wall_name(house, wall)) continue;
-    if (!wall.built) throw InputError(key_of(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
+    if (!wall.built) throw InputError(opening_key(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
     return wall;
   }
   std::string allowed = "front, rear, left, right";
@@ -40,7 +36,7 @@ WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
       allowed += ", " + house.inner_walls[static_cast<std::size_t>(wall.inner)].name;
   }
   throw InputError(
-      key_of(index, "wall"),
+      opening_key(index, "wall"),
       quoted(opening.wall) + " is no wall" + (storeys > 1 ? " of storey " + std::to_string(opening.storey) : "") + "; allowed: " + allowed);
 }
 
@@ -54,40 +50,41 @@ void refuse_crossing(const House& house, const Hole& hole, const char* field, do
     if (!here || other.storey != wall.storey || other.along_x == wall.along_x) continue;
     const Interval crossing{other.at, other.at + other.thickness};
     if (!hole.along.overlaps(crossing)) continue;
-    throw InputError(key_of(hole.opening, field), text(value) + " m puts the " +
-                                                      (hole.lintel ? "lintel"
-                                                       : hole.arch ? "arch"
-                                                                   : "opening") +
-                                                      " (" + from_to(hole.along) + ") where the " + wall_name(house, other) +
-                                                      " meets the " + wall_name(house, wall) + ", " + from_to(crossing));
+    throw InputError(opening_key(hole.opening, field), text(value) + " m puts the " +
+                                                           (hole.lintel ? "lintel"
+                                                            : hole.arch ? "arch"
+                                                                        : "opening") +
+                                                           " (" + from_to(hole.along) + ") where the " + wall_name(house, other) +
+                                                           " meets the " + wall_name(house, wall) + ", " + from_to(crossing));
   }
 }
 
 Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
   const Opening& opening = house.openings[index];
   const Interval room = between_corners(wall);
-  const Tick width = positive_length(opening.width, key_of(index, "width"));
+  const Tick width = positive_length(opening.width, opening_key(index, "width"));
   if (width > room.length()) {
-    throw InputError(key_of(index, "width"), text(opening.width) + " m is wider than the " + wall_name(house, wall) +
-                                                 " between its corners (" + metres_text(room.length()) + " m)");
+    throw InputError(opening_key(index, "width"), text(opening.width) + " m is wider than the " + wall_name(house, wall) +
+                                                      " between its corners (" + metres_text(room.length()) + " m)");
   }
   const Tick from = std::isfinite(opening.from) && std::abs(opening.from) < 1e4 ? ticks(opening.from) : Tick{-1};
   const Interval along{from, from + width};
   if (along.low < room.low || along.high > room.high) {
-    throw InputError(key_of(index, "from"), text(opening.from) + " m puts the opening outside the " + wall_name(house, wall) +
-                                                ", whose inner corners are at " + metres_text(room.low) + " and " + metres_text(room.high) +
-                                                " m; allowed: " + metres_text(room.low) + " to " + metres_text(room.high - width) + " m");
+    throw InputError(opening_key(index, "from"), text(opening.from) + " m puts the opening outside the " + wall_name(house, wall) +
+                                                     ", whose inner corners are at " + metres_text(room.low) + " and " +
+                                                     metres_text(room.high) + " m; allowed: " + metres_text(room.low) + " to " +
+                                                     metres_text(room.high - width) + " m");
   }
-  const Tick sill = opening.sill == 0.0 ? 0 : positive_length(opening.sill, key_of(index, "sill"));
-  const Tick height = positive_length(opening.height, key_of(index, "height"));
+  const Tick sill = opening.sill == 0.0 ? 0 : positive_length(opening.sill, opening_key(index, "sill"));
+  const Tick height = positive_length(opening.height, opening_key(index, "height"));
   const Tick top = wall.height.length();
   if (sill >= top) {
-    throw InputError(key_of(index, "sill"), text(opening.sill) + " m is not below the top of the wall (" + metres_text(top) + " m)");
+    throw InputError(opening_key(index, "sill"), text(opening.sill) + " m is not below the top of the wall (" + metres_text(top) + " m)");
   }
   if (sill + height > top) {
-    throw InputError(key_of(index, "height"), text(opening.height) + " m above a sill at " + text(opening.sill) +
-                                                  " m is over the height of the wall (" + metres_text(top) + " m); at most " +
-                                                  metres_text(top - sill) + " m");
+    throw InputError(opening_key(index, "height"), text(opening.height) + " m above a sill at " + text(opening.sill) +
+                                                       " m is over the height of the wall (" + metres_text(top) + " m); at most " +
+                                                       metres_text(top - sill) + " m");
   }
   refuse_crossing(house, {along, {}, index, false}, "from", opening.from, wall, plan);
   return {along, {wall.height.low + sill, wall.height.low + sill + height}, index, false, {0, wall.thickness}};
@@ -106,29 +103,29 @@ Hole lintel_hole(const House& house, const Hole& under, const HousePlan& plan, c
   const Opening& opening = house.openings[index];
   const Lintel& lintel = *opening.lintel;
   const Interval room = between_corners(wall);
-  const Tick length = positive_length(lintel.length, key_of(index, "lintel.length"));
-  const Tick height = positive_length(lintel.height, key_of(index, "lintel.height"));
-  element_length(lintel.element, length, key_of(index, "lintel.element"));
+  const Tick length = positive_length(lintel.length, opening_key(index, "lintel.length"));
+  const Tick height = positive_length(lintel.height, opening_key(index, "lintel.height"));
+  element_length(lintel.element, length, opening_key(index, "lintel.element"));
   if (length > room.length()) {
-    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(house, wall) +
-                                                         " between its corners (" + metres_text(room.length()) + " m)");
+    throw InputError(opening_key(index, "lintel.length"), text(lintel.length) + " m is longer than the " + wall_name(house, wall) +
+                                                              " between its corners (" + metres_text(room.length()) + " m)");
   }
   if (length <= under.along.length()) {
-    throw InputError(key_of(index, "lintel.length"),
+    throw InputError(opening_key(index, "lintel.length"),
                      text(lintel.length) + " m finds no support beside the opening; more than its width, " + text(opening.width) + " m");
   }
   if (under.height.high + height > wall.height.high) {
-    throw InputError(key_of(index, "lintel.height"),
+    throw InputError(opening_key(index, "lintel.height"),
                      text(lintel.height) + " m above the opening (top at " + metres_text(under.height.high - wall.height.low) +
                          " m) is over the height of the wall (" + metres_text(wall.height.length()) + " m)");
   }
   const Interval along = lintel_span(opening);
   if (along.low < room.low || along.high > room.high) {
     const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
-    throw InputError(key_of(index, "lintel.length"), text(lintel.length) + " m makes the lintel reach " + from_to(along) +
-                                                         ", into a corner of the " + wall_name(house, wall) + " (inner corners at " +
-                                                         metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
-                                                         metres_text(under.along.length() + 2 * spare) + " m here");
+    throw InputError(opening_key(index, "lintel.length"), text(lintel.length) + " m makes the lintel reach " + from_to(along) +
+                                                              ", into a corner of the " + wall_name(house, wall) + " (inner corners at " +
+                                                              metres_text(room.low) + " and " + metres_text(room.high) + " m); at most " +
+                                                              metres_text(under.along.length() + 2 * spare) + " m here");
   }
   refuse_crossing(house, {along, {}, index, true}, "lintel.length", lintel.length, wall, plan);
   return {along, {under.height.high, under.height.high + height}, index, true, {0, wall.thickness}};
@@ -141,10 +138,10 @@ Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan,
   const double springer = house.openings[under.opening].arch->springer;
   if (hole.along.low < room.low || hole.along.high > room.high) {
     const Tick spare = std::min(under.along.low - room.low, room.high - under.along.high);
-    throw InputError(key_of(under.opening, "arch.springer"), text(springer) + " m makes the arch reach " + from_to(hole.along) +
-                                                                 ", into a corner of the " + wall_name(house, wall) +
-                                                                 " (inner corners at " + metres_text(room.low) + " and " +
-                                                                 metres_text(room.high) + " m); at most " + metres_text(spare) + " m here");
+    throw InputError(opening_key(under.opening, "arch.springer"),
+                     text(springer) + " m makes the arch reach " + from_to(hole.along) + ", into a corner of the " +
+                         wall_name(house, wall) + " (inner corners at " + metres_text(room.low) + " and " + metres_text(room.high) +
+                         " m); at most " + metres_text(spare) + " m here");
   }
   refuse_crossing(house, hole, "arch.springer", springer, wall, plan);
   return hole;
@@ -251,18 +248,18 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   // A change takes the piece away, or makes it half a brick long.
   if (found->hole->lintel) {
     const auto length = [index](House& h) -> double& { return h.openings[index].lintel->length; };
-    throw InputError(key_of(index, "lintel.length"),  // both ends move: twice the change
+    throw InputError(opening_key(index, "lintel.length"),  // both ends move: twice the change
                      text(opening.lintel->length) + " m" + problem + advice(house, plan, length, {2 * gap, -2 * lack}));
   }
   if (found->hole->arch) {
     const auto springer = [index](House& h) -> double& { return h.openings[index].arch->springer; };
-    throw InputError(key_of(index, "arch.springer"),
+    throw InputError(opening_key(index, "arch.springer"),
                      text(opening.arch->springer) + " m" + problem + advice(house, plan, springer, {gap, -lack}));
   }
   const bool piece_before = found->hole->along.low == found->piece.high;
   const auto from = [index](House& h) -> double& { return h.openings[index].from; };
   const std::array<Tick, 2> changes = piece_before ? std::array<Tick, 2>{-gap, lack} : std::array<Tick, 2>{gap, -lack};
-  throw InputError(key_of(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
+  throw InputError(opening_key(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
 }
 
 /// Whether all of a stretch of a wall is open right above a height.

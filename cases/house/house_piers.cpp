@@ -8,18 +8,16 @@
 namespace voussoir::cases {
 namespace {
 
-std::string key_of(std::size_t pier, const char* field) { return indexed_key("house.pier", pier, field); }
-
-std::string metres_text(Tick t) { return text(metres(t)); }
+std::string pier_key(std::size_t pier, const char* field) { return indexed_key("house.pier", pier, field); }
 
 Side side_of(const House& house, std::size_t index, const HousePlan& plan) {
   const std::string& wanted = house.piers[index].wall;
   for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
     if (wanted != name(side)) continue;
-    if (!plan.wall(side).built) throw InputError(key_of(index, "wall"), quoted(wanted) + " is not built; see house.walls");
+    if (!plan.wall(side).built) throw InputError(pier_key(index, "wall"), quoted(wanted) + " is not built; see house.walls");
     return side;
   }
-  throw InputError(key_of(index, "wall"), quoted(wanted) + " is no outer wall; allowed: front, rear, left, right");
+  throw InputError(pier_key(index, "wall"), quoted(wanted) + " is no outer wall; allowed: front, rear, left, right");
 }
 
 /// Lengths of a pier, checked by themselves.
@@ -31,15 +29,15 @@ struct Sizes {
 Sizes sizes_of(const House& house, std::size_t index, const HousePlan& plan) {
   const Pier& pier = house.piers[index];
   Sizes s;
-  const Tick from = positive_length(pier.from, key_of(index, "from"));
-  s.along = {from, from + multiple_of(pier.width, plan.brick_width, key_of(index, "width"), "brick widths")};
-  s.depth = positive_length(pier.depth, key_of(index, "depth"));
+  const Tick from = positive_length(pier.from, pier_key(index, "from"));
+  s.along = {from, from + multiple_of(pier.width, plan.brick_width, pier_key(index, "width"), "brick widths")};
+  s.depth = positive_length(pier.depth, pier_key(index, "depth"));
   if (s.depth < plan.shortest_piece())
-    throw InputError(key_of(index, "depth"),
+    throw InputError(pier_key(index, "depth"),
                      text(pier.depth) + " m is less than half a brick; at least " + metres_text(plan.shortest_piece()) + " m");
-  s.height = pier.height ? positive_length(*pier.height, key_of(index, "height")) : plan.storeys[0].high;
+  s.height = pier.height ? positive_length(*pier.height, pier_key(index, "height")) : plan.storeys[0].high;
   if (s.height > plan.height)
-    throw InputError(key_of(index, "height"),
+    throw InputError(pier_key(index, "height"),
                      text(*pier.height) + " m is above the top of the walls; at most " + metres_text(plan.height) + " m");
   return s;
 }
@@ -50,13 +48,13 @@ void check_place(const House& house, std::size_t index, const WallPlan& wall, In
   const Interval room{wall.corner + gap, wall.length - wall.corner - gap};
   const std::string from = text(house.piers[index].from) + " m ";
   if (along.low < room.low || along.high > room.high)
-    throw InputError(key_of(index, "from"), from + "puts the pier at a corner of the " + wall_name(house, wall) + "; allowed: " +
-                                                metres_text(room.low) + " to " + metres_text(room.high - along.length()) + " m");
+    throw InputError(pier_key(index, "from"), from + "puts the pier at a corner of the " + wall_name(house, wall) + "; allowed: " +
+                                                  metres_text(room.low) + " to " + metres_text(room.high - along.length()) + " m");
   for (const Crossing& other : wall.crossings) {
     if (!along.overlaps({other.along.low - gap, other.along.high + gap})) continue;
-    throw InputError(key_of(index, "from"), from + "puts the pier less than half a brick from where another wall or pier meets the " +
-                                                wall_name(house, wall) + ", from " + metres_text(other.along.low) + " to " +
-                                                metres_text(other.along.high) + " m");
+    throw InputError(pier_key(index, "from"), from + "puts the pier less than half a brick from where another wall or pier meets the " +
+                                                  wall_name(house, wall) + ", from " + metres_text(other.along.low) + " to " +
+                                                  metres_text(other.along.high) + " m");
   }
 }
 

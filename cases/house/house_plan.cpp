@@ -238,6 +238,9 @@ Tick element_length(double value, Tick member, const std::string& key) {
   return length;
 }
 
+std::string metres_text(Tick t) { return text(metres(t)); }
+std::string from_to(Interval i) { return "from " + metres_text(i.low) + " to " + metres_text(i.high) + " m"; }
+
 const WallPlan& HousePlan::wall(Side side, int storey) const noexcept {
   const auto is_it = [&](const WallPlan& w) { return w.outer() && w.storey == storey && w.side == side; };
   return *std::ranges::find_if(walls, is_it);

@@ -20,12 +20,17 @@ Tick ticks(double metres) noexcept;
 /// The double nearest to the decimal length, the same bits wherever the same plane is written.
 double metres(Tick t) noexcept;
 
+/// Its metres in a message.
+std::string metres_text(Tick t);
+
 struct Interval {
   Tick low = 0, high = 0;
   [[nodiscard]] constexpr Tick length() const noexcept { return high - low; }
   [[nodiscard]] constexpr bool overlaps(Interval o) const noexcept { return low < o.high && o.low < high; }
   friend constexpr bool operator==(Interval, Interval) = default;
 };
+/// "from 0.2 to 1.2 m"
+std::string from_to(Interval i);
 
 /// Walls in the order in which a course goes round the house.
 enum class Side : std::uint8_t { front, right, rear, left };

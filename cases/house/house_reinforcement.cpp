@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "cases/house/walls/ground.h"
 #include "cases/house/house_parts.h"
+#include "cases/house/walls/ground.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -22,8 +22,6 @@ struct Column {
   Interval x, y;
   std::string key;
 };
-
-std::string from_to(Interval i) { return "from " + text(metres(i.low)) + " to " + text(metres(i.high)) + " m"; }
 
 Sections sections_of(const Reinforcement& r, const HousePlan& plan) {
   Sections s;

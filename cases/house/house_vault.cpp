@@ -12,8 +12,6 @@
 namespace voussoir::cases {
 namespace {
 
-std::string metres_text(Tick t) { return text(metres(t)); }
-
 /// Corners on a circle about the axis of the vault. The springings lie exactly at the height of the walls.
 geometry::Polygon arc(const HousePlan& plan, double radius, int voussoirs) {
   const double axis = 0.5 * metres(plan.outer[1]), springing = metres(plan.height);

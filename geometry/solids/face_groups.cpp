@@ -15,8 +15,6 @@ namespace {
 constexpr double kExact = 5e-7;      // m and rad, half of what find_contacts takes as touching
 constexpr double kLeastArea = 1e-8;  // m2, as find_contacts
 
-Box3 box_of(const Mesh& m) { return bounds(Polyhedron{m.vertices, {}}); }
-
 /// Two faces within reach of each other.
 struct Pair {
   std::size_t a, b;

@@ -4,9 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/message.h"
 #include "geometry/solids/face_groups.h"
@@ -19,12 +17,6 @@ constexpr double kPlane = 9e-10;                     // of the size: validate() 
 constexpr double kConverged = 1e-13;                 // of the size
 constexpr int kMostRounds = 2000, kMostMore = 3000;  // with the planes of contacts as they are, and let go
 constexpr double kSlack = 3e-7;                      // m, by which a contact may be off its plane: find_contacts takes 1e-6
-
-std::string millimetres(double metres) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * metres);
-  return text.data();
-}
 
 /// A plane by a point of it, so that stones far from the origin keep their digits.
 struct Plane {

@@ -10,9 +10,9 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kFlat = 1e-9;   // rad
-constexpr double kNear = 1e-3;   // of the size
-constexpr double kExact = 1e-9;  // of the size: corners in the plane
+constexpr double kFlat = 1e-9;          // rad
+constexpr double kNear = 1e-3;          // of the size
+constexpr double kExactlyPlane = 1e-9;  // of the size: corners in the plane
 
 Vec3 corner(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size_t>(v)]; }
 
@@ -58,7 +58,7 @@ HalfSpace cut_along(const Mesh& m, const Fold& fold, double snap) {
     off = std::max(off, height);
     if (norm(aside) > farthest) farthest = norm(aside), to_corner = aside;
   }
-  if (off <= kExact * size || to_corner == Vec3{}) return fold.between;
+  if (off <= kExactlyPlane * size || to_corner == Vec3{}) return fold.between;
   const Vec3 normal = normalised(cross(along, to_corner));
   return {normal, dot(normal, from)};
 }

@@ -29,8 +29,6 @@ Vec3 at(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size
 
 std::string edge_text(const Mesh& m, Edge e) { return "from " + place_text(at(m, e[0])) + " to " + place_text(at(m, e[1])) + " m"; }
 
-Box3 box_of(const Mesh& m) { return bounds(Polyhedron{m.vertices, {}}); }
-
 /// The mesh without vertices that no face uses; the others keep their order.
 Mesh compacted(const Mesh& m) {
   std::vector<std::int32_t> number(m.vertices.size(), -1);
@@ -193,6 +191,8 @@ std::string place_text(Vec3 v) {
   const auto part = [](double x) { return figure(std::abs(x) < 5e-7 ? 0.0 : x); };
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
+
+Box3 box_of(const Mesh& m) { return bounds(Polyhedron{m.vertices, {}}); }
 
 double diagonal(const Mesh& m) {
   const Box3 box = box_of(m);

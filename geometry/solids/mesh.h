@@ -18,7 +18,9 @@ struct Mesh {
   std::vector<std::vector<std::int32_t>> faces;
 };
 
-/// Of the box about all vertices, m. \pre there is one
+/// About all vertices, also those that no face uses. \pre there is one
+Box3 box_of(const Mesh& m);
+/// Of that box, m. \pre there is one
 double diagonal(const Mesh& m);
 
 /// The plane of a loop that need not be plane: unit normal of the vector area, through the mean of the corners.

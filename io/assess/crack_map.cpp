@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "geometry/message.h"
 #include "io/drawing/svg.h"
 #include "io/replay/joint_cracks.h"
 
@@ -22,12 +22,6 @@ constexpr double kLeastSheet = 820.0;                         // for the legend
 constexpr double kOnFace = 1e-4;                              // m
 constexpr std::size_t kLabels = 6;                            // widths that are written
 constexpr double kApart = 0.4;                                // m, two of these at least
-
-std::string text(const char* format, double value) {
-  std::array<char, 64> out{};
-  std::snprintf(out.data(), out.size(), format, value);
-  return out.data();
-}
 
 const CrackClass* class_of(double width) {
   const CrackClass* found = nullptr;
@@ -58,7 +52,7 @@ class Map {
     const double ground = kHead + high;
     svg.line({left_ - 12.0, ground}, {left_ + wide + 12.0, ground}, "#222", 1.6);
     const double widest = draw_cracks(svg, run, joints);
-    svg.text({kMargin, 46.0}, "cracks at " + text("%.3f s", time) + ", seen from outside" + widths(joints, widest), 13.0);
+    svg.text({kMargin, 46.0}, "cracks at " + geometry::printed("%.3f s", time) + ", seen from outside" + widths(joints, widest), 13.0);
     draw_legend(svg, ground + 30.0);
     draw_scale_bar(svg, {left_ + wide, ground + 74.0});
     return std::move(svg).finish();
@@ -91,8 +85,8 @@ class Map {
   [[nodiscard]] std::string widths(const std::vector<JointWidth>& joints, double drawn) const {
     const CrackFigures f = wall_figures(joints, number_);
     if (f.joints == 0) return "";
-    const std::string here = drawn > 0.0 ? text("; on this face %.2f mm", 1e3 * drawn) : "; none of them on this face";
-    return text("; widest %.2f mm", 1e3 * f.largest) + (drawn < f.largest ? here : "");
+    const std::string here = drawn > 0.0 ? geometry::printed("; on this face %.2f mm", 1e3 * drawn) : "; none of them on this face";
+    return geometry::printed("; widest %.2f mm", 1e3 * f.largest) + (drawn < f.largest ? here : "");
   }
 
   /// \return the largest width of a crack on the outer face, m; 0: there is none
@@ -127,7 +121,7 @@ class Map {
       if (std::ranges::any_of(taken, [&](Vec3 t) { return std::hypot(along(t) - along(j->centre), t.z - j->centre.z) < kApart; })) continue;
       taken.push_back(j->centre);
       const Point2 p = at(along(j->centre), j->centre.z);
-      svg.text({p.s + 5.0, p.t - 5.0}, text(j->width < 10e-3 ? "%.2g" : "%.0f", 1e3 * j->width), 12.0, "start", "#111");
+      svg.text({p.s + 5.0, p.t - 5.0}, geometry::printed(j->width < 10e-3 ? "%.2g" : "%.0f", 1e3 * j->width), 12.0, "start", "#111");
     }
   }
 
@@ -137,7 +131,7 @@ class Map {
       const CrackClass& c = kCrackClasses[k];
       svg.line({x, top - 4.0}, {x + 24.0, top - 4.0}, c.colour, c.stroke);
       svg.text({x + 30.0, top}, c.words, 12.0);
-      svg.text({x + 30.0, top + 15.0}, text("%.1f m", length_[k]), 11.0, "start", "#666");
+      svg.text({x + 30.0, top + 15.0}, geometry::printed("%.1f m", length_[k]), 11.0, "start", "#666");
       x += 122.0;
     }
     svg.text({kMargin, top + 44.0},

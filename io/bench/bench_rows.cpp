@@ -53,7 +53,7 @@ Cells stage_header() {
           "gflops",  "share_of_peak", "gbytes_per_s",     "share_of_triad"};
 }
 
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best) {
+std::vector<Cells> stage_rows(bool gather, const StepSplit& split, MachineLimits best) {
   std::vector<Cells> rows;
   const auto add = [&](const char* name, double time, solver::Work its) {
     Cells cells{gather ? "gather" : "colour", std::to_string(split.threads), name};

@@ -18,13 +18,13 @@ Cells timing_header();
 Cells timing_row(bool gather, const Timing& t, const cases::Census& n);
 
 /// What a machine can do with some number of threads at best.
-struct Limits {
+struct MachineLimits {
   double flops = 0.0, bandwidth = 0.0;  // flop/s, byte/s
 };
 
 /// Where it goes, and what that is of the limits: a row for each part, and one for all.
 Cells stage_header();
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, Limits best);
+std::vector<Cells> stage_rows(bool gather, const StepSplit& split, MachineLimits best);
 
 /// What the model of the schedule (solver/bench/schedule.h) says of more cores.
 Cells schedule_header();

@@ -14,7 +14,7 @@ namespace voussoir::io {
 namespace {
 
 /// What a batch took, s a step.
-struct Batch {
+struct StagesBatch {
   std::int64_t steps = 0;
   StepParts parts{};
   solver::StepWork work;  // of its last step
@@ -36,7 +36,7 @@ double whole_share(const solver::StepWork& work) {
   return sides > 0.0 ? work.whole_sides / sides : 0.0;
 }
 
-Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, solver::JointTasks& tasks) {
+StagesBatch take_batch(const RunInHand& run, const cases::Case& endless, int steps, solver::JointTasks& tasks) {
   constexpr double kNever = 1e6;  // s
   solver::Simulation& sim = run.sim;
   const solver::StageTimes stages = sim.stage_times();
@@ -52,7 +52,7 @@ Batch take_batch(const RunInHand& run, const cases::Case& endless, int steps, so
     }
     return at.step < first + steps;
   });
-  Batch b{.steps = run.plan.steps - first, .work = solver::step_work(sim.world()), .tasks = sim.joint_tasks().task_times()};
+  StagesBatch b{.steps = run.plan.steps - first, .work = solver::step_work(sim.world()), .tasks = sim.joint_tasks().task_times()};
   b.stages = a_step(stages, sim.stage_times(), b.steps), b.forces = a_step(forces, sim.part_times(), b.steps);
   b.parts = parts_of(b.stages, b.forces, scatters > 0 ? scatter / scatters : 0.0, whole_share(b.work));
   b.alone = (sim.alone_time() - alone) / static_cast<double>(b.steps);
@@ -65,22 +65,22 @@ bool is_rare(std::size_t part) {
   return p == StepPart::search || p == StepPart::ledger || p == StepPart::output;
 }
 
-double over_batches(const std::vector<Batch>& batches, std::size_t part) {
+double over_batches(const std::vector<StagesBatch>& batches, std::size_t part) {
   if (is_rare(part)) {
     double sum = 0.0, steps = 0.0;
-    for (const Batch& b : batches) sum += b.parts[part] * static_cast<double>(b.steps), steps += static_cast<double>(b.steps);
+    for (const StagesBatch& b : batches) sum += b.parts[part] * static_cast<double>(b.steps), steps += static_cast<double>(b.steps);
     return sum / steps;
   }
   std::vector<double> times;
-  for (const Batch& b : batches) times.push_back(b.parts[part]);
+  for (const StagesBatch& b : batches) times.push_back(b.parts[part]);
   std::ranges::sort(times);
   return 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
 }
 
-solver::StepWork mean_work(const std::vector<Batch>& batches) {
+solver::StepWork mean_work(const std::vector<StagesBatch>& batches) {
   solver::StepWork mean;
   const auto n = static_cast<double>(batches.size());
-  for (const Batch& b : batches) {
+  for (const StagesBatch& b : batches) {
     using Part = solver::Work solver::StepWork::*;
     using W = solver::StepWork;
     for (const Part part : {&W::whole_joints, &W::damaged_joints, &W::contacts, &W::assembly, &W::update}) {
@@ -91,34 +91,34 @@ solver::StepWork mean_work(const std::vector<Batch>& batches) {
   return mean;
 }
 
-double all_steps(const std::vector<Batch>& batches) {
+double all_steps(const std::vector<StagesBatch>& batches) {
   double steps = 0.0;
-  for (const Batch& b : batches) steps += static_cast<double>(b.steps);
+  for (const StagesBatch& b : batches) steps += static_cast<double>(b.steps);
   return steps;
 }
 
 /// Mean over all steps of one of their arrays.
 template <class Array>
-Array mean_times(const std::vector<Batch>& batches, Array Batch::* times) {
+Array mean_times(const std::vector<StagesBatch>& batches, Array StagesBatch::*times) {
   Array mean = batches.front().*times;
   std::ranges::fill(mean, 0.0);
-  for (const Batch& b : batches) {
+  for (const StagesBatch& b : batches) {
     const double share = static_cast<double>(b.steps) / all_steps(batches);
     for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += share * (b.*times)[k];
   }
   return mean;
 }
 
-double mean_alone(const std::vector<Batch>& batches) {
+double mean_alone(const std::vector<StagesBatch>& batches) {
   double mean = 0.0;
-  for (const Batch& b : batches) mean += static_cast<double>(b.steps) / all_steps(batches) * b.alone;
+  for (const StagesBatch& b : batches) mean += static_cast<double>(b.steps) / all_steps(batches) * b.alone;
   return mean;
 }
 
 /// All that was measured with one number of threads.
-struct Team {
+struct StagesTeam {
   int threads = 1, steps_in_a_batch = 1;
-  std::vector<Batch> batches;
+  std::vector<StagesBatch> batches;
 };
 
 }  // namespace
@@ -150,11 +150,11 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   cases::Case endless = run.value;
   endless.time.after_collapse.reset();
   solver::JointTasks tasks(run.sim.world());
-  std::vector<Team> teams;
+  std::vector<StagesTeam> teams;
   for (std::size_t k = 0; k < counts.size(); ++k) teams.push_back({counts[k], steps[k], {}});
   run.sim.time_parts(true);
   for (int b = 0; b < batches; ++b) {
-    for (Team& team : teams) {
+    for (StagesTeam& team : teams) {
       run.sim.set_threads(team.threads);
       take_batch(run, endless, 1, tasks);  // another team has other shares, and other rows in its caches
       team.batches.push_back(take_batch(run, endless, team.steps_in_a_batch, tasks));
@@ -167,12 +167,12 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   run.results.flush();
   const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;
   std::vector<StepSplit> splits;
-  for (const Team& team : teams) {
+  for (const StagesTeam& team : teams) {
     StepSplit s{.threads = team.threads,
                 .work = mean_work(team.batches),
-                .stages = mean_times(team.batches, &Batch::stages),
-                .forces = mean_times(team.batches, &Batch::forces),
-                .tasks = mean_times(team.batches, &Batch::tasks),
+                .stages = mean_times(team.batches, &StagesBatch::stages),
+                .forces = mean_times(team.batches, &StagesBatch::forces),
+                .tasks = mean_times(team.batches, &StagesBatch::tasks),
                 .alone = mean_alone(team.batches)};
     for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, part);
     s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();

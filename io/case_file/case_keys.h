@@ -28,37 +28,37 @@ inline std::string value_text(bool v) { return v ? "true" : "false"; }
 inline std::string value_text(const std::string& v) { return toml_string(v); }
 
 template <class T>
-struct Shape;
+struct TomlShape;
 template <>
-struct Shape<double> {
+struct TomlShape<double> {
   static std::string text() { return "a number"; }
 };
 template <>
-struct Shape<int> {
+struct TomlShape<int> {
   static std::string text() { return "an integer"; }
 };
 template <>
-struct Shape<bool> {
+struct TomlShape<bool> {
   static std::string text() { return "true or false"; }
 };
 template <>
-struct Shape<std::string> {
+struct TomlShape<std::string> {
   static std::string text() { return "a string in quotes"; }
 };
 template <>
-struct Shape<Vec3> {
+struct TomlShape<Vec3> {
   static std::string text() { return "an array [x, y, z]"; }
 };
 template <class T, std::size_t N>
-struct Shape<std::array<T, N>> {
-  static std::string text() { return "an array of " + std::to_string(N) + ", each " + Shape<T>::text(); }
+struct TomlShape<std::array<T, N>> {
+  static std::string text() { return "an array of " + std::to_string(N) + ", each " + TomlShape<T>::text(); }
 };
 template <class T>
-struct Shape<std::vector<T>> {
-  static std::string text() { return "an array, each " + Shape<T>::text(); }
+struct TomlShape<std::vector<T>> {
+  static std::string text() { return "an array, each " + TomlShape<T>::text(); }
 };
 template <class T>
-struct Shape<std::optional<T>> : Shape<T> {};
+struct TomlShape<std::optional<T>> : TomlShape<T> {};
 
 std::string value_text(Vec3 v);
 template <class T, std::size_t N>
@@ -94,7 +94,7 @@ bool read_value(const Node& node, Vec3& out, const KeyInfo& info, Reading& readi
 template <class T>
 bool read_element(const Node& node, T& out, const KeyInfo& info, Reading& reading, const std::string& path) {
   KeyInfo element = info;
-  element.shape = Shape<T>::text();
+  element.shape = TomlShape<T>::text();
   return read_value(node, out, element, reading, path);
 }
 template <class T, std::size_t N>
@@ -317,7 +317,7 @@ using Member = std::remove_cvref_t<std::invoke_result_t<Get, S&>>;
 /// A number, an array of numbers, a truth value, a string, ...
 template <class S, class Get>
 Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::string sentence) {
-  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), limits, Shape<Member<S, Get>>::text(), false};
+  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), limits, TomlShape<Member<S, Get>>::text(), false};
   return {info,
           [=](const Node& node, S& s, Reading& reading, const std::string& path) {
             read_value(node, std::invoke(get, s), info, reading, path);

@@ -121,7 +121,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
 
 /// Where the time goes, in a pass of its own. \param folder  for results that nobody reads
 template <class Run>
-void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<Limits>& best,
+void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<MachineLimits>& best,
                   int batches, BenchTable& table) {
   ResultsOptions when_told;
   when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
@@ -139,8 +139,8 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
 }
 
 /// By number of threads; more of them than cores can do no more.
-std::vector<Limits> limits_of(std::span<const int> counts) {
-  std::vector<Limits> limits;
+std::vector<MachineLimits> limits_of(std::span<const int> counts) {
+  std::vector<MachineLimits> limits;
   for (const int n : counts) {
     const int cores = std::min(n, omp_get_num_procs());
     limits.push_back({solver::peak_flops(cores), solver::peak_bandwidth(cores)});
@@ -166,7 +166,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   TimingOptions timing;
   if (o.batches > 0) timing.least = timing.most = o.batches;
   timing.steps = o.steps;
-  std::vector<Limits> best;
+  std::vector<MachineLimits> best;
   for (const bool gather : {false, true}) {
     auto holder = build(gather);
     solver::Simulation& sim = *holder->sim;

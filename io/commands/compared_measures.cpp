@@ -3,13 +3,13 @@
 #include "io/commands/compared_measures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <vector>
+
+#include "geometry/message.h"
 
 namespace voussoir::io {
 namespace {
@@ -17,13 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// How a measure is shown to people.
-struct Shown {
+struct ShownMeasure {
   const char* name;    // in the summary
   const char* label;   // with the unit
   double factor;       // from SI to that unit
   const char* format;  // of a value
 };
-constexpr Shown kShown[] = {
+constexpr ShownMeasure kShown[] = {
     {"end_time", "run to [s]", 1, "%.3f"},
     {"damage_grade", "damage grade (EMS-98)", 1, "%.0f"},
     {"collapse_time", "collapsed at [s]", 1, "%.3f"},
@@ -47,7 +47,7 @@ constexpr Shown kShown[] = {
     {"compression", "sides opened in compression", 1, "%.0f"},
     {"slipped", "sides that hold, slipped", 1, "%.0f"},
 };
-constexpr Shown kShownOfWall[] = {
+constexpr ShownMeasure kShownOfWall[] = {
     {"fallen_mass_fraction", "fallen mass [%]", 100, "%.1f"},
     {"first_fallen_time", "first fallen [s]", 1, "%.3f"},
     {"peak_drift", "drift [%]", 100, "%.2f"},
@@ -95,23 +95,17 @@ Json difference(std::string_view name, const Json& a, const Json& b) {
   return b.get<double>() - a.get<double>();
 }
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 64> out{};
-  std::snprintf(out.data(), out.size(), format, value);
-  return out.data();
-}
-
-std::string shown(const Shown& s, const Json& value) {
+std::string shown_value(const ShownMeasure& s, const Json& value) {
   if (!value.is_number()) return "-";
   if (never(s.name, value)) return "never";
-  return formatted(s.format, s.factor * value.get<double>());
+  return geometry::printed(s.format, s.factor * value.get<double>());
 }
 
-std::string shown_difference(const Shown& s, const Json& a, const Json& b) {
+std::string shown_difference(const ShownMeasure& s, const Json& a, const Json& b) {
   const Json d = difference(s.name, a, b);
   if (!d.is_number()) return "-";
   const double value = s.factor * d.get<double>();
-  const std::string text = formatted((std::string("%+") + (s.format + 1)).c_str(), value);
+  const std::string text = geometry::printed((std::string("%+") + (s.format + 1)).c_str(), value);
   return value == 0.0 ? "0" : text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;  // no sign of what is not shown
 }
 
@@ -119,10 +113,10 @@ struct Line {
   std::string label, a, b, difference;
 };
 
-void add(std::vector<Line>& lines, const Shown& s, const std::string& before, const Json& a, const Json& b) {
+void add(std::vector<Line>& lines, const ShownMeasure& s, const std::string& before, const Json& a, const Json& b) {
   const Json p = member(a, s.name), q = member(b, s.name);
   if (!p.is_number() && !q.is_number()) return;
-  lines.push_back({before + s.label, shown(s, p), shown(s, q), shown_difference(s, p, q)});
+  lines.push_back({before + s.label, shown_value(s, p), shown_value(s, q), shown_difference(s, p, q)});
 }
 
 }  // namespace
@@ -130,9 +124,9 @@ void add(std::vector<Line>& lines, const Shown& s, const std::string& before, co
 std::string measures_beside(const std::string& a, const std::string& b) {
   const Json p = Json::parse(a), q = Json::parse(b);
   std::vector<Line> lines;
-  for (const Shown& s : kShown) add(lines, s, "", p, q);
+  for (const ShownMeasure& s : kShown) add(lines, s, "", p, q);
   for (const std::string& name : wall_names(p, q)) {
-    for (const Shown& s : kShownOfWall) {
+    for (const ShownMeasure& s : kShownOfWall) {
       add(lines, s, name + ": ", wall_of(p, name), wall_of(q, name));
       if (!lines.empty() && lines.back().label == name + ": " + s.label && lines.back().a == lines.back().b) lines.pop_back();
     }

@@ -28,12 +28,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// One argument: a record of three components, or the components of a file.
-struct Source {
+struct MotionSource {
   Record record;
   std::vector<Component> of_file;
 };
 
-Source read_source(const std::string& argument, const Unstated& unstated) {
+MotionSource read_source(const std::string& argument, const Unstated& unstated) {
   std::error_code error;
   if (is_built_in_record(argument) && !fs::exists(argument, error)) return {built_in_record(argument, ""), {}};
   if (fs::is_directory(argument, error)) return {read_record_folder(argument, unstated), {}};
@@ -41,7 +41,7 @@ Source read_source(const std::string& argument, const Unstated& unstated) {
   if (!exists && argument.find('#') == std::string::npos) {
     throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, bam-like, or bam-like#N");
   }
-  Source source;
+  MotionSource source;
   std::vector<Channel> channels = exists ? read_motion_file(argument, unstated) : std::vector<Channel>{read_channel(argument, unstated)};
   for (Channel& c : channels) {
     const std::string name = c.component.empty() ? "-" : c.component;
@@ -57,7 +57,7 @@ void cut(cases::Accelerogram& a, double until) {
 }
 
 /// Cut, corrected, tapered.
-void prepare(Source& s, const MotionOptions& o) {
+void prepare(MotionSource& s, const MotionOptions& o) {
   if (o.until) {
     for (auto& a : s.record.ltv) cut(a, *o.until);
     for (Component& c : s.of_file) cut(c.motion, *o.until);
@@ -103,10 +103,10 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   }
 }
 
-std::vector<Component> components_of(std::vector<Source>& sources) {
+std::vector<Component> components_of(std::vector<MotionSource>& sources) {
   std::vector<Component> all;
   for (std::size_t n = 0; n < sources.size(); ++n) {
-    Source& s = sources[n];
+    MotionSource& s = sources[n];
     for (Component& c : s.of_file) {
       c.source = n;
       all.push_back(c);
@@ -120,10 +120,10 @@ std::vector<Component> components_of(std::vector<Source>& sources) {
 }
 
 /// A name that several arguments share says nothing: these are called by what the user called them.
-void tell_apart(std::vector<Source>& sources, const std::vector<std::string>& arguments) {
-  const auto name_of = [](Source& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
+void tell_apart(std::vector<MotionSource>& sources, const std::vector<std::string>& arguments) {
+  const auto name_of = [](MotionSource& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
   std::map<std::string, int> uses;
-  for (Source& s : sources) ++uses[name_of(s)];
+  for (MotionSource& s : sources) ++uses[name_of(s)];
   for (std::size_t i = 0; i < sources.size(); ++i) {
     if (uses[name_of(sources[i])] == 1) continue;
     sources[i].record.name = arguments[i];
@@ -131,7 +131,7 @@ void tell_apart(std::vector<Source>& sources, const std::vector<std::string>& ar
   }
 }
 
-void write_record(const Source& source, const std::string& argument, const MotionOptions& o) {
+void write_record(const MotionSource& source, const std::string& argument, const MotionOptions& o) {
   if (!source.of_file.empty())
     throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, bam-like#N, or a folder");
   for (const cases::Accelerogram& a : source.record.ltv) {
@@ -187,9 +187,9 @@ void print_intensities(const std::vector<Component>& components, const std::vect
 
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
   check(arguments, o);
-  std::vector<Source> sources;
+  std::vector<MotionSource> sources;
   for (const std::string& argument : arguments) {
-    Source s = read_source(argument, {o.unit, o.dt});
+    MotionSource s = read_source(argument, {o.unit, o.dt});
     prepare(s, o);
     sources.push_back(std::move(s));
   }

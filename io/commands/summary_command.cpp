@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/commands/summary_command.h"
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "geometry/message.h"
 #include "io/commands/run_command.h"
 #include "io/files/hdf5_file.h"
 #include "io/measures/capacity_file.h"
@@ -55,9 +55,7 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
 /// A figure with its unit, or a word for "there is none".
 std::string text(const char* format, double value, const char* none = "-") {
   if (std::isnan(value)) return none;
-  std::array<char, 64> out{};
-  std::snprintf(out.data(), out.size(), format, value);
-  return out.data();
+  return geometry::printed(format, value);
 }
 std::string percent(double value) { return text("%.1f %%", 100 * value); }
 std::string seconds(double time) { return time < 0 ? "never" : text("%.3f s", time); }

@@ -24,9 +24,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSeconds = 12.0;      // wall-clock of one of the three runs, before anything breaks
-constexpr std::int64_t kTrial = 20;    // steps that are timed
-constexpr std::int64_t kMost = 20000;  // steps
+constexpr double kSeconds = 12.0;           // wall-clock of one of the three runs, before anything breaks
+constexpr std::int64_t kTrial = 20;         // steps that are timed
+constexpr std::int64_t kMostSteps = 20000;  // steps
 constexpr std::int64_t kLedgerSteps = 10;
 
 /// What all runs of a verification share.
@@ -79,7 +79,7 @@ std::int64_t choose_steps(const Setting& s) {
   const auto start = Clock::now();
   for (std::int64_t i = 0; i < kTrial; ++i) sim.step({});
   const double each = std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(kTrial);
-  return 2 * (std::clamp(static_cast<std::int64_t>(kSeconds / (each + 1e-9)), 10 * kTrial, kMost) / 2);
+  return 2 * (std::clamp(static_cast<std::int64_t>(kSeconds / (each + 1e-9)), 10 * kTrial, kMostSteps) / 2);
 }
 
 /// Says and returns whether two states are the same.

@@ -37,7 +37,7 @@ std::vector<std::int32_t> elements_in(const std::string& message, std::size_t co
 }
 
 /// The model, or what can be shown of it, and why it is refused.
-struct Shown {
+struct ShownModel {
   cases::Case value;
   cases::Model model;
   std::string fault;
@@ -69,8 +69,8 @@ std::string words_of(const std::vector<ShownFault>& faults, const std::string& o
 }
 
 /// Stones that are refused stand there as thin plates, which want no fine segments.
-Shown with_faults(const LoadedCase& given, const cases::InputError& e) {
-  Shown s{given.value, {}, given.describe(e), {}};
+ShownModel with_faults(const LoadedCase& given, const cases::InputError& e) {
+  ShownModel s{given.value, {}, given.describe(e), {}};
   const std::vector<ShownFault> faults = load_shown_stones(s.value);
   if (!faults.empty()) s.value.segment_size = kCoarse;
   s.model = cases::build_loose_model(s.value);
@@ -79,8 +79,8 @@ Shown with_faults(const LoadedCase& given, const cases::InputError& e) {
   return s;
 }
 
-Shown shown(const LoadedCase& given) {
-  Shown s{given.value, {}, "", {}};
+ShownModel shown_model(const LoadedCase& given) {
+  ShownModel s{given.value, {}, "", {}};
   try {
     load_stones(s.value);
     fill_own_frequency(s.value);
@@ -105,7 +105,7 @@ int view_command(const LoadedCase& c, const ViewOptions& o) {
                            : o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html"
                                               : o.output;
   check_output(page, o.overwrite);
-  const Shown s = shown(c);
+  const ShownModel s = shown_model(c);
   const ScratchFolder scratch;
   {
     ResultsWriter results(scratch.path(), s.model, resolved_toml(anchored(s.value)), history_names(s.value), provenance(1));

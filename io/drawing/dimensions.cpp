@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
+
+#include "geometry/message.h"
 
 namespace voussoir::io {
 namespace {
@@ -16,12 +17,6 @@ using geometry::Point2;
 constexpr const char* kInk = "#333";
 constexpr double kType = 11.0, kStroke = 3.5, kInset = 14.0;  // user units
 constexpr double kArrow = 22.0;
-
-std::string metres_text(double value) {
-  std::array<char, 24> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
-}
 
 bool plain(const cases::Case& c) { return c.house && c.house->turn == 0.0 && c.house->copies == std::array<int, 2>{1, 1}; }
 bool along_x(const std::string& wall) { return wall == "front" || wall == "rear"; }
@@ -34,6 +29,8 @@ double foot_of(const cases::House& house, int storey) {
 bool stands(const cases::House& house, const char* wall) { return std::ranges::find(house.walls, wall) != house.walls.end(); }
 
 }  // namespace
+
+std::string metres_text(double metres) { return geometry::printed("%.2f", metres); }
 
 void draw_dimension(Svg& svg, Point2 a, Point2 b, double metres) {
   svg.line(a, b, kInk, 0.8);
@@ -104,9 +101,7 @@ void draw_scale_bar(Svg& svg, Point2 left, double scale) {
   svg.line(left, {end, left.t}, kInk, 2.0);
   for (const double s : {left.s, 0.5 * (left.s + end), end}) svg.line({s, left.t - 5.0}, {s, left.t}, kInk, 1.5);
   svg.text({left.s, left.t + 12.0}, "0", kType, "middle", kInk);
-  std::array<char, 24> words{};
-  std::snprintf(words.data(), words.size(), "%g m", length);
-  svg.text({end, left.t + 12.0}, words.data(), kType, "middle", kInk);
+  svg.text({end, left.t + 12.0}, geometry::printed("%g m", length), kType, "middle", kInk);
 }
 
 }  // namespace voussoir::io

@@ -16,6 +16,9 @@ namespace voussoir::io {
 /// Where a view of a drawing puts a point of the model [m].
 using Projection = std::function<geometry::Point2(Vec3)>;
 
+/// A length in words, without its unit: "0.25".
+std::string metres_text(double metres);
+
 /// A line from `a` to `b` with strokes at its ends and its length in m in words beside its middle: above it where it lies across, else to
 /// its right. \param metres  the length
 void draw_dimension(Svg& svg, geometry::Point2 a, geometry::Point2 b, double metres);

@@ -288,9 +288,7 @@ class Drawing {
     svg.text({at.s + 7.0, at.t - 6.0}, named_.at(element), 12.0, "start", kNamed);
   }
 
-  [[nodiscard]] Style style(const cases::Block& b) const {
-    return style_of(b, case_.house && case_.house->bond == cases::Bond::rubble);
-  }
+  [[nodiscard]] Style style(const cases::Block& b) const { return style_of(b, case_.house && case_.house->bond == cases::Bond::rubble); }
 
   void draw_legend(Svg& svg, double top) const {
     std::map<std::string, std::pair<Colour, int>> styles;
@@ -309,12 +307,6 @@ class Drawing {
     if (model_.ties.empty()) return;
     svg.line({left, top + 6.0}, {left + 16.0, top + 6.0}, kTie, 2.0);
     svg.text({left + 22.0, top + 11.0}, "tie: " + std::to_string(model_.ties.size()), 12.0);
-  }
-
-  static std::string metres_text(double value) {
-    std::array<char, 24> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", value);
-    return text.data();
   }
 
   /// The middle of the course, among those at half the height of an opening, that meets most openings.

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/drawing/svg.h"
 
-#include <array>
-#include <cstdio>
+#include "geometry/message.h"
 
 namespace voussoir::io {
 namespace {
 
 /// A hundredth of a unit is finer than any screen or printer draws.
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
-}
+std::string number(double value) { return geometry::printed("%.2f", value); }
 
 std::string attribute(const char* name, std::string_view value) { return " " + std::string(name) + "=\"" + std::string(value) + "\""; }
 std::string attribute(const char* name, double value) { return attribute(name, number(value)); }

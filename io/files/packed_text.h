@@ -43,6 +43,9 @@ template <class T>
   return d.finish();
 }
 
+/// Steps of 16 bits to either side of zero.
+inline constexpr double kQuantaOfASide = 32767;
+
 /// `value` in units of `quantum`, rounded to the nearest; beyond the ends of 16 bits, the end.
 [[nodiscard]] std::int16_t quantised(double value, double quantum) noexcept;
 

@@ -79,7 +79,7 @@ std::vector<Figure> figures_of(const Measures& m) {
 
 std::string figure_units() {
   std::map<std::string, std::string> names;  // by unit
-  for (const Figure& f : figures_of({})) {
+  for (const Figure& f : figures_of(Measures{})) {
     std::string& of_unit = names[f.unit];
     of_unit += (of_unit.empty() ? "" : ", ") + std::string(f.name);
   }

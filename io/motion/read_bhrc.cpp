@@ -9,11 +9,11 @@
 namespace voussoir::io {
 namespace {
 
-constexpr Columns kColumns{10, 13};
+constexpr Columns kBhrcColumns{10, 13};
 constexpr int kLinesToData = 1 + 7 + 7;  // behind the line of units
-constexpr int kLongestHead = 30;         // lines to the units, at most
+constexpr int kLongestBhrcHead = 30;     // lines to the units, at most
 
-struct Head {
+struct BhrcHead {
   std::string station, date;
   std::string component;  // "L", "T", "V"
   std::uint64_t count = 0;
@@ -33,9 +33,9 @@ double unit_of(const MotionText& text, std::string_view line) {
   return stated_unit(text.here(), name) / divisor.value_or(1.0);
 }
 
-Head read_head(MotionText& text) {
-  Head h;
-  for (int i = 0; i < kLongestHead; ++i) {
+BhrcHead read_head(MotionText& text) {
+  BhrcHead h;
+  for (int i = 0; i < kLongestBhrcHead; ++i) {
     const std::string_view line = text.need("the line 'UNITS ARE SECONDS AND G/10'");
     if (begins(line, "ORIGIN TIME")) h.date = trimmed(line.substr(line.find(':') + 1));
     if (begins(line, "COMP ")) h.component = upper(trimmed(line.substr(5)).substr(0, 1));
@@ -53,16 +53,16 @@ Head read_head(MotionText& text) {
       return h;
     }
   }
-  text.fail("no line 'UNITS ARE SECONDS AND G/10' in the first " + std::to_string(kLongestHead) + " lines of the component");
+  text.fail("no line 'UNITS ARE SECONDS AND G/10' in the first " + std::to_string(kLongestBhrcHead) + " lines of the component");
 }
 
 Channel read_component(MotionText& text) {
-  const Head h = read_head(text);
+  const BhrcHead h = read_head(text);
   text.skip(kLinesToData, "the values");
   Channel c;
   c.component = h.component;
   if (std::string_view("LTV").find(h.component) != std::string_view::npos) c.axis = h.component[0];
-  c.motion = {h.station + ", " + h.date + ", " + h.component, h.dt, read_columns(text, h.count, kColumns, h.unit)};
+  c.motion = {h.station + ", " + h.date + ", " + h.component, h.dt, read_columns(text, h.count, kBhrcColumns, h.unit)};
   const std::string_view end = text.need("'/&', the end of the component");
   if (!end.starts_with("/&")) text.fail(shown(end) + " after the " + std::to_string(h.count) + " values of the header; wanted '/&'");
   return c;

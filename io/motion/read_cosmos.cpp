@@ -16,7 +16,7 @@ constexpr double kUnknown = -999.0;
 
 using Reals = std::vector<double>;
 
-struct Head {
+struct CosmosHead {
   std::string event, station, channel;  // lines 2, 5 and 9 of the text
   Reals integers, reals;
   std::string scnl;  // "BMR.BNZ.AK.--" of a comment: station, channel, network, location
@@ -28,7 +28,7 @@ std::string behind(std::string_view line, std::string_view key) {
 }
 
 /// "Corrected acceleration    (Format v01.20 with 13 text lines)": the first line has been read.
-void read_text_lines(MotionText& text, std::string_view first, Head& h) {
+void read_text_lines(MotionText& text, std::string_view first, CosmosHead& h) {
   const std::uint64_t count = stated_count(text.here(), "the number of text lines", number_after(first, " with "));
   for (std::uint64_t number = 2; number <= count; ++number) {
     const std::string_view line = text.need("the end of the " + std::to_string(count) + " text lines");
@@ -48,7 +48,7 @@ Reals read_header_values(MotionText& text, const char* kind) {
 }
 
 /// "   6 Comment line(s) follow, each starting with a "|":" and the comments.
-void read_comments(MotionText& text, Head& h) {
+void read_comments(MotionText& text, CosmosHead& h) {
   const std::string_view line = text.need("the line 'n Comment line(s) follow'");
   const auto count = number_after(line, "");
   if (!holds(line, "COMMENT LINE") || !count || *count < 0.0) text.fail(shown(line) + ": wanted 'n Comment line(s) follow'");
@@ -62,7 +62,7 @@ void read_comments(MotionText& text, Head& h) {
 double entry(const Reals& header, std::size_t place) { return place <= header.size() ? header[place - 1] : kUnknown; }
 
 /// The azimuth if the header has one, else the channel's code, else its text.
-std::string component_of(const Head& h) {
+std::string component_of(const CosmosHead& h) {
   constexpr double kUp = 400.0, kDown = 401.0;
   const double azimuth = entry(h.integers, kAzimuth);
   if (azimuth >= 1.0 && azimuth <= 360.0) return cases::text(azimuth) + " deg";
@@ -75,7 +75,7 @@ std::string component_of(const Head& h) {
 }
 
 /// "42000 acceleration pts, approx  210 secs, units=cm/sec2(04),Format=(1E15.6)" and the values; nothing for velocity or displacement.
-std::optional<Channel> read_data(MotionText& text, const Head& h) {
+std::optional<Channel> read_data(MotionText& text, const CosmosHead& h) {
   const std::string line(text.need("the line 'n acceleration pts, ...'"));
   if (!holds(line, " PTS")) text.fail(shown(line) + ": wanted 'n acceleration pts, approx s secs, units=cm/sec2, Format=(...)'");
   const Place at = text.here();
@@ -112,7 +112,7 @@ std::vector<Channel> read_cosmos(const std::string& path) {
   MotionText text(path);
   std::vector<Channel> channels;
   while (const auto line = text.next_filled()) {
-    Head h;
+    CosmosHead h;
     if (!holds(*line, "(FORMAT V")) text.fail(shown(*line) + ": wanted the head of a channel, '... (Format v01.20 with 13 text lines)'");
     read_text_lines(text, *line, h);
     h.integers = read_header_values(text, "Integer");

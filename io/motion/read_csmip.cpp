@@ -11,10 +11,10 @@
 namespace voussoir::io {
 namespace {
 
-constexpr Columns kColumns{8, 10};        // where the line prints none
-constexpr std::size_t kLongestHead = 80;  // lines
+constexpr Columns kCsmipColumns{8, 10};        // where the line prints none
+constexpr std::size_t kLongestCsmipHead = 80;  // lines
 
-struct Head {
+struct CsmipHead {
   std::vector<std::string> lines;
   std::string component;
   std::optional<double> peak;  // m/s2
@@ -23,7 +23,7 @@ struct Head {
 bool is_data_line(std::string_view line) { return holds(line, "POINTS OF") && holds(line, "DATA EQUALLY SPACED AT"); }
 
 /// "CHAN  1:  90 DEG", to the first two blanks after it.
-void read_head_line(std::string_view line, Head& h) {
+void read_head_line(std::string_view line, CsmipHead& h) {
   const std::size_t colon = line.find(':');
   if (h.component.empty() && begins(line, "CHAN ") && colon != std::string_view::npos) {
     const std::string_view rest = trimmed(line.substr(colon + 1));
@@ -38,11 +38,11 @@ void read_head_line(std::string_view line, Head& h) {
 }
 
 /// The head of a channel to its first line of data, which is returned.
-std::string read_head(MotionText& text, std::string_view first, Head& h) {
+std::string read_head(MotionText& text, std::string_view first, CsmipHead& h) {
   std::string line(first);
   while (!is_data_line(line)) {
-    if (h.lines.size() == kLongestHead) {
-      text.fail("no line 'n POINTS OF ACCEL DATA EQUALLY SPACED AT s SEC. (UNITS: ...)' in the first " + std::to_string(kLongestHead) +
+    if (h.lines.size() == kLongestCsmipHead) {
+      text.fail("no line 'n POINTS OF ACCEL DATA EQUALLY SPACED AT s SEC. (UNITS: ...)' in the first " + std::to_string(kLongestCsmipHead) +
                 " lines of the channel");
     }
     read_head_line(line, h);
@@ -67,7 +67,7 @@ std::string_view unit_name(const std::string& line) {
 std::vector<double> read_series(MotionText& text, const std::string& line, Channel& c) {
   const Place at = text.here();
   const std::uint64_t count = stated_count(at, "the number of points", number_after(line, ""));
-  const Columns columns = columns_in(line).value_or(kColumns);
+  const Columns columns = columns_in(line).value_or(kCsmipColumns);
   if (!holds(line, "OF ACCEL")) {
     skip_columns(text, count, columns, "the values of velocity or displacement");
     return {};
@@ -77,7 +77,7 @@ std::vector<double> read_series(MotionText& text, const std::string& line, Chann
 }
 
 Channel read_channel(MotionText& text, std::string_view first) {
-  Head h;
+  CsmipHead h;
   Channel c;
   std::string line = read_head(text, first, h);
   while (!line.starts_with("/&")) {

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kLastKey = "USER5";
 constexpr Columns kOneByOne{1, 1000};
 
-HeaderFields read_header(MotionText& text) {
+HeaderFields read_esm_header(MotionText& text) {
   HeaderFields header;
   for (;;) {
     const std::string_view line = text.need("the header's last key, USER5");
@@ -27,7 +27,7 @@ HeaderFields read_header(MotionText& text) {
 
 std::vector<Channel> read_esm(const std::string& path) {
   MotionText text(path);
-  const HeaderFields header = read_header(text);
+  const HeaderFields header = read_esm_header(text);
   const auto need = [&](const char* key) { return header.need(text.here(), key); };
   const auto type = need("DATA_TYPE");
   if (upper(type.value) != "ACCELERATION") type.at.fail("the file holds " + shown(type.value) + ", wanted ACCELERATION");

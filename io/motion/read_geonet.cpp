@@ -10,10 +10,10 @@
 namespace voussoir::io {
 namespace {
 
-constexpr Columns kColumns{10, 8};
+constexpr Columns kGeonetColumns{10, 8};
 constexpr int kTextLines = 16, kNumberLines = 10;
 
-struct Head {
+struct GeonetHead {
   std::string site, date;
   std::string component;  // "N28W"
   char axis = 0;
@@ -23,7 +23,7 @@ struct Head {
 };
 
 /// "Component N28W  Longitudinal Accelerometer Axis".
-void read_component_line(std::string_view line, Head& h) {
+void read_component_line(std::string_view line, GeonetHead& h) {
   const std::string_view rest = trimmed(line.substr(line.find(' ') + 1));
   h.component = rest.substr(0, rest.find(' '));
   if (holds(line, "LONGITUDINAL")) h.axis = 'L';
@@ -32,7 +32,7 @@ void read_component_line(std::string_view line, Head& h) {
 }
 
 /// "Acceleration:  peak  -9733.1 mm/s/s at  44.88 sec     rms ...".
-void read_acceleration_line(const MotionText& text, std::string_view line, Head& h) {
+void read_acceleration_line(const MotionText& text, std::string_view line, GeonetHead& h) {
   const std::size_t at = line.find(" at ");
   const std::string_view words = trimmed(line.substr(0, at));
   const std::size_t blank = words.rfind(' ');
@@ -40,7 +40,7 @@ void read_acceleration_line(const MotionText& text, std::string_view line, Head&
   if (const auto peak = number_after(line, "peak")) h.peak = std::abs(*peak) * h.unit;
 }
 
-void read_head_line(const MotionText& text, std::string_view line, int number, Head& h) {
+void read_head_line(const MotionText& text, std::string_view line, int number, GeonetHead& h) {
   if (begins(line, "SITE ")) h.site = trimmed(line.substr(5, line.find("  ", 5) - 5));
   if (number == 8) h.date = trimmed(line);
   if (begins(line, "NUMBER OF POINTS")) h.count = stated_count(text.here(), "Number of points", number_after(line, "Number of points"));
@@ -49,8 +49,8 @@ void read_head_line(const MotionText& text, std::string_view line, int number, H
   if (begins(line, "ACCELERATION:")) read_acceleration_line(text, line, h);
 }
 
-Head read_head(MotionText& text, std::string_view first) {
-  Head h;
+GeonetHead read_head(MotionText& text, std::string_view first) {
+  GeonetHead h;
   for (int number = 1; number <= kTextLines; ++number) {
     read_head_line(text, number == 1 ? first : text.need("the end of the head"), number, h);
   }
@@ -69,11 +69,11 @@ std::vector<Channel> read_geonet(const std::string& path) {
   std::vector<Channel> channels;
   while (const auto line = text.next_filled()) {
     if (!begins(*line, "CORRECTED ACCELEROGRAM")) text.fail(shown(*line) + ": wanted 'Corrected accelerogram', the head of a component");
-    const Head h = read_head(text, *line);
+    const GeonetHead h = read_head(text, *line);
     Channel c{h.component, h.axis, h.peak, {h.site + ", " + h.date + ", " + h.component, h.dt, {}}};
-    c.motion.acceleration = read_columns(text, h.count, kColumns, h.unit);
-    skip_columns(text, h.count, kColumns, "the values of velocity");
-    skip_columns(text, h.count, kColumns, "the values of displacement");
+    c.motion.acceleration = read_columns(text, h.count, kGeonetColumns, h.unit);
+    skip_columns(text, h.count, kGeonetColumns, "the values of velocity");
+    skip_columns(text, h.count, kGeonetColumns, "the values of displacement");
     channels.push_back(std::move(c));
   }
   if (channels.empty()) text.fail("the file holds no acceleration");

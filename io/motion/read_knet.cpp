@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kHeaderLines = 17;
 constexpr std::size_t kKeyWidth = 18;
-constexpr Columns kColumns{8, 9};
+constexpr Columns kKnetColumns{8, 9};
 
-HeaderFields read_header(MotionText& text) {
+HeaderFields read_knet_header(MotionText& text) {
   HeaderFields header;
   for (int i = 0; i < kHeaderLines; ++i) {
     const std::string_view line = text.need("the end of the header, which has 17 lines");
@@ -61,7 +61,7 @@ std::vector<double> centred(const Place& end, std::vector<double> counts, double
 
 std::vector<Channel> read_knet(const std::string& path) {
   MotionText text(path);
-  const HeaderFields header = read_header(text);
+  const HeaderFields header = read_knet_header(text);
   const auto need = [&](const char* key) { return header.need(text.here(), key); };
   const auto sampling = need("Sampling Freq(Hz)"), duration = need("Duration Time(s)"), factor = need("Scale Factor");
   const auto rate = rate_of(sampling), length = duration.number();
@@ -73,7 +73,7 @@ std::vector<Channel> read_knet(const std::string& path) {
   Channel c;
   c.component = header.value("Dir.");
   if (const auto peak = finite_number(header.value("Max. Acc. (gal)"))) c.stated_peak = std::abs(*peak) * 0.01;
-  const std::vector<double> counts = read_columns(text, count, kColumns);
+  const std::vector<double> counts = read_columns(text, count, kKnetColumns);
   text.expect_end("the " + std::to_string(count) + " values of the header");
   c.motion = {header.value("Station Code") + ", " + header.value("Origin Time") + ", " + c.component, dt,
               centred(text.here(), counts, scale)};

@@ -16,7 +16,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr const char* kColumns = "wanted two columns: time [s], acceleration";
+constexpr const char* kWantedColumns = "wanted two columns: time [s], acceleration";
 
 using Fields = std::vector<std::string_view>;
 
@@ -41,7 +41,7 @@ std::optional<double> unit_of_header(const std::string& path, long line, std::st
   const std::size_t mark = text.find_first_of(",;");
   const bool one = mark == std::string_view::npos && !bracketed(text).empty();
   if (!one && (mark == std::string_view::npos || text.find_first_of(",;", mark + 1) != std::string_view::npos)) {
-    throw FileError(path, line, "header " + shown(text) + ": " + kColumns + ", as in 't [s], a [m/s2]'");
+    throw FileError(path, line, "header " + shown(text) + ": " + kWantedColumns + ", as in 't [s], a [m/s2]'");
   }
   const std::string_view time = one ? std::string_view() : bracketed(text.substr(0, mark));
   const std::string_view acceleration = bracketed(one ? text : text.substr(mark + 1));
@@ -64,7 +64,7 @@ Layout layout_of(const std::string& path, long line, const Fields& fields, const
   if (fields.size() != 1) return Layout::time_and_value;
   if (unstated.dt) return Layout::value;
   throw FileError(path, line,
-                  std::string("one column, and its step is not stated; ") + kColumns +
+                  std::string("one column, and its step is not stated; ") + kWantedColumns +
                       ", or dt beside it, in s (motion.dt in a case, dt in record.toml, --dt of voussoir motion)");
 }
 
@@ -76,13 +76,15 @@ std::string hint(const Fields& fields) {
 
 std::array<double, 2> numbers_of(const std::string& path, long line, const Fields& fields) {
   if (fields.size() != 2) {
-    throw FileError(path, line, (fields.size() < 2 ? "one column" : "more than two columns") + std::string("; ") + kColumns + hint(fields));
+    throw FileError(path, line,
+                    (fields.size() < 2 ? "one column" : "more than two columns") + std::string("; ") + kWantedColumns + hint(fields));
   }
   std::array<double, 2> numbers{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto number = finite_number(fields[i]);
     if (!number) {
-      throw FileError(path, line, std::string(i == 0 ? "time " : "acceleration ") + shown(fields[i]) + " is no finite number" + hint(fields));
+      throw FileError(path, line,
+                      std::string(i == 0 ? "time " : "acceleration ") + shown(fields[i]) + " is no finite number" + hint(fields));
     }
     numbers[i] = *number;
   }

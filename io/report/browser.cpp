@@ -27,7 +27,7 @@ extern char** environ;
 namespace voussoir::io {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr int kPatience = 300000;  // ms for one answer: a large page on a busy machine takes half a minute
 constexpr int kAgony = 50;         // tenths of a second to end by itself

@@ -3,13 +3,12 @@
 #include "io/report/paraview_files.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <type_traits>
 #include <vector>
 
+#include "geometry/message.h"
 #include "geometry/vec3.h"
 #include "io/files/errors.h"
 #include "io/files/output_path.h"
@@ -100,11 +99,7 @@ std::string cell_array(const char* name, const char* kind, const std::string& da
   return std::string("<Attribute Name=\"") + name + "\" AttributeType=\"" + kind + "\" Center=\"Cell\">" + data + "</Attribute>\n";
 }
 
-std::string time_element(double t) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "<Time Value=\"%.9g\"/>\n", t);
-  return text.data();
-}
+std::string time_element(double t) { return geometry::printed("<Time Value=\"%.9g\"/>\n", t); }
 
 /// Writes arrays into paraview.h5 and what run.xdmf says of them.
 class ParaviewWriter {

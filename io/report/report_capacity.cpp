@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "geometry/message.h"
 #include "io/files/errors.h"
 #include "io/measures/capacity_file.h"
 #include "io/report/report_plots.h"
@@ -84,11 +84,7 @@ bool same_direction(const Json& limit, const cases::Analysis& a) {
   return std::hypot(live[0] - a.direction[0] / length, live[1] - a.direction[1] / length) < kSameDirection;
 }
 
-std::string per_cent(double share) {
-  std::array<char, 32> out{};
-  std::snprintf(out.data(), out.size(), "%.2g %%", 100.0 * share);
-  return out.data();
-}
+std::string per_cent(double share) { return geometry::printed("%.2g %%", 100.0 * share); }
 
 /// What the two have not in common, the likely heaviest first.
 Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {

@@ -15,15 +15,14 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kSteps = 32767;  // of 16 bits to either side
-constexpr int kMostShift = 8;     // more would save nothing
+constexpr int kMostShift = 8;  // more would save nothing
 
 /// The smallest step in which the largest displacement fits 16 bits, but no finer than 1 um.
 double quantum_of(const FrameReader& reader) {
   double largest = 0;
   for (std::uint64_t f = 0; f < reader.frames(); ++f)
     for (const double u : reader.displacement(f)) largest = std::max(largest, std::abs(u));
-  return std::max(largest / kSteps, 1e-6);
+  return std::max(largest / kQuantaOfASide, 1e-6);
 }
 
 /// Rounding a quaternion to steps of r moves a point at the distance d by at most 2 d √3 r/2, rounding a position to a quantum by √3/2 of
@@ -32,7 +31,7 @@ std::vector<std::uint8_t> shifts(const Hdf5File& run, std::uint64_t elements, do
   std::vector<std::uint8_t> all;
   for (const double d : element_radii(run, static_cast<std::size_t>(elements))) {
     int s = 0;
-    while (s < kMostShift && std::ldexp(2 * d, s + 1) <= quantum * kSteps) ++s;
+    while (s < kMostShift && std::ldexp(2 * d, s + 1) <= quantum * kQuantaOfASide) ++s;
     all.push_back(static_cast<std::uint8_t>(s));
   }
   return all;
@@ -85,7 +84,7 @@ PackedFrames pack_frames(const Hdf5File& run, const FrameReader& reader) {
   const double quantum = quantum_of(reader);
   const std::vector<std::uint8_t> shift = shifts(run, reader.elements(), quantum);
   const auto of_position = [&](std::size_t) { return quantum; };
-  const auto of_turn = [&](std::size_t e) { return std::ldexp(1 / kSteps, shift[e]); };
+  const auto of_turn = [&](std::size_t e) { return std::ldexp(1 / kQuantaOfASide, shift[e]); };
   FramePacker out(reader.elements());
   for (std::uint64_t f = 0; f < reader.frames(); ++f) {
     const std::vector<double> u = reader.displacement(f), q = reader.row("quaternion", f, 4);

@@ -11,8 +11,6 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kSteps = 32767;  // of 16 bits to either side
-
 double largest(const std::vector<Vec3>& vectors) {
   double most = 0;
   for (const Vec3 v : vectors) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -29,11 +27,14 @@ ReportModes report_modes(const std::vector<solver::Mode>& modes) {
   ReportModes out;
   nlohmann::json list = nlohmann::json::array();
   for (const solver::Mode& m : modes) {
-    const double most = largest(m.displacement), size = most > 0 ? 1 / most : 1, turn = std::max(size * largest(m.rotation) / kSteps, 1e-9);
-    list.push_back(
-        {{"frequency", m.frequency}, {"share", {m.mass_share.x, m.mass_share.y, m.mass_share.z}}, {"move", 1 / kSteps}, {"turn", turn}});
+    const double most = largest(m.displacement), size = most > 0 ? 1 / most : 1,
+                 turn = std::max(size * largest(m.rotation) / kQuantaOfASide, 1e-9);
+    list.push_back({{"frequency", m.frequency},
+                    {"share", {m.mass_share.x, m.mass_share.y, m.mass_share.z}},
+                    {"move", 1 / kQuantaOfASide},
+                    {"turn", turn}});
     for (std::size_t e = 0; e < m.displacement.size(); ++e) {
-      append(out.shape, size * m.displacement[e], 1 / kSteps);
+      append(out.shape, size * m.displacement[e], 1 / kQuantaOfASide);
       append(out.shape, size * m.rotation[e], turn);
     }
   }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kWidth = 1600, kHeight = 1000;  // pixels
 
-struct Still {
+struct ShownStill {
   std::string view, file;
   double time;  // s
 };
@@ -41,8 +41,8 @@ void check_times(const std::string& run, const std::vector<double>& times) {
                                               " s, where its last frame stands, or by less than a frame later");
 }
 
-std::vector<Still> planned(const StillsOptions& o) {
-  std::vector<Still> all;
+std::vector<ShownStill> planned(const StillsOptions& o) {
+  std::vector<ShownStill> all;
   for (const std::string& view : o.views)
     for (const double t : o.times) {
       const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
@@ -52,7 +52,7 @@ std::vector<Still> planned(const StillsOptions& o) {
   return all;
 }
 
-void take(Browser& browser, const Still& s) {
+void take(Browser& browser, const ShownStill& s) {
   const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
   const std::string png =
       browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
@@ -80,12 +80,12 @@ class Studio {
 
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o) {
   check_times(runs.front(), o.times);
-  const std::vector<Still> stills = planned(o);
+  const std::vector<ShownStill> stills = planned(o);
   Studio studio(report_html(runs));
   std::error_code fault;
   fs::create_directories(o.folder, fault);
   if (fault) throw FileError(o.folder, "cannot make the folder: " + fault.message());
-  for (const Still& s : stills) take(studio.browser, s);
+  for (const ShownStill& s : stills) take(studio.browser, s);
 }
 
 void write_still(const std::string& html, const std::string& view, const std::string& file) {

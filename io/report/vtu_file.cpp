@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/report/vtu_file.h"
 
-#include <array>
-#include <cstdio>
 #include <functional>
 
+#include "geometry/message.h"
 #include "io/replay/cells.h"
 
 namespace voussoir::io {
@@ -13,14 +12,8 @@ namespace {
 
 constexpr std::uint8_t kPolyhedron = 42;  // VTK's number
 
-std::string number(double value, const char* format) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 void append(std::string& out, Vec3 v, const char* format) {
-  for (const double x : {v.x, v.y, v.z}) out += number(x, format) + ' ';
+  for (const double x : {v.x, v.y, v.z}) out += geometry::printed(format, x) + ' ';
   out += '\n';
 }
 
@@ -105,7 +98,7 @@ void write_cells(std::string& out, const Grid& g) {
 }
 
 void write_mode(std::string& out, const cases::Model& model, const solver::Mode& mode, std::size_t number_of_mode) {
-  const std::string name = "mode " + std::to_string(number_of_mode) + " (" + number(mode.frequency, "%.3f") + " Hz)";
+  const std::string name = "mode " + std::to_string(number_of_mode) + " (" + geometry::printed("%.3f", mode.frequency) + " Hz)";
   array(out, "Float32", name, 3, [&](std::string& o) {
     for (std::size_t e = 0; e < model.blocks.size(); ++e) {
       const Vec3 centroid = model.assembly.elements[e].mass.centroid;

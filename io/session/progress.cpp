@@ -5,20 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
+
+#include "geometry/message.h"
 
 namespace voussoir::io {
 namespace {
 
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
+using geometry::printed;
 
 }  // namespace
 
@@ -51,21 +46,21 @@ std::string format_count(std::int64_t n) {
 std::string format_duration(double seconds) {
   if (!std::isfinite(seconds) || seconds > 1e10) return "ages";
   const auto s = static_cast<long long>(std::max(0.0, seconds) + 0.5);
-  if (s < 60) return print("%lld s", s);
-  if (s < 3600) return print("%lld min %02lld s", s / 60, s % 60);
+  if (s < 60) return printed("%lld s", s);
+  if (s < 3600) return printed("%lld min %02lld s", s / 60, s % 60);
   const long long minutes = (s + 30) / 60;
-  if (minutes < 24 * 60) return print("%lld h %02lld min", minutes / 60, minutes % 60);
+  if (minutes < 24 * 60) return printed("%lld h %02lld min", minutes / 60, minutes % 60);
   const long long hours = (minutes + 30) / 60;
-  return print("%lld d %02lld h", hours / 24, hours % 24);
+  return printed("%lld d %02lld h", hours / 24, hours % 24);
 }
 
 std::string format_progress(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left) {
-  std::string line = state.settling ? print("settling, %.3f s", state.time) : print("%.3f of %g s", state.time, state.end_time);
+  std::string line = state.settling ? printed("settling, %.3f s", state.time) : printed("%.3f of %g s", state.time, state.end_time);
   const auto speed = static_cast<std::int64_t>(std::llround(std::min(steps_per_second, 1e15)));
-  line += "  " + (steps_per_second < 10 ? print("%.2g", steps_per_second) : format_count(speed)) + " steps/s";
+  line += "  " + (steps_per_second < 10 ? printed("%.2g", steps_per_second) : format_count(speed)) + " steps/s";
   line += "  " + (seconds_left ? format_duration(*seconds_left) + " left" : std::string("time left unknown"));
   line += "  " + format_count(state.broken) + " broken";
-  return line + print("  residual %.1e", state.residual);
+  return line + printed("  residual %.1e", state.residual);
 }
 
 Progress::Mode Progress::mode_for(int descriptor, bool quiet) {

@@ -12,14 +12,14 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kHead = 84, kTriangle = 50;  // bytes
+constexpr std::size_t kHeadBytes = 84, kTriangleBytes = 50;  // bytes
 
 /// Binary files may begin with "solid", too: their length tells.
 bool is_binary(std::string_view text) {
-  if (text.size() < kHead) return false;
+  if (text.size() < kHeadBytes) return false;
   std::uint32_t count = 0;
   std::memcpy(&count, text.data() + 80, sizeof count);
-  return text.size() == kHead + kTriangle * static_cast<std::size_t>(count) || !text.starts_with("solid");
+  return text.size() == kHeadBytes + kTriangleBytes * static_cast<std::size_t>(count) || !text.starts_with("solid");
 }
 
 void add_triangle(geometry::Mesh& mesh, const Vec3 (&corners)[3]) {
@@ -31,15 +31,15 @@ void add_triangle(geometry::Mesh& mesh, const Vec3 (&corners)[3]) {
 StoneFile read_binary(const std::string& path, std::string_view text) {
   std::uint32_t count = 0;
   std::memcpy(&count, text.data() + 80, sizeof count);
-  if ((text.size() - kHead) / kTriangle < count)
+  if ((text.size() - kHeadBytes) / kTriangleBytes < count)
     throw FileError(path, "ends within its triangles: " + std::to_string(count) + " are announced, there is room for " +
-                              std::to_string((text.size() - kHead) / kTriangle));
+                              std::to_string((text.size() - kHeadBytes) / kTriangleBytes));
   StoneFile out;
   FileSolid& solid = out.solids.emplace_back();
   solid.whole = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     float x[9];
-    std::memcpy(x, text.data() + kHead + kTriangle * i + 12, sizeof x);
+    std::memcpy(x, text.data() + kHeadBytes + kTriangleBytes * i + 12, sizeof x);
     if (!std::all_of(x, x + 9, [](float v) { return std::isfinite(v); }))
       throw FileError(path, "triangle " + std::to_string(i) + " is not finite");
     add_triangle(solid.mesh, {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}});

@@ -3,10 +3,9 @@
 #include "io/stones/stones.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "geometry/message.h"
 #include "geometry/prism.h"
 #include "geometry/solids/flatten.h"
 #include "geometry/solids/overlaps.h"
@@ -25,12 +24,6 @@ using geometry::Polyhedron;
 constexpr double kConvex = 1e-9;      // of the size, as geometry::validate
 constexpr int kMostRefused = 20;      // stones set aside because their faces do not fit, before the rest is not tried any more
 constexpr double kNearlyFlat = 0.05;  // rad: faces of a surface that was meant to be plane, as drawn in millimetres
-
-std::string millimetres(double metres) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * metres);
-  return text.data();
-}
 
 std::string table_key(std::size_t table) { return "stones[" + std::to_string(table) + "]"; }
 
@@ -233,9 +226,9 @@ class Import {
     if (item.nearly_flat > 0) add(counted(item.nearly_flat, "face") + " merged into others nearly in the same plane");
     if (item.in_triangles > 0) add(counted(item.in_triangles, "warped face") + " parted into triangles");
     if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
-    if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + millimetres(done.warped) + " made plane");
-    if (done.moved > 0.0) add("corners moved by up to " + millimetres(done.moved));
-    if (item.parted > 0.0) add("cut by " + millimetres(item.parted) + " where it lay in another stone or the base");
+    if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + geometry::millimetres(done.warped) + " made plane");
+    if (done.moved > 0.0) add("corners moved by up to " + geometry::millimetres(done.moved));
+    if (item.parted > 0.0) add("cut by " + geometry::millimetres(item.parted) + " where it lay in another stone or the base");
     if (stone.pieces.size() > 1) {
       const auto& materials = case_.materials;
       const std::string& name = spec_of(item).material;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <string>
 
+#include "geometry/message.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {
@@ -24,21 +24,16 @@ double least_stiffness(const World& w, double pressure) {
   return softest > 0.0 ? std::min(least, 0.5 / softest) : least;
 }
 
-std::string number(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", v);
-  return text;
-}
-
 /// Strength must fall no faster than the springs of a contact unload, or it would snap through.
 void refuse_snap_through(const World& w, const cases::Contact& c) {
   const double fall = c.compression - c.residual_compression, least = 0.5 * fall * fall / least_stiffness(w, c.residual_compression);
   if (c.crushing_energy == 0.0 || c.crushing_energy > least) return;
-  throw cases::InputError("contact.crushing_energy",
-                          "= " + number(c.crushing_energy) +
-                              " J/m2 is no more than (compression - residual_compression)^2 / (2 x stiffness) = " + number(least) +
-                              " J/m2 in the softest contact of this model: it would snap through; allowed: 0 (no softening), or more "
-                              "than that");
+  throw cases::InputError(
+      "contact.crushing_energy",
+      "= " + geometry::short_figure(c.crushing_energy) +
+          " J/m2 is no more than (compression - residual_compression)^2 / (2 x stiffness) = " + geometry::short_figure(least) +
+          " J/m2 in the softest contact of this model: it would snap through; allowed: 0 (no softening), or more "
+          "than that");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/message.h"
 #include "solver/setup/decomposition.h"
 #include "solver/setup/setup.h"
 
@@ -45,12 +46,6 @@ double scatter_of(const World& w, std::size_t side) { return w.model.joint_stren
 
 bool softens(const cases::JointLaw& law) { return law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0; }
 
-std::string number(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", v);
-  return text;
-}
-
 /// A fracture energy of which nothing is left after the elastic energy at the limit is refused, with the least that all sides of the law
 /// could have.
 void refuse_snap_back(const World& w, const char* key, double cases::JointLaw::*energy,
@@ -66,10 +61,12 @@ void refuse_snap_back(const World& w, const char* key, double cases::JointLaw::*
   for (std::size_t i = 0; i < least.size(); ++i) {
     const double given = w.model.laws[i].value.*energy;
     if (least[i] == 0.0 || given > least[i]) continue;
-    throw cases::InputError("joint_laws." + w.model.laws[i].name + "." + key,
-                            "= " + number(given) + " J/m2 is no more than the elastic energy at the limit, strength^2 / (2 x stiffness) = " +
-                                number(least[i]) + " J/m2 in the stiffest joint of this law: the bond would snap back; allowed: 0 "
-                                "(brittle), or more than that");
+    throw cases::InputError(
+        "joint_laws." + w.model.laws[i].name + "." + key,
+        "= " + geometry::short_figure(given) +
+            " J/m2 is no more than the elastic energy at the limit, strength^2 / (2 x stiffness) = " + geometry::short_figure(least[i]) +
+            " J/m2 in the stiffest joint of this law: the bond would snap back; allowed: 0 "
+            "(brittle), or more than that");
   }
 }
 

@@ -21,9 +21,7 @@ constexpr double kFlatSkew = std::numbers::pi / 6.0;  // of the skewbacks of a f
 constexpr double kNear = 0.25;                        // of a course: a joint that ends so near to a corner of the frame ends there
 constexpr int kFewest = 3, kMost = 101;               // voussoirs
 
-std::string metres_text(Tick t) { return text(metres(t)); }
-
-std::string key_of(std::size_t opening, const char* field) { return indexed_key("house.opening", opening, "arch.") + field; }
+std::string arch_key(std::size_t opening, const char* field) { return indexed_key("house.opening", opening, "arch.") + field; }
 
 /// The soffit: a circle about a point below, or a line whose joints come from one.
 struct Soffit {
@@ -72,8 +70,8 @@ int count_of(const House& house, std::size_t opening, const HousePlan& plan, con
   if (!arch.voussoirs) return std::clamp(2 * static_cast<int>(soffit.length() / metres(plan.brick_width) / 2.0) + 1, kFewest, kMost);
   const int most = std::min(kMost, static_cast<int>(soffit.length() / metres(plan.lowest_course())));
   if (*arch.voussoirs < kFewest || *arch.voussoirs > most)
-    throw InputError(key_of(opening, "voussoirs"), std::to_string(*arch.voussoirs) + " voussoirs; allowed: " + std::to_string(kFewest) +
-                                                       " to " + std::to_string(most) + ", each at least half a course wide");
+    throw InputError(arch_key(opening, "voussoirs"), std::to_string(*arch.voussoirs) + " voussoirs; allowed: " + std::to_string(kFewest) +
+                                                         " to " + std::to_string(most) + ", each at least half a course wide");
   return *arch.voussoirs;
 }
 
@@ -128,15 +126,15 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
   const Arch& arch = *house.openings[index].arch;
   const double half = 0.5 * metres(under.along.length());
   if (!(arch.rise >= 0.0 && arch.rise <= half + 1e-9))
-    throw InputError(key_of(index, "rise"),
+    throw InputError(arch_key(index, "rise"),
                      text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
-  const Tick thickness = positive_length(arch.thickness, key_of(index, "thickness"));
+  const Tick thickness = positive_length(arch.thickness, arch_key(index, "thickness"));
   if (thickness < plan.lowest_course())
-    throw InputError(key_of(index, "thickness"),
+    throw InputError(arch_key(index, "thickness"),
                      text(arch.thickness) + " m is less than half a course; at least " + metres_text(plan.lowest_course()) + " m");
-  const Tick springer = positive_length(arch.springer, key_of(index, "springer"));
+  const Tick springer = positive_length(arch.springer, arch_key(index, "springer"));
   if (springer < plan.shortest_piece())
-    throw InputError(key_of(index, "springer"),
+    throw InputError(arch_key(index, "springer"),
                      text(arch.springer) + " m is less than half a brick; at least " + metres_text(plan.shortest_piece()) + " m");
   Hole hole{{under.along.low - springer, under.along.high + springer},
             arch_height(house.openings[index], under.height.high),
@@ -145,8 +143,8 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
             {0, wall.thickness}};
   hole.arch = true;
   if (hole.height.high > wall.height.high)
-    throw InputError(key_of(index, "thickness"), text(arch.thickness) + " m ends at " + metres_text(hole.height.high - wall.height.low) +
-                                                     " m, over the height of the wall (" + metres_text(wall.height.length()) + " m)");
+    throw InputError(arch_key(index, "thickness"), text(arch.thickness) + " m ends at " + metres_text(hole.height.high - wall.height.low) +
+                                                       " m, over the height of the wall (" + metres_text(wall.height.length()) + " m)");
   count_of(house, index, plan, Soffit(under.along, hole.height.low, arch.rise));
   return hole;
 }

@@ -10,9 +10,7 @@
 namespace voussoir::cases {
 namespace {
 
-std::string key_of(std::size_t part, const char* field = "") { return indexed_key("base.part", part, field); }
-
-std::string from_to(Interval i) { return "from " + text(metres(i.low)) + " to " + text(metres(i.high)) + " m"; }
+std::string part_key(std::size_t part, const char* field = "") { return indexed_key("base.part", part, field); }
 
 Interval shared(Interval a, Interval b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
@@ -24,9 +22,9 @@ std::optional<Interval> taken(const House& house, std::size_t index, const House
   if (x.length() <= 0 || y.length() <= 0) return std::nullopt;
   const Interval across = wall.along_x ? y : x, all = wall.along_x ? box.y : box.x;
   if (across != all)
-    throw InputError(key_of(index), "ends within the thickness of the " + wall_name(house, wall) + ", which stands " + from_to(all) +
-                                        " along " + (wall.along_x ? "y" : "x") + " of the house: it has " + from_to(across) +
-                                        "; take all of it, or nothing");
+    throw InputError(part_key(index), "ends within the thickness of the " + wall_name(house, wall) + ", which stands " + from_to(all) +
+                                          " along " + (wall.along_x ? "y" : "x") + " of the house: it has " + from_to(across) +
+                                          "; take all of it, or nothing");
   return wall.along_x ? x : y;
 }
 
@@ -36,8 +34,8 @@ void add_ground_holes(const House& house, HousePlan& plan) {
   for (std::size_t i = 0; i < house.ground.size(); ++i) {
     const Tick level = ticks(house.ground[i].level), most = plan.storeys[0].high - plan.lowest_course();
     if (level > most)
-      throw InputError(key_of(i, "level"), text(house.ground[i].level) + " m leaves no course of the first storey (" +
-                                               text(metres(plan.storeys[0].high)) + " m); at most " + text(metres(most)) + " m");
+      throw InputError(part_key(i, "level"), text(house.ground[i].level) + " m leaves no course of the first storey (" +
+                                                 text(metres(plan.storeys[0].high)) + " m); at most " + text(metres(most)) + " m");
     bool any = false;
     for (WallPlan& wall : plan.walls) {
       if (!wall.built || wall.storey != 0) continue;
@@ -48,12 +46,12 @@ void add_ground_holes(const House& house, HousePlan& plan) {
       wall.holes.push_back(hole);
       any = true;
     }
-    if (!any && house.ground[i].only_walls) throw InputError(key_of(i), "no wall stands on it; move it, or leave it out");
+    if (!any && house.ground[i].only_walls) throw InputError(part_key(i), "no wall stands on it; move it, or leave it out");
   }
 }
 
 std::string hole_key(const Hole& hole) {
-  if (hole.ground >= 0) return key_of(static_cast<std::size_t>(hole.ground));
+  if (hole.ground >= 0) return part_key(static_cast<std::size_t>(hole.ground));
   return indexed_key("house.opening", hole.opening, hole.lintel ? "lintel" : hole.arch ? "arch" : "");
 }
 
