@@ -296,7 +296,7 @@ std::vector<InputError> unsupported_heads(const House& house) {
       const Opening& opening = house.openings[h.opening];
       if (opening.lintel || opening.arch || 2 * h.along.length() <= plan.brick_length) continue;
       if (!has_masonry_above(house, plan, wall, h)) continue;
-      found.emplace_back(key_of(h.opening), "the opening in the " + wall_name(house, wall) + ", " + text(opening.width) +
+      found.emplace_back(opening_key(h.opening), "the opening in the " + wall_name(house, wall) + ", " + text(opening.width) +
                                                 " m wide, has masonry above it and nothing that carries it; give it a lintel or an arch");
     }
   }

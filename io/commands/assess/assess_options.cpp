@@ -59,7 +59,7 @@ void add_limit_options(CLI::App& command, LimitCommandOptions& o) {
   add_format(command, o.json);
   command.add_flag("--overwrite", o.overwrite, "replace an existing file of the mechanism");
   command.add_flag("--quiet", o.quiet, "no progress");
-  command.footer("A case with loads that grow has these as live load.\nexample: voussoir limit tilting-wall --direction y");
+  command.footer("A case with loads that grow has these as live load.\nexample: voussoir limit flat20n --associated");
 }
 
 }  // namespace voussoir::io
