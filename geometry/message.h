@@ -13,7 +13,8 @@ inline std::string block_prefix(int subject) { return subject < 0 ? std::string(
 /// What printf prints of `values`.
 template <class... Values>
 std::string printed(const char* format, Values... values) {
-  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+  const int length = std::snprintf(nullptr, 0, format, values...);
+  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
   std::snprintf(text.data(), text.size() + 1, format, values...);
   return text;
 }
