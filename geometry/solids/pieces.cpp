@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/mass.h"
 #include "geometry/message.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;  // of the size
 constexpr std::size_t kMostPieces = 500;
+constexpr std::size_t kMostCuts = 20 * kMostPieces;
 constexpr double kFills = 1e-9;                   // relative, of volumes
 constexpr double kMild = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
 constexpr int kPerEdge = 1000;                    // what speaks for a plane, for each reflex edge that it takes
@@ -64,11 +66,12 @@ class Cutting {
       for (const auto& t : triangles_of(solid_, f)) all.surface.push_back({{t.begin(), t.end()}, number_of_plane(f)});
     }
     std::vector<Cell> open{std::move(all)};
+    std::size_t cuts = 0;
     while (!open.empty()) {
       Cell cell = std::move(open.back());
       open.pop_back();
       divide(std::move(cell), open);
-      if (open.size() + pieces_.size() > kMostPieces)
+      if (open.size() + pieces_.size() > kMostPieces || ++cuts > kMostCuts)
         throw ModelError("takes more than " + std::to_string(kMostPieces) + " convex pieces; simplify it, or part it where it was drawn",
                          -1);
     }
@@ -143,7 +146,18 @@ class Cutting {
     return false;
   }
 
-  [[nodiscard]] HalfSpace choose(const Cell& cell, const HalfSpace& otherwise) const {
+  /// Whether a plane leaves something of the cell on both sides.
+  [[nodiscard]] bool splits(const Cell& cell, const HalfSpace& h) const {
+    double low = 0.0, high = 0.0;
+    for (const Vec3& v : cell.shape.vertices) {
+      const double x = dot(h.normal, v) - h.offset;
+      low = std::min(low, x), high = std::max(high, x);
+    }
+    return low < -tolerance_ && high > tolerance_;
+  }
+
+  /// Where to cut; nothing if no plane leaves something on both sides: what sticks out is no more than the tolerance.
+  [[nodiscard]] std::optional<HalfSpace> choose(const Cell& cell, const HalfSpace& otherwise) const {
     std::vector<const ReflexEdge*> in;
     for (const ReflexEdge& e : edges_) {
       if (is_in(e, cell)) in.push_back(&e);
@@ -152,6 +166,7 @@ class Cutting {
     int most = 0;
     for (const ReflexEdge* e : in) {
       for (const ReflexEdge::Cut& c : e->cuts) {
+        if (!splits(cell, c.plane)) continue;
         int score = -c.penalty - (just_misses_corner(cell, c.plane) ? kMissesCorner : 0);
         for (const ReflexEdge* other : in) score += lies_on(*other, c.plane) ? kPerEdge : 0;
         for (const Patch& p : cell.surface) {
@@ -161,7 +176,8 @@ class Cutting {
         if (best == nullptr || score > most) best = &c.plane, most = score;
       }
     }
-    return best == nullptr ? otherwise : *best;
+    if (best != nullptr) return *best;
+    return splits(cell, otherwise) ? std::optional(otherwise) : std::nullopt;
   }
 
   void divide(Cell cell, std::vector<Cell>& open) {
@@ -171,7 +187,8 @@ class Cutting {
       return;
     }
     const HalfSpace* beyond = violated(cell);
-    if (beyond == nullptr) {
+    const std::optional<HalfSpace> cut = beyond == nullptr ? std::nullopt : choose(cell, *beyond);
+    if (!cut) {
       for (const Patch& p : cell.surface) {
         cell.shape = clipped(cell.shape, plane_[static_cast<std::size_t>(p.plane)], tolerance_);
         if (cell.shape.faces.empty()) return;
@@ -179,7 +196,7 @@ class Cutting {
       keep(std::move(cell.shape));
       return;
     }
-    const HalfSpace h = choose(cell, *beyond);
+    const HalfSpace& h = *cut;
     const HalfSpace turned{-h.normal, -h.offset};
     Cell below{clipped(cell.shape, h, tolerance_), {}}, above{clipped(cell.shape, turned, tolerance_), {}};
     for (const Patch& p : cell.surface) share_out(p, h, below, above);
