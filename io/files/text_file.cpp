@@ -49,11 +49,12 @@ LineReader::LineReader(std::string_view text) : rest_(text) {
 
 std::optional<std::string_view> LineReader::next() {
   if (rest_.empty()) return std::nullopt;
-  const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
   line_ended_ = end < rest_.size();
-  std::string_view line = rest_.substr(0, end);
-  rest_.remove_prefix(std::min(end + 1, rest_.size()));
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const std::string_view line = rest_.substr(0, end);
+  const std::size_t feed = rest_.find_first_not_of('\r', end);
+  const bool with_feed = feed != std::string_view::npos && rest_[feed] == '\n';
+  rest_.remove_prefix(with_feed ? feed + 1 : std::min(end + 1, rest_.size()));
   ++line_;
   return line;
 }

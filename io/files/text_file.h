@@ -17,7 +17,7 @@ std::string read_text_file(const std::string& path, std::size_t largest);
 /// \throw FileError if the file exists and `overwrite` does not allow to replace it, or if it cannot be written.
 void write_text_file(const std::string& path, std::string_view text, bool overwrite);
 
-/// Walks through a text line by line; LF and CRLF end a line, a UTF-8 byte order mark is skipped.
+/// Walks through a text line by line; LF, CRLF and a CR alone end a line, a UTF-8 byte order mark is skipped.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
