@@ -119,13 +119,20 @@ Record read_record_file(const std::string& path, const Unstated& unstated) {
 }
 
 std::optional<double> acceleration_unit(std::string_view name) {
-  const std::string text = upper(trimmed(name));
+  std::string text = upper(trimmed(name));
+  if (text.ends_with('.')) text.pop_back();
+  // "m/s²" and "m·s⁻²", in UTF-8 and in Latin-1: the longer spellings of a sign first
+  using Sign = std::pair<std::string_view, std::string_view>;
+  for (const auto& [sign, plain] : {Sign{"\xC2\xB2", "2"}, Sign{"\xB2", "2"}, Sign{"\xC2\xB7", ""}, Sign{"\xE2\x81\xBB", "-"}}) {
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at)) text.replace(at, sign.size(), plain);
+  }
+  std::erase(text, ' ');
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
     return std::any_of(names.begin(), names.end(), [&](const char* n) { return text == n; });
   };
   if (text == "G") return cases::kStandardGravity;
-  if (is_one_of({"M/S2", "M/S^2", "M/S**2", "M/S/S", "M/SEC2", "M/SEC^2", "M/SEC/SEC"})) return 1.0;
-  if (is_one_of({"CM/S2", "CM/S^2", "CM/S**2", "CM/S/S", "CM/SEC2", "CM/SEC^2", "CM/SEC/SEC", "GAL"})) return 0.01;
+  if (is_one_of({"M/S2", "M/S^2", "M/S**2", "M/S/S", "M/SEC2", "M/SEC^2", "M/SEC/SEC", "MS-2", "MS^-2"})) return 1.0;
+  if (is_one_of({"CM/S2", "CM/S^2", "CM/S**2", "CM/S/S", "CM/SEC2", "CM/SEC^2", "CM/SEC/SEC", "CMS-2", "CMS^-2", "GAL"})) return 0.01;
   if (is_one_of({"MM/S2", "MM/S^2", "MM/S/S"})) return 0.001;
   return std::nullopt;
 }

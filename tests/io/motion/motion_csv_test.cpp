@@ -115,3 +115,17 @@ TEST_CASE("a PEER file is known by its third line under any name") {
   CHECK(read_accelerogram(folder.write("a.acc", text), {}).acceleration == std::vector<double>{9.80665, 2 * 9.80665});
   CHECK(read_accelerogram(folder.write("a.at2", text), {}).name == "name");
 }
+
+TEST_CASE("CSV: units with a dot behind, with squares as signs and in capitals") {
+  for (const char* unit : {"cm/s\xC2\xB2", "cm/s\xB2", "cm\xC2\xB7s\xE2\x81\xBB\xC2\xB2", "cm/sec2.", "GAL.", "CM / S2", "cm s-2"}) {
+    CAPTURE(unit);
+    const Accelerogram a = read("t [s], a [" + std::string(unit) + "]\n0, 1\n0.01, 2\n");
+    CHECK(a.acceleration == std::vector<double>{0.01, 0.02});
+  }
+}
+
+TEST_CASE("CSV: a carriage return alone ends a line") {
+  const Accelerogram a = read("t [s], a [m/s2]\r0, 1\r0.01, 2\r0.02, 3\r");
+  CHECK(a.acceleration == std::vector<double>{1.0, 2.0, 3.0});
+  CHECK(a.dt == doctest::Approx(0.01));
+}
