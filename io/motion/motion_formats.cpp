@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/motion/motion_text.h"
 #include "io/motion/read_motion.h"
 
@@ -56,7 +57,7 @@ constexpr Format kKnown[] = {
 };
 
 const Format* format_of(const std::string& path) {
-  const std::string text = read_text_file(path, kLargestMotionFile);
+  const std::string text = read_foreign_text(path, kLargestMotionFile);
   LineReader reader(text);
   std::vector<std::string_view> lines;
   while (lines.size() < kFirstLines) {

@@ -9,6 +9,7 @@
 
 #include "cases/names.h"
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/motion/read_motion.h"
 
 namespace voussoir::io {
@@ -23,7 +24,7 @@ std::string_view without_dos_end(std::string_view text) { return text.substr(0, 
 }  // namespace
 
 MotionText::MotionText(const std::string& path)
-    : path_(path), text_(read_text_file(path, kLargestMotionFile)), lines_(without_dos_end(text_)) {}
+    : path_(path), text_(read_foreign_text(path, kLargestMotionFile)), lines_(without_dos_end(text_)) {}
 
 std::optional<std::string_view> MotionText::next_filled() {
   auto line = next();

@@ -25,7 +25,7 @@ struct Place {
 /// A file of ground motion. Every fault names the file, and the line last given.
 class MotionText {
  public:
-  /// \throw FileError as read_text_file.
+  /// \throw FileError as read_foreign_text.
   explicit MotionText(const std::string& path);
   MotionText(const MotionText&) = delete;
   MotionText& operator=(const MotionText&) = delete;

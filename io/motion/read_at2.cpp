@@ -8,6 +8,7 @@
 #include <string>
 
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_text.h"
 #include "io/motion/read_motion.h"
@@ -103,7 +104,7 @@ Header read_header(const std::string& path, LineReader& lines) {
 }  // namespace
 
 cases::Accelerogram read_at2(const std::string& path) {
-  const std::string text = read_text_file(path, kLargestMotionFile);
+  const std::string text = read_foreign_text(path, kLargestMotionFile);
   LineReader lines(text);
   const Header h = read_header(path, lines);
   const std::string stated = "NPTS = " + std::to_string(h.count);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/files/text_file.h"
 #include "io/motion/motion_text.h"
 
@@ -58,7 +59,7 @@ void check_units(const std::string& path, long line, std::string_view header, st
 /// \param unit  of x, y, z: "m", of a load "N"
 void read_history(const std::string& path, std::string_view unit, cases::SupportHistory& history) {
   const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]";
-  const std::string text = read_text_file(path, kLargestFile);
+  const std::string text = read_foreign_text(path, kLargestFile);
   LineReader lines(text);
   bool header_allowed = true;
   while (const auto next = lines.next()) {

@@ -7,6 +7,7 @@
 
 #include "cases/case.h"
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/files/text_file.h"
 #include "io/motion/read_motion.h"
 
@@ -109,7 +110,7 @@ cases::TargetSpectrum read_target(const std::string& name, const std::optional<s
   if (name.starts_with("ec8:")) return {name, eurocode8_of(name), {}, {}};
   std::error_code error;
   if (!std::filesystem::exists(name, error)) refuse(name, "no such file");
-  const std::string text = read_text_file(name, kLargestMotionFile);
+  const std::string text = read_foreign_text(name, kLargestMotionFile);
   LineReader lines(text);
   TargetReader reader(name);
   while (const auto line = lines.next()) {

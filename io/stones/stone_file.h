@@ -33,7 +33,12 @@ StoneFile read_obj(const std::string& path, std::string_view text);
 /// PLY, ASCII or binary of either order: `vertex` with x, y, z of any type, `face` with a list vertex_indices (or vertex_index).
 StoneFile read_ply(const std::string& path, std::string_view text);
 /// STL, ASCII (each `solid` a stone if it has a name of its own) or binary.
+/// Binary: a count of 0 or 4294967295 was never filled in, so the length tells; less than one triangle behind the last is passed over.
 StoneFile read_stl(const std::string& path, std::string_view text);
+/// Binary STL says how many triangles it has, and is as long.
+bool is_binary_stl(std::string_view text);
+/// ASCII STL begins with "solid" in any case, perhaps behind blanks, and goes on with facets or ends at once.
+bool is_ascii_stl(std::string_view text);
 /// VTU (unstructured grid): each tetrahedron, hexahedron, wedge, pyramid, voxel and polyhedron is a stone, or all of them that share a
 /// value of a cell array `element`; polygons are a heap of faces. ASCII, base64 or raw, plain or deflated.
 StoneFile read_vtu(const std::string& path, std::string_view text);

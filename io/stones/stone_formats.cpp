@@ -1,20 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/files/text_file.h"
 #include "io/stones/stone_file.h"
 #include "io/stones/words.h"
 
 namespace voussoir::io {
 namespace {
-
-/// ASCII STL begins with "solid" and goes on with facets; binary STL says how many triangles it has, and is as long.
-bool looks_like_stl(std::string_view text) {
-  if (text.starts_with("solid")) return true;
-  if (text.size() < 84) return false;
-  const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(text[80 + i])); };
-  return text.size() == 84 + 50 * (byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24);
-}
 
 bool looks_like_obj(std::string_view text) {
   LineReader lines(text);
@@ -32,16 +27,29 @@ bool looks_like_obj(std::string_view text) {
   return false;
 }
 
+/// A format whose names are text, from any encoding.
+StoneFile read_text(StoneFile (*read)(const std::string&, std::string_view), const std::string& path, std::string_view text) {
+  return is_all_utf8(text) ? read(path, text) : read(path, as_utf8(path, std::string(text)));
+}
+
+/// STL whose head or length is wrong is known by its name only.
+bool is_damaged_stl(const std::string& path, std::string_view text) {
+  return upper(std::filesystem::path(path).extension().string()) == ".STL" && text.find('\0') != std::string_view::npos;
+}
+
 }  // namespace
 
 StoneFile read_stone_file(const std::string& path, std::string_view text) {
+  if (has_utf16_mark(text) && !is_binary_stl(text)) return read_stone_file(path, as_utf8(path, std::string(text)));
+  text = without_utf8_mark(text);
   const std::string_view start = trimmed(text.substr(0, 4096));
   if (start.empty()) throw FileError(path, "is empty");
   if (start.starts_with("ply")) return read_ply(path, text);
-  if (looks_like_stl(text)) return read_stl(path, text);
-  if (start.starts_with("{") || start.starts_with("[")) return read_compas(path, text);
+  if (is_binary_stl(text) || is_damaged_stl(path, text)) return read_stl(path, text);
+  if (is_ascii_stl(text)) return read_text(read_stl, path, text);
+  if (start.starts_with("{") || start.starts_with("[")) return read_text(read_compas, path, text);
   if (start.starts_with("<")) return read_vtu(path, text);
-  if (looks_like_obj(text)) return read_obj(path, text);
+  if (looks_like_obj(text)) return read_text(read_obj, path, text);
   throw FileError(path, "is of no format that is read: OBJ, PLY, STL, VTU, JSON of COMPAS");
 }
 
