@@ -36,7 +36,7 @@ struct Format {
 
 constexpr std::size_t kFirstLines = 16;  // enough for every mark
 constexpr const char* kFormats =
-    "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and "
+    "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, USC V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and "
     "acceleration, "
     "or one of acceleration (.csv, .txt)";
 

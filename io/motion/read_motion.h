@@ -40,10 +40,11 @@ struct Unstated {
 /// glued or not finite, or a count other than the header's.
 cases::Accelerogram read_at2(const std::string& path);
 
-/// Two columns, time [s] from 0 in equal steps (to 1e-6 of a step) and acceleration, divided by a comma, a semicolon or blanks; lines that
-/// start with '#' are comments; before the data may stand one header line, "t [s], a [m/s2]". Or one column, accelerations at steps of
-/// `unstated.dt`, perhaps under a header "a [m/s2]". `unstated.unit` holds where the header states none; where there are times, they hold.
-/// \throw FileError with the line.
+/// Two columns, time [s] in equal steps (see csv_step) from any first time and acceleration, divided by a comma, a semicolon or blanks;
+/// lines that start with '#' are comments; before the data may stand one header line, "t [s], a [m/s2]". Or one column, accelerations at
+/// steps of `unstated.dt`, perhaps under a header "a [m/s2]". `unstated.unit` holds where the header states none; where there are times,
+/// they hold. A first row of the number of values and their step, as SHAKE has it, must agree with what follows. \throw FileError with the
+/// line.
 cases::Accelerogram read_motion_csv(const std::string& path, const Unstated& unstated);
 
 /// One component of a file, as the file describes it.
@@ -61,7 +62,7 @@ struct Channel {
 std::vector<Channel> read_bhrc(const std::string& path);    // BHRC (Iran) V1: L, V, T in one file
 std::vector<Channel> read_esm(const std::string& path);     // ESM and AFAD, DYNA 1.2 ASCII: one component
 std::vector<Channel> read_cosmos(const std::string& path);  // COSMOS V1, V2: channels
-std::vector<Channel> read_csmip(const std::string& path);   // CDMG/CSMIP V2: channels
+std::vector<Channel> read_csmip(const std::string& path);   // CDMG/CSMIP V2, USC V2: channels
 std::vector<Channel> read_geonet(const std::string& path);  // GeoNet (New Zealand) V2A: longitudinal, transverse, up
 std::vector<Channel> read_knet(const std::string& path);    // NIED K-NET, KiK-net: one component
 

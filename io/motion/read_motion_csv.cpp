@@ -9,7 +9,9 @@
 
 #include "cases/names.h"
 #include "io/files/errors.h"
+#include "io/files/foreign_text.h"
 #include "io/files/text_file.h"
+#include "io/motion/csv_times.h"
 #include "io/motion/motion_text.h"
 #include "io/motion/read_motion.h"
 
@@ -52,11 +54,6 @@ std::optional<double> unit_of_header(const std::string& path, long line, std::st
   return unit;
 }
 
-struct Row {
-  double time, value;
-  long line;
-};
-
 /// What the columns are, told by the first row of numbers.
 enum class Layout { time_and_value, value };
 
@@ -98,87 +95,127 @@ double value_of(const std::string& path, long line, const Fields& fields) {
   return *number;
 }
 
-/// The first row whose step is not that of most rows is told: behind a gap, all times are off.
-void refuse_gap(const std::string& path, const std::vector<Row>& rows) {
-  constexpr double kGap = 1e-3;  // of a step
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(rows[i].time - rows[i - 1].time);
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
-  const auto is_other = [step = *middle](double s) { return std::abs(s - step) > kGap * step; };
-  const auto gap = std::ranges::find_if(steps, is_other);
-  const auto others = static_cast<std::size_t>(std::ranges::count_if(steps, is_other));
-  if (gap == steps.end() || 2 * others >= steps.size() || !(*middle > 0.0)) return;  // as of times that are rounded
-  const Row& row = rows[static_cast<std::size_t>(gap - steps.begin()) + 1];
-  throw FileError(path, row.line,
-                  "time " + cases::text(row.time) + " s is " + cases::text(*gap) + " s after the row before, and most steps are " +
-                      cases::text(*middle) + " s; allowed: equal steps, to a millionth");
+/// A first row of the number of values and their step, as SHAKE has it: the next row has one column, or a time before that number.
+struct CountRow {
+  double count, dt;
+  long line;
+};
+
+std::optional<CountRow> count_row_of(const Fields& fields, long line) {
+  if (fields.size() != 2) return std::nullopt;
+  const auto count = finite_number(fields[0]), dt = finite_number(fields[1]);
+  const bool good = count && dt && *count >= 2.0 && *count == std::floor(*count) && *dt >= kShortestStep && *dt <= kLongestStep;
+  return good ? std::optional(CountRow{*count, *dt, line}) : std::nullopt;
 }
 
-/// The step of the rows, checked to be the same everywhere.
-double step_of(const std::string& path, const std::vector<Row>& rows) {
-  constexpr double kTolerance = 1e-6;  // of a step
-  if (rows.size() < 2) throw FileError(path, "holds " + std::to_string(rows.size()) + " rows of numbers; allowed: 2 or more");
-  const double span = rows.back().time - rows.front().time, dt = span / static_cast<double>(rows.size() - 1);
-  if (!(dt > 0.0) || !std::isfinite(dt)) throw FileError(path, rows.back().line, "time does not grow");
-  if (dt < kShortestStep || dt > kLongestStep)
-    throw FileError(path, rows.front().line, "times have steps of " + cases::text(dt) + " s; allowed: from 1e-6 to 10 s");
-  if (std::abs(rows.front().time) > kTolerance * dt) {
-    throw FileError(path, rows.front().line, "the first time is " + cases::text(rows.front().time) + " s; allowed: 0");
+bool stands_behind(const CountRow& first, const Fields& next) {
+  if (next.size() == 1) return true;
+  const auto time = finite_number(next[0]);
+  return next.size() == 2 && time && *time < first.count && *time <= 2.0 * first.dt;
+}
+
+void check_count(const std::string& path, const CountRow& first, std::size_t rows) {
+  if (static_cast<double>(rows) == first.count) return;
+  throw FileError(path, first.line,
+                  "the first row says " + cases::text(first.count) + " values at steps of " + cases::text(first.dt) + " s, and " +
+                      std::to_string(rows) + " rows follow; allowed: as many, or no such row");
+}
+
+/// One column that begins with the number of rows behind it: that is no acceleration.
+void refuse_count(const std::string& path, const std::vector<CsvRow>& rows) {
+  if (rows.size() < 3 || rows.front().value != static_cast<double>(rows.size() - 1)) return;
+  throw FileError(path, rows.front().line,
+                  "the first number, " + cases::text(rows.front().value) +
+                      ", is the number of rows behind it, no acceleration; remove it, or write the step beside it");
+}
+
+/// The rows of a file, one by one.
+class CsvReader {
+ public:
+  CsvReader(const std::string& path, const Unstated& unstated) : path_(path), unstated_(unstated) {}
+
+  void line(long number, std::string_view content) {
+    const Fields fields = fields_of(content);
+    if (header_allowed_ && !finite_number(fields[0])) {
+      factor_ = unit_of_header(path_, number, content);
+    } else if (!maybe_count_ && !layout_ && (maybe_count_ = count_row_of(fields, number))) {
+      first_ = std::string(content);
+    } else {
+      if (maybe_count_ && !layout_) choose(fields);
+      row(number, fields);
+    }
+    header_allowed_ = false;
   }
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (std::abs(rows[i].time - static_cast<double>(i) * dt) > kTolerance * dt + 1e-14 * span) {
-      refuse_gap(path, rows);
-      throw FileError(path, rows[i].line,
-                      "time " + cases::text(rows[i].time) + " s is not a multiple of the mean step, " + cases::text(dt) +
-                          " s; allowed: equal steps, to a millionth");
+
+  cases::Accelerogram finished() {
+    if (maybe_count_ && !layout_) row(maybe_count_->line, fields_of(first_));
+    if (count_) check_count(path_, *count_, rows_.size());
+    const double dt = step();
+    if (!factor_ && unstated_.unit) factor_ = acceleration_unit(*unstated_.unit);
+    if (!factor_) {
+      throw FileError(path_, std::string("the unit of acceleration is not stated; give the file a header line '") +
+                                 (layout_ == Layout::value ? "a [m/s2]" : "t [s], a [m/s2]") + "', or set unit to " +
+                                 std::string(kUnitNames));
+    }
+    cases::Accelerogram a{std::filesystem::path(path_).stem().string(), dt, {}};
+    a.acceleration.reserve(rows_.size());
+    for (const CsvRow& row : rows_) {
+      a.acceleration.push_back(row.value * *factor_);
+      if (!std::isfinite(a.acceleration.back())) throw FileError(path_, row.line, "acceleration is too large for a number in m/s2");
+    }
+    return a;
+  }
+
+ private:
+  /// Whether the first row is of count and step, told by the second.
+  void choose(const Fields& second) {
+    if (stands_behind(*maybe_count_, second)) {
+      count_ = maybe_count_;
+      if (second.size() == 1) layout_ = Layout::value;
+    } else {
+      row(maybe_count_->line, fields_of(first_));
     }
   }
-  return dt;
-}
+
+  void row(long number, const Fields& fields) {
+    if (!layout_) layout_ = layout_of(path_, number, fields, unstated_);
+    if (*layout_ == Layout::value) {
+      rows_.push_back({0.0, value_of(path_, number, fields), number, 0});
+    } else {
+      const auto [time, value] = numbers_of(path_, number, fields);
+      rows_.push_back({time, value, number, decimals_of(fields[0])});
+    }
+  }
+
+  double step() const {
+    if (layout_ != Layout::value) return csv_step(path_, rows_, count_ ? std::optional(count_->dt) : unstated_.dt, count_.has_value());
+    if (rows_.size() < 2) throw FileError(path_, "holds one number; allowed: 2 or more");
+    if (count_) return count_->dt;
+    refuse_count(path_, rows_);
+    return *unstated_.dt;
+  }
+
+  const std::string& path_;
+  const Unstated& unstated_;
+  std::optional<double> factor_;
+  std::optional<Layout> layout_;
+  std::optional<CountRow> maybe_count_, count_;
+  std::string first_;  // the row of maybe_count_
+  std::vector<CsvRow> rows_;
+  bool header_allowed_ = true;
+};
 
 }  // namespace
 
 cases::Accelerogram read_motion_csv(const std::string& path, const Unstated& unstated) {
-  const std::string text = read_text_file(path, kLargestMotionFile);
+  const std::string text = read_foreign_text(path, kLargestMotionFile);
   LineReader lines(text);
-  std::optional<double> factor;
-  std::optional<Layout> layout;
-  std::vector<Row> rows;
-  bool header_allowed = true;
+  CsvReader reader(path, unstated);
   while (const auto line = lines.next()) {
     const std::string_view content = trimmed(*line);
-    if (content.empty() || content.front() == '#') continue;
-    const Fields fields = fields_of(content);
-    if (header_allowed && !finite_number(fields[0])) {
-      factor = unit_of_header(path, lines.line(), content);
-    } else {
-      if (!layout) layout = layout_of(path, lines.line(), fields, unstated);
-      if (*layout == Layout::value) {
-        rows.push_back({0.0, value_of(path, lines.line(), fields), lines.line()});
-      } else {
-        const auto [time, value] = numbers_of(path, lines.line(), fields);
-        rows.push_back({time, value, lines.line()});
-      }
-    }
-    header_allowed = false;
+    if (!content.empty() && content.front() != '#') reader.line(lines.line(), content);
   }
-  const bool stated = layout != Layout::value;
-  if (!stated && rows.size() < 2) throw FileError(path, "holds one number; allowed: 2 or more");
-  const double dt = stated ? step_of(path, rows) : *unstated.dt;
-  if (!factor && unstated.unit) factor = acceleration_unit(*unstated.unit);
-  if (!factor) {
-    throw FileError(path, std::string("the unit of acceleration is not stated; give the file a header line '") +
-                              (stated ? "t [s], a [m/s2]" : "a [m/s2]") + "', or set unit to " + std::string(kUnitNames));
-  }
-  cases::Accelerogram a{std::filesystem::path(path).stem().string(), dt, {}};
-  a.acceleration.reserve(rows.size());
-  for (const Row& row : rows) {
-    a.acceleration.push_back(row.value * *factor);
-    if (!std::isfinite(a.acceleration.back())) throw FileError(path, row.line, "acceleration is too large for a number in m/s2");
-  }
-  return a;
+  return reader.finished();
 }
 
 }  // namespace voussoir::io

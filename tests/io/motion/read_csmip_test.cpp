@@ -60,6 +60,34 @@ TEST_CASE("CSMIP V2: the newer words, a printed format, glued columns") {
   CHECK(channels[0].motion.acceleration[9] == doctest::Approx(-0.8).epsilon(1e-14));
 }
 
+TEST_CASE("USC V2: COMP in place of CHAN, ACC for ACCEL, the unit without brackets, no end") {
+  const auto usc = [](const std::string& accel, const std::string& unit, const std::string& end) {
+    std::string text =
+        "CORRECTED ACCELEROGRAM  XX000  COMP N00E   FILE   0\nFILE 0\nTOWN EARTHQUAKE\nJAN 1, 2000\nXX000\nSTATION\nTOWN HALL\n";
+    text += "COMP N00E\nPEAK ACCELERATION =   250.50000  CMS/SEC/SEC AT    0.100   SEC.\n    1    1\n";
+    for (const std::string& kind : {accel, std::string("VEL"), std::string("DIS")})
+      text += "   10 POINTS OF " + kind + " DATA EQUALLY SPACED AT   .020 SEC.  " + unit + "\n" + columns(kX, 8, "%10.3f");
+    return text + end;
+  };
+  for (const char* accel : {"ACC", "ACCEL"}) {
+    for (const char* unit : {"IN UNITS CM/SEC/SEC", "IN UNITS OF CM/SEC/SEC", "(UNITS: CM/SEC/SEC)", "IN CM/SEC/SEC"}) {
+      for (const char* end : {"/&\n", "", "\n\n"}) {
+        const std::string one = usc(accel, unit, end);
+        for (const std::string& text : {one, one + one}) {
+          const auto channels = read_text(read_csmip, text);
+          REQUIRE(channels.size() == text.size() / one.size());
+          CHECK(channels[0].component == "N00E");
+          CHECK(channels[0].motion.name == "TOWN HALL, TOWN EARTHQUAKE, N00E");
+          CHECK(channels[0].motion.dt == 0.02);
+          CHECK(channels[0].stated_peak == doctest::Approx(2.505).epsilon(1e-14));
+          REQUIRE(channels.back().motion.acceleration.size() == 10);
+          CHECK(channels.back().motion.acceleration[9] == doctest::Approx(-2.505).epsilon(1e-14));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("CSMIP V2: faults, with their line") {
   check_fault(read_csmip, "", ":0: the file holds no acceleration");
   check_fault(read_csmip, "hello\n", ":1: the file ends before the line 'n POINTS OF ACCEL DATA EQUALLY SPACED AT s SEC. (UNITS: ...)'");
