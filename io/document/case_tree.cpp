@@ -5,6 +5,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include "io/document/case_values.h"
 
@@ -101,13 +103,31 @@ Entry* find_entry(Node::Table& table, std::string_view name) noexcept {
   return const_cast<Entry*>(find_entry(static_cast<const Node::Table&>(table), name));
 }
 
+namespace {
+
+/// The fault of a byte that is no UTF-8, which the parser met behind `near`.
+SyntaxError encoding_error(std::string_view text, Source near) {
+  std::size_t at = 0;
+  for (int line = 1; line < near.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  at = std::min(at + static_cast<std::size_t>(std::max(near.column - 1, 0)), text.size());
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80U) ++at;
+  std::array<char, 8> byte{};
+  if (at < text.size()) std::snprintf(byte.data(), byte.size(), " 0x%02X", static_cast<unsigned>(static_cast<unsigned char>(text[at])));
+  return syntax_error_at(text, at, "byte" + std::string(byte.data()) + " is no UTF-8; save the file in UTF-8");
+}
+
+}  // namespace
+
 Node parse_document(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw syntax_error_at(text, 0, "the file is in UTF-16; save it in UTF-8");
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) throw syntax_error_at(text, nul, "a NUL byte");
   refuse_deep_keys(text);
   try {
     return convert(toml::parse(text), Source{1, 1, -1});
   } catch (const toml::parse_error& e) {
     const Source at = source_of(e.source());
+    if (std::string_view(e.description()).find("utf-8") != std::string_view::npos) throw encoding_error(text, at);
     throw SyntaxError(std::string(e.description()), at.line, at.column);
   }
 }

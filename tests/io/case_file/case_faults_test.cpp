@@ -54,6 +54,12 @@ TEST_CASE("faults: syntax names file, line, column and reason") {
   CHECK(refusal("title = \"open").starts_with("test.toml:1:"));
 }
 
+TEST_CASE("faults: what is not in UTF-8 is told with its line and byte") {
+  CHECK(refusal("title = \"caf\xE9\"\n") == "test.toml:1:13: byte 0xE9 is no UTF-8; save the file in UTF-8");
+  CHECK(refusal("title = \"a\"\n# caf\xE9\n") == "test.toml:2:6: byte 0xE9 is no UTF-8; save the file in UTF-8");
+  CHECK(refusal("\xFF\xFEt") == "test.toml:1:1: the file is in UTF-16; save it in UTF-8");
+}
+
 TEST_CASE("faults: unknown keys come with the nearest one and the list") {
   CHECK(refusal("[house]\nhieght = 2.0\n")
             .starts_with("test.toml:2: house.hieght: unknown key; did you mean \"height\"? Keys of [house]: inner_size, height,"));
