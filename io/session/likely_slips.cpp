@@ -14,6 +14,7 @@
 #include "cases/motion/intensity.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
+#include "io/stones/stone_sizes.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -161,6 +162,7 @@ std::string mode_words(const solver::MainMode& m, std::size_t axis) {
 std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model& model) {
   std::vector<std::string> out = cases::unused_joint_rules(c.value, model);
   look_for_unused(c, model, out);
+  for (const cases::InputError& e : unusual_sizes(c.value)) out.push_back(c.describe(e));
   if (c.value.house) {
     for (const cases::InputError& rod : cases::rods_in_openings(*c.value.house)) out.push_back(c.describe(rod));
     for (const cases::InputError& opening : cases::unsupported_heads(*c.value.house)) out.push_back(c.describe(opening));

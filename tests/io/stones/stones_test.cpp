@@ -10,6 +10,7 @@
 #include "cases/solids/stone_blocks.h"
 #include "geometry/separation.h"
 #include "io/results/checkpoint_stones.h"
+#include "io/stones/stone_sizes.h"
 #include "tests/io/stones/written_files.h"
 
 using namespace stones;
@@ -331,4 +332,24 @@ TEST_CASE("stones in a checkpoint come back as they were; what does not fit is n
   auto shorter = packed;
   shorter.vertices.pop_back();
   CHECK_FALSE(voussoir::io::unpacked_stones(shorter));
+}
+
+TEST_CASE("stones: sizes that only a wrong unit makes are told, with file, unit and sizes") {
+  const TempFolder folder;
+  const std::string in_m = obj({{"a", box({0, 0, 0}, {0.5, 0.3, 0.2})}, {"b", box({0.5, 0, 0}, {1, 0.3, 0.2})}});
+  const std::string in_mm = obj({{"a", box({0, 0, 0}, {500, 300, 200})}, {"b", box({500, 0, 0}, {1000, 300, 200})}});
+  const auto told = [&](const std::string& text, const std::string& unit) {
+    const auto all = voussoir::io::unusual_sizes(load(folder.write("arch.obj", text), "", "", unit));
+    return all.empty() ? std::string() : all.front().key() + " " + all.front().what();
+  };
+  CHECK(told(in_m, "m").empty());
+  CHECK(told(in_mm, "mm").empty());
+  CHECK(told(in_m, "ft").empty());
+  for (const std::string& text : {told(in_mm, "m"), told(in_m, "mm")}) {
+    CAPTURE(text);
+    CHECK(text.starts_with("stones[0].unit"));
+    CHECK(text.find("arch.obj are ") != std::string::npos);
+    CHECK(text.find("allowed: m, cm, mm, in, ft") != std::string::npos);
+  }
+  CHECK(told(in_mm, "m").find("are 500 m to 500 m long, and 1000 m together") != std::string::npos);
 }
