@@ -172,12 +172,14 @@ Settled settle(RoughSolid& s, std::vector<Plane> planes) {
 
 double most_allowed(const RoughSolid& s, const Flattened& done) { return 2.0 * (s.snap + (done.beds.empty() ? 0.0 : s.gap.value_or(0.0))); }
 
-void check(const Settled& done, const RoughSolid& s, double allowed, int subject) {
+void check(const Settled& done, const RoughSolid& s, double allowed, bool fitted, int subject) {
   const std::string place = place_text(s.mesh.vertices.front());
   if (done.moved > allowed) {
     throw ModelError(block_prefix(subject) + "would have to move a corner by " + millimetres(done.moved) +
-                         " to lie against its neighbours (allowed " + millimetres(allowed) + " with this stones.snap), at " + place +
-                         " m; draw the faces that touch in one plane, or lower snap",
+                         (fitted ? " to lie against its neighbours" : " to make its faces plane") + " (allowed " + millimetres(allowed) +
+                         " with this stones.snap), at " + place +
+                         (fitted ? " m; draw the faces that touch in one plane, or lower snap"
+                                 : " m; part its faces into triangles, make them plane where it was drawn, or lower snap"),
                      subject);
   }
   if (done.left > kPlane * diagonal(s.mesh)) {
@@ -193,7 +195,7 @@ void check(const Settled& done, const RoughSolid& s, double allowed, int subject
 
 std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<double> base_z) {
   std::vector<Flattened> out(solids.size());
-  std::vector<std::uint8_t> active(solids.size(), 0);
+  std::vector<std::uint8_t> active(solids.size(), 0), fitted(solids.size(), 0);
   for (std::size_t i = 0; i < solids.size(); ++i) {
     out[i].warped = checked_warp(solids[i], static_cast<int>(i));
     active[i] = out[i].warped > kPlane * diagonal(solids[i].mesh) ? 1 : 0;
@@ -204,6 +206,7 @@ std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<doubl
   for (const FaceGroup& g : groups) {
     for (const std::size_t f : g.faces) {
       const auto i = static_cast<std::size_t>(faces.solid[f]);
+      fitted[i] = 1;
       if (!g.exact) active[i] = 1;
       if (!g.bed) continue;
       const double sign = dot(planes[f].normal, faces.face[f].plane.normal) > 0.0 ? 1.0 : -1.0;
@@ -216,7 +219,7 @@ std::vector<Flattened> flatten(std::span<RoughSolid> solids, std::optional<doubl
                end = planes.begin() + static_cast<std::ptrdiff_t>(faces.first[i + 1]);
     const Settled done = settle(solids[i], {first, end});
     out[i].moved = done.moved;
-    check(done, solids[i], most_allowed(solids[i], out[i]), static_cast<int>(i));
+    check(done, solids[i], most_allowed(solids[i], out[i]), fitted[i] != 0, static_cast<int>(i));
   }
   return out;
 }

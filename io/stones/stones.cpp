@@ -33,12 +33,31 @@ std::string without_subject(const geometry::ModelError& e) {
   return e.subject() >= 0 && message.starts_with(prefix) ? message.substr(prefix.size()) : message;
 }
 
+struct Box {
+  Vec3 low, high;
+  [[nodiscard]] bool meets(const Box& b, double reach) const {
+    return low.x <= b.high.x + reach && b.low.x <= high.x + reach && low.y <= b.high.y + reach && b.low.y <= high.y + reach &&
+           low.z <= b.high.z + reach && b.low.z <= high.z + reach;
+  }
+};
+
+Box box_of(const Mesh& mesh) {
+  Box box{mesh.vertices.front(), mesh.vertices.front()};
+  for (const Vec3& v : mesh.vertices) {
+    box.low = {std::min(box.low.x, v.x), std::min(box.low.y, v.y), std::min(box.low.z, v.z)};
+    box.high = {std::max(box.high.x, v.x), std::max(box.high.y, v.y), std::max(box.high.z, v.z)};
+  }
+  return box;
+}
+
 /// One stone on its way through.
 struct Item {
   std::size_t table = 0;
   RawStone raw;
   std::size_t nearly_flat = 0;   // faces that were merged though they were not quite in one plane
   std::size_t in_triangles = 0;  // warped faces that were parted
+  Mesh drawn = {};               // as it came from the file
+  int taken_back = 0;            // times it was put back to what was drawn, see Import::take_back
   std::vector<Polyhedron> pieces = {};
   double parted = 0.0;  // m, how deep it was cut at most where it lay in another stone
 };
@@ -83,9 +102,9 @@ class Import {
     }
     if (items_.empty()) return;
     for (Item& item : items_) {
+      item.drawn = item.raw.mesh;
       straighten(item);
-      if (spec_of(item).warped == cases::WarpedFaces::triangles)
-        item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, spec_of(item).snap, item.in_triangles);
+      part_warped(item);
     }
     put_together();
     for (std::size_t i = 0; i < items_.size();) {
@@ -121,6 +140,43 @@ class Import {
     item.raw.mesh = std::move(merged);
   }
 
+  void part_warped(Item& item) const {
+    if (spec_of(item).warped == cases::WarpedFaces::triangles)
+      item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, spec_of(item).snap, item.in_triangles);
+  }
+
+  /// Nothing lies so near that its faces could have to fit it.
+  [[nodiscard]] bool is_lone(std::size_t i) const {
+    const auto reach = [&](const Item& item) { return 2.0 * (spec_of(item).snap + spec_of(item).gap.value_or(0.0)); };
+    const Box own = box_of(items_[i].drawn);
+    if (case_.base && own.low.z <= case_.base->z + reach(items_[i])) return false;
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+      if (k != i && own.meets(box_of(items_[k].drawn), reach(items_[i]) + reach(items_[k]))) return false;
+    }
+    return true;
+  }
+
+  /// A lone stone that cannot be made plane stays as it was drawn; where that has warped faces that cannot be made plane together, they are
+  /// parted into triangles. No face warped by more than snap is parted that way.
+  /// \return false if there is nothing left to try
+  bool take_back(std::size_t i) {
+    Item& item = items_[i];
+    if (item.taken_back == 2 || !is_lone(i)) return false;
+    const bool straightened = item.taken_back == 0 && item.nearly_flat > 0;
+    item.taken_back = straightened ? 1 : 2;
+    item.raw.mesh = item.drawn;
+    item.nearly_flat = item.in_triangles = 0;
+    part_warped(item);
+    if (straightened) return true;
+    for (std::size_t f = 0; f < item.raw.mesh.faces.size(); ++f) {
+      if (geometry::warp(item.raw.mesh, f) > spec_of(item).snap) return false;
+    }
+    std::size_t parted = 0;
+    item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, 0.1 * kConvex * geometry::diagonal(item.raw.mesh), parted);
+    item.in_triangles += parted;
+    return parted > 0;
+  }
+
   /// The planes of all stones; those that cannot be made to fit are set aside.
   std::vector<geometry::RoughSolid> flat_solids() {
     for (int refused = 0;; ++refused) {
@@ -130,7 +186,12 @@ class Import {
         flattened_ = geometry::flatten(solids, case_.base ? std::optional(case_.base->z) : std::nullopt);
         return solids;
       } catch (const geometry::ModelError& e) {
-        set_aside(static_cast<std::size_t>(std::max(0, e.subject())), without_subject(e));
+        const auto at_fault = static_cast<std::size_t>(std::max(0, e.subject()));
+        if (take_back(at_fault)) {
+          --refused;
+          continue;
+        }
+        set_aside(at_fault, without_subject(e));
       }
       if (refused < kMostRefused) continue;
       items_.clear();  // so many are at fault that the others need not be looked at
@@ -141,15 +202,23 @@ class Import {
 
   void put_together() {
     std::vector<geometry::RoughSolid> solids = flat_solids();
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      Mesh& mesh = solids[i].mesh;
-      if (flattened_[i].moved > 0.0) {
-        const std::size_t before = mesh.faces.size();
-        mesh = geometry::with_merged_faces(mesh, kConvex * geometry::diagonal(mesh), 1e-3);
-        items_[i].nearly_flat += before - mesh.faces.size();
-      }
-      items_[i].raw.mesh = std::move(mesh);
+    for (std::size_t i = 0; i < items_.size(); ++i) take_flat(i, std::move(solids[i].mesh));
+  }
+
+  void take_flat(std::size_t i, Mesh mesh) {
+    if (flattened_[i].moved > 0.0) {
+      const std::size_t before = mesh.faces.size();
+      mesh = geometry::with_merged_faces(mesh, kConvex * geometry::diagonal(mesh), 1e-3);
+      items_[i].nearly_flat += before - mesh.faces.size();
     }
+    items_[i].raw.mesh = std::move(mesh);
+  }
+
+  /// \throw ModelError as geometry::flatten
+  void flatten_alone(std::size_t i) {
+    std::vector<geometry::RoughSolid> one = {{items_[i].raw.mesh, spec_of(items_[i]).snap, spec_of(items_[i]).gap}};
+    flattened_[i] = geometry::flatten(one, std::nullopt).front();
+    take_flat(i, std::move(one.front().mesh));
   }
 
   /// \return nothing if it is not convex
@@ -164,19 +233,27 @@ class Import {
     return shape;
   }
 
+  void cut(Item& item) const {
+    item.pieces.clear();
+    if (auto shape = convex_shape(item)) {
+      item.pieces.push_back(*std::move(shape));
+      return;
+    }
+    for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh, spec_of(item).snap)) {
+      item.pieces.push_back(geometry::in_prism_order(piece));
+      geometry::validate(item.pieces.back());
+    }
+  }
+
   void cut_into_pieces(std::size_t i) {
-    Item& item = items_[i];
-    try {
-      if (auto shape = convex_shape(item)) {
-        item.pieces.push_back(*std::move(shape));
-      } else {
-        for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh, spec_of(item).snap)) {
-          item.pieces.push_back(geometry::in_prism_order(piece));
-          geometry::validate(item.pieces.back());
-        }
+    for (bool again = false;;) {
+      try {
+        if (again) flatten_alone(i);
+        return cut(items_[i]);
+      } catch (const geometry::ModelError& e) {
+        again = take_back(i);
+        if (!again) return set_aside(i, without_subject(e));
       }
-    } catch (const geometry::ModelError& e) {
-      set_aside(i, without_subject(e));
     }
   }
 
