@@ -233,23 +233,48 @@ class Import {
     return shape;
   }
 
-  void cut(Item& item) const {
-    item.pieces.clear();
-    if (auto shape = convex_shape(item)) {
-      item.pieces.push_back(*std::move(shape));
-      return;
+  /// Cut about a corner of its own, so that a stone far from the origin keeps its digits.
+  static std::vector<Polyhedron> pieces_about_corner(Mesh mesh, double snap) {
+    const Vec3 first = mesh.vertices.front(), origin{std::round(first.x), std::round(first.y), std::round(first.z)};
+    for (Vec3& v : mesh.vertices) v = v - origin;
+    std::vector<Polyhedron> pieces = geometry::convex_pieces(mesh, snap);
+    for (Polyhedron& p : pieces) {
+      for (Vec3& v : p.vertices) v += origin;
     }
-    for (const Polyhedron& piece : geometry::convex_pieces(item.raw.mesh, spec_of(item).snap)) {
-      item.pieces.push_back(geometry::in_prism_order(piece));
-      geometry::validate(item.pieces.back());
+    return pieces;
+  }
+
+  static std::vector<Polyhedron> checked(std::vector<Polyhedron> pieces) {
+    for (Polyhedron& p : pieces) {
+      p = geometry::in_prism_order(p);
+      geometry::validate(p);
     }
+    return pieces;
+  }
+
+  /// Cuts that go through a corner near by may leave slivers: then cuts that do not.
+  [[nodiscard]] std::vector<Polyhedron> cut(const Item& item) const {
+    if (auto shape = convex_shape(item)) return {*std::move(shape)};
+    const double snap = spec_of(item).snap;
+    std::optional<geometry::ModelError> first;
+    for (const bool about_corner : {false, true}) {
+      for (const double reach : {snap, 0.0}) {
+        try {
+          return checked(about_corner ? pieces_about_corner(item.raw.mesh, reach) : geometry::convex_pieces(item.raw.mesh, reach));
+        } catch (const geometry::ModelError& e) {
+          if (!first) first = e;
+        }
+      }
+    }
+    throw geometry::ModelError(*first);
   }
 
   void cut_into_pieces(std::size_t i) {
     for (bool again = false;;) {
       try {
         if (again) flatten_alone(i);
-        return cut(items_[i]);
+        items_[i].pieces = cut(items_[i]);
+        return;
       } catch (const geometry::ModelError& e) {
         again = take_back(i);
         if (!again) return set_aside(i, without_subject(e));
