@@ -244,6 +244,7 @@ class Cutting {
 
   void keep(Polyhedron shape) {
     shape = with_own_corners(std::move(shape));
+    if (shape.faces.size() < 4) return;  // a sliver that closed when its corners were joined
     if (signed_volume(shape) > 1e-12 * size_ * size_ * size_) pieces_.push_back(std::move(shape));
   }
 
