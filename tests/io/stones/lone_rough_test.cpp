@@ -112,3 +112,22 @@ TEST_CASE("Cutting ends for a box of triangles with rounded corners and far from
     CHECK(std::string(e.what()) != "");
   }
 }
+
+TEST_CASE("A lone rough stone 100 km out is taken with the same volume") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Mesh stone = ball(1e-2, seed, false);
+    for (const double snap : {0.0, 1e-3, 5e-3}) {
+      CAPTURE(seed);
+      CAPTURE(snap);
+      CHECK(held(placed(stone, 0.4, {1e5, -1e5, 1e3}, 1.0), snap) == doctest::Approx(geometry::volume(stone)).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("A rough stone so far out that its corners are rounded is taken with its volume or refused") {
+  for (unsigned seed = 1; seed < 13; ++seed) {
+    const Mesh stone = ball(5e-3, seed, false);
+    const double volume = held(placed(stone, 0.0, {500123.25, 4649876.5, 120.0}, 1.0), 2e-3);
+    CHECK((volume == -1.0 || volume == doctest::Approx(geometry::volume(stone)).epsilon(0.02)));
+  }
+}
