@@ -33,21 +33,10 @@ std::string without_subject(const geometry::ModelError& e) {
   return e.subject() >= 0 && message.starts_with(prefix) ? message.substr(prefix.size()) : message;
 }
 
-struct Box {
-  Vec3 low, high;
-  [[nodiscard]] bool meets(const Box& b, double reach) const {
-    return low.x <= b.high.x + reach && b.low.x <= high.x + reach && low.y <= b.high.y + reach && b.low.y <= high.y + reach &&
-           low.z <= b.high.z + reach && b.low.z <= high.z + reach;
-  }
-};
-
-Box box_of(const Mesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vec3& v : mesh.vertices) {
-    box.low = {std::min(box.low.x, v.x), std::min(box.low.y, v.y), std::min(box.low.z, v.z)};
-    box.high = {std::max(box.high.x, v.x), std::max(box.high.y, v.y), std::max(box.high.z, v.z)};
-  }
-  return box;
+/// Whether the boxes come nearer to each other than `reach`.
+bool meet(const geometry::Box3& a, const geometry::Box3& b, double reach) {
+  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach &&
+         a.low.z <= b.high.z + reach && b.low.z <= a.high.z + reach;
 }
 
 /// One stone on its way through.
@@ -148,10 +137,10 @@ class Import {
   /// Nothing lies so near that its faces could have to fit it.
   [[nodiscard]] bool is_lone(std::size_t i) const {
     const auto reach = [&](const Item& item) { return 2.0 * (spec_of(item).snap + spec_of(item).gap.value_or(0.0)); };
-    const Box own = box_of(items_[i].drawn);
+    const geometry::Box3 own = geometry::box_of(items_[i].drawn);
     if (case_.base && own.low.z <= case_.base->z + reach(items_[i])) return false;
     for (std::size_t k = 0; k < items_.size(); ++k) {
-      if (k != i && own.meets(box_of(items_[k].drawn), reach(items_[i]) + reach(items_[k]))) return false;
+      if (k != i && meet(own, geometry::box_of(items_[k].drawn), reach(items_[i]) + reach(items_[k]))) return false;
     }
     return true;
   }
