@@ -3,15 +3,14 @@
 #include "io/assess/limit_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "geometry/message.h"
 #include "solver/limit/mechanism.h"
 
 namespace voussoir::io {
@@ -23,12 +22,7 @@ constexpr double kTurns = 0.02;         // of its speed: a part whose farthest p
 constexpr std::size_t kNames = 3;       // of elements that a line lists
 constexpr std::size_t kMostLines = 12;  // parts, seams
 
-template <class... Values>
-std::string format(const char* how, Values... values) {
-  std::array<char, 400> out{};
-  std::snprintf(out.data(), out.size(), how, values...);
-  return out.data();
-}
+using geometry::printed;
 
 double tilt(double multiplier) { return std::atan(multiplier) * 180.0 / std::numbers::pi; }
 
@@ -58,7 +52,7 @@ std::string what(const std::vector<std::int32_t>& elements, const cases::Model& 
 
 std::string vector(Vec3 v) {
   const auto flat = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
-  return format("(%.3f, %.3f, %.3f)", flat(v.x), flat(v.y), flat(v.z));
+  return printed("(%.3f, %.3f, %.3f)", flat(v.x), flat(v.y), flat(v.z));
 }
 
 /// Where a part turns: the point of the axis nearest to its centre of mass.
@@ -90,8 +84,8 @@ std::string name_of(std::int32_t part) { return part < 0 ? "ground" : "part " + 
 
 std::string seam_words(const solver::MechanismSeam& s) {
   const char* how = s.hinge && s.slide < 0.1 * s.open ? "hinge" : s.open < 0.1 * s.slide ? "sliding" : "opening and sliding";
-  return format("%s and %s: %s, %d joints, opens at %.3f, slides at %.3f", name_of(s.a).c_str(), name_of(s.b).c_str(), how, s.joints,
-                s.open, s.slide);
+  return printed("%s and %s: %s, %d joints, opens at %.3f, slides at %.3f", name_of(s.a).c_str(), name_of(s.b).c_str(), how, s.joints,
+                 s.open, s.slide);
 }
 
 void print_state(std::string& out, const char* rule, const solver::LimitState& s, const cases::Model& model,
@@ -99,15 +93,15 @@ void print_state(std::string& out, const char* rule, const solver::LimitState& s
   const solver::Mechanism m = solver::mechanism_of(c, s);
   double all = m.standing;
   for (const solver::MechanismPart& p : m.parts) all += p.mass;
-  out += format("\nmechanism, %s: %zu parts move, %.1f %% of the mass stands\n", rule, m.parts.size(), 100.0 * m.standing / all);
+  out += printed("\nmechanism, %s: %zu parts move, %.1f %% of the mass stands\n", rule, m.parts.size(), 100.0 * m.standing / all);
   for (std::size_t k = 0; k < std::min(kMostLines, m.parts.size()); ++k) {
     const solver::MechanismPart& p = m.parts[k];
     out +=
-        format("part %-4zu %5.1f %%  ", k + 1, 100.0 * p.mass / all) + what(elements_of(p, c), model) + ": " + motion(p, model, c) + "\n";
+        printed("part %-4zu %5.1f %%  ", k + 1, 100.0 * p.mass / all) + what(elements_of(p, c), model) + ": " + motion(p, model, c) + "\n";
   }
-  if (m.parts.size() > kMostLines) out += format("          and %zu smaller ones\n", m.parts.size() - kMostLines);
+  if (m.parts.size() > kMostLines) out += printed("          and %zu smaller ones\n", m.parts.size() - kMostLines);
   for (std::size_t k = 0; k < std::min(kMostLines, m.seams.size()); ++k) out += "  " + seam_words(m.seams[k]) + "\n";
-  if (m.seams.size() > kMostLines) out += format("  and %zu more\n", m.seams.size() - kMostLines);
+  if (m.seams.size() > kMostLines) out += printed("  and %zu more\n", m.seams.size() - kMostLines);
 }
 
 Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -154,13 +148,13 @@ Json state_json(const solver::LimitState& s, const cases::Model& model, const so
 
 /// The figures of a proof: forces from below, a mechanism from above, and by how much each misses.
 std::string associated_proof(const solver::LimitProof& p) {
-  return format("forces for %.6f, a mechanism for %.6f: gap %.1g; forces off by %.1g of a mean weight, mechanism by %.1g of its speed",
-                p.lower, p.upper, std::abs(p.upper - p.lower), p.forces.worst(), std::max(p.motion.off_normal, 0.0));
+  return printed("forces for %.6f, a mechanism for %.6f: gap %.1g; forces off by %.1g of a mean weight, mechanism by %.1g of its speed",
+                 p.lower, p.upper, std::abs(p.upper - p.lower), p.forces.worst(), std::max(p.motion.off_normal, 0.0));
 }
 
 std::string coulomb_proof(const solver::LimitProof& p) {
-  return format("this mechanism moves from %.6f to %.6f, by the forces before; forces off by %.1g of a mean weight, mechanism by %.1g",
-                p.lower, p.upper, p.forces.worst(), std::max({p.motion.overlap, p.lost_power, 0.0}));
+  return printed("this mechanism moves from %.6f to %.6f, by the forces before; forces off by %.1g of a mean weight, mechanism by %.1g",
+                 p.lower, p.upper, p.forces.worst(), std::max({p.motion.overlap, p.lost_power, 0.0}));
 }
 
 std::string loaded_block(const solver::LoadPosition& p, const cases::Model& model) {
@@ -174,14 +168,14 @@ void print_path(std::string& out, const solver::LoadPath& path, bool coulomb, co
   for (std::size_t k = 0; k < path.positions.size(); ++k) {
     const solver::LoadPosition& p = path.positions[k];
     const Vec3 at = p.place.element < 0 ? p.from : p.place.at;
-    out += format("(%9.4g, %9.4g, %9.4g)  ", at.x, at.y, at.z);
+    out += printed("(%9.4g, %9.4g, %9.4g)  ", at.x, at.y, at.z);
     if (p.place.element < 0) {
       out += "meets nothing that can move\n";
     } else if (!p.found) {
       out += "nothing falls, whatever the force: " + loaded_block(p, model) + "\n";
     } else {
-      const std::string second = !coulomb ? "" : p.found->coulomb_proven() ? format("%.5f", p.found->coulomb.multiplier) : "not found";
-      out += format("%12.5f %9s   ", p.found->associated.multiplier, second.c_str()) + loaded_block(p, model) +
+      const std::string second = !coulomb ? "" : p.found->coulomb_proven() ? printed("%.5f", p.found->coulomb.multiplier) : "not found";
+      out += printed("%12.5f %9s   ", p.found->associated.multiplier, second.c_str()) + loaded_block(p, model) +
              (k == path.weakest ? "  <- weakest\n" : "\n");
     }
   }
@@ -216,7 +210,7 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
     }
     std::string tag = model.blocks[e].tag;
     std::ranges::replace(tag, '"', '\'');
-    out += format("%s,%zu,\"%s\",%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", rule, e, tag.c_str(), part[e], v.x, v.y, v.z, w.x, w.y, w.z);
+    out += printed("%s,%zu,\"%s\",%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", rule, e, tag.c_str(), part[e], v.x, v.y, v.z, w.x, w.y, w.z);
   }
 }
 
@@ -224,18 +218,18 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
 
 std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path) {
   std::string out = asked.title + "\n\n";
-  const auto put = [&](const char* name, const std::string& value) { out += format("%-25s", name) + value + "\n"; };
+  const auto put = [&](const char* name, const std::string& value) { out += printed("%-25s", name) + value + "\n"; };
   put("live load", asked.live);
   if (path != nullptr) print_path(out, *path, asked.options.coulomb, model);
   put("bodies, contact points",
       std::to_string(r.contacts.bodies.size()) + ", " + std::to_string(r.contacts.points.size()) + (r.plane ? ", in a plane" : ""));
   put("friction cone", r.plane ? std::string("exact")
-                               : format("%d facets %s it: friction is too %s by up to %.2f %%", asked.options.facets,
-                                        asked.options.outer ? "round" : "in", asked.options.outer ? "high" : "low", 100.0 * r.cone_error));
+                               : printed("%d facets %s it: friction is too %s by up to %.2f %%", asked.options.facets,
+                                         asked.options.outer ? "round" : "in", asked.options.outer ? "high" : "low", 100.0 * r.cone_error));
   if (r.contacts.bonded > 0) put("bonds", std::to_string(r.contacts.bonded) + " joints have tension or cohesion, which is not counted");
   if (r.has_loads) put("loads", "those of the case act in full and do not grow");
   const auto multiplier = [&](const solver::LimitState& s) {
-    return format("%.5f", s.multiplier) + (!r.is_tilt ? "" : format(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
+    return printed("%.5f", s.multiplier) + (!r.is_tilt ? "" : printed(", as on a base tilted by %.3f degrees", tilt(s.multiplier)));
   };
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
   put("proof", associated_proof(r.associated.proof));
