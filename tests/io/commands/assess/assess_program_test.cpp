@@ -71,7 +71,7 @@ TEST_CASE("limit: multiplier and mechanism in words and as JSON" * doctest::skip
   CHECK(w.run("limit block.toml --quiet --mechanism m.csv").code == 3);  // it is there already
   const shell::Outcome bad = w.run("limit block.toml --direction up");
   CHECK(bad.code == 2);
-  CHECK(bad.text.find("--direction: \"up\" is none; allowed: x, -x, y, -y, or degrees") != std::string::npos);
+  CHECK(bad.text.find("--direction: \"up\" is none; allowed: x, -x, y, -y, z, -z, degrees") != std::string::npos);
   const shell::Outcome leaning = w.run("limit block.toml --set base.tilt=[0.0,30.0]");
   CHECK(leaning.code == 2);
   CHECK(leaning.text.find("does not stand under its dead loads alone") != std::string::npos);
