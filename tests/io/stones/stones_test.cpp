@@ -300,7 +300,7 @@ TEST_CASE("a load acts on a stone, on each stone of a group, on a stone in piece
   for (const auto& s : voussoir::cases::load_shares(m, load, 0)) parts += s.part, point += s.part * s.point;
   CHECK(parts == doctest::Approx(1.0).epsilon(1e-12));
   CHECK(point.x == doctest::Approx((0.4 * 0.5 + 0.24 * 0.2) / 0.64).epsilon(1e-9));
-  CHECK(point.y == doctest::Approx((0.4 * 0.2 + 0.24 * 0.7) / 0.64).epsilon(1e-9));
+  CHECK(point.z == doctest::Approx((0.4 * 0.2 + 0.24 * 0.7) / 0.64).epsilon(1e-9));
 }
 
 TEST_CASE("stones in a checkpoint come back as they were; what does not fit is not taken") {
