@@ -184,7 +184,7 @@ TEST_CASE("limit: dead loads do not grow, and count where they act") {
   CHECK(analysed(one_block(70.0)).is_tilt);
 }
 
-TEST_CASE("limit: a load on a group acts on each of its stones that is free, one on a stone in pieces on the middle one") {
+TEST_CASE("limit: a load on a group acts on each of its stones that is free, one on a stone in pieces on the whole") {
   cases::Case c = stones();
   const auto multiplier = [&](const std::vector<std::string>& loaded) {
     c.loads.clear();
@@ -194,7 +194,7 @@ TEST_CASE("limit: a load on a group acts on each of its stones that is free, one
   const double all = multiplier({"one", "other"});
   CHECK(all < multiplier({}) - 0.05);
   CHECK(multiplier({"group"}) == all);
-  CHECK(multiplier({"cut"}) == multiplier({"cut/2"}));
+  CHECK(multiplier({"cut"}) == doctest::Approx(multiplier({"cut/2"})).epsilon(1e-9));  // its middle piece has the centroid of the whole
   CHECK(multiplier({"cut"}) < multiplier({}) - 0.05);
 }
 
