@@ -80,12 +80,12 @@ poisson = 0.2
 [gravity]
 settle = false
 [time]
-step = 1.0e-3
+step = 4.0e-3
 [base]
 [analysis]
 kind = "pushover"
 [output]
-ledger_interval = 1.0e-3
+ledger_interval = 4.0e-3
 [[block]]
 name = "lower"
 material = "stone"
