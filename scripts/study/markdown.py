@@ -4,7 +4,7 @@
 """The runs of a table.csv that are done, as a table in Markdown on standard output: what a page of results has room for. Columns in which no run
 has a value are left out.
 
-usage: markdown.py TABLE.csv
+usage: markdown.py TABLE.csv [COLUMN ...]      COLUMN: the first words of a column, as run, roof, "opened by"; none: all columns
 """
 import csv
 import sys
@@ -64,14 +64,22 @@ COLUMNS = {
 }
 
 
+def chosen(words):
+    """The columns that begin with these words."""
+    if unknown := [word for word in words if not any(head.startswith(word) for head in COLUMNS)]:
+        sys.exit(f"{unknown[0]}: no column begins so; allowed: {'; '.join(COLUMNS)}")
+    return {head: cell for head, cell in COLUMNS.items() if not words or head.startswith(tuple(words))}
+
+
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         sys.exit(__doc__)
+    columns = chosen(sys.argv[2:])
     with open(sys.argv[1], newline="") as file:
         rows = list(csv.DictReader(file))
-    lines = [[cell(row) for cell in COLUMNS.values()] for row in rows if row["status"] == "done"]
-    shown = [k for k in range(len(COLUMNS)) if not lines or any(line[k] != NOTHING for line in lines)]
-    head, *body = [" | ".join(line[k] for k in shown) for line in [list(COLUMNS), *lines]]
+    lines = [[cell(row) for cell in columns.values()] for row in rows if row["status"] == "done"]
+    shown = [k for k in range(len(columns)) if not lines or any(line[k] != NOTHING for line in lines)]
+    head, *body = [" | ".join(line[k] for k in shown) for line in [list(columns), *lines]]
     print(f"| {head} |\n|" + "---|" * len(shown))
     for line in body:
         print(f"| {line} |")

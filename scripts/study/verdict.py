@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Motion or model? For each statement of the paper: in how many runs of an ensemble it holds, which changes make it hold, and the verdict.
 
-usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--motion TABLE.csv ...]
+usage: verdict.py ENSEMBLE.csv [ENSEMBLE.csv ...] [--model TABLE.csv ...] [--motion TABLE.csv ...] [--brief]
 
 ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all meet the same published figures (peaks of acceleration and
   velocity, period of the pulse, Arias intensity, durations: cases/catalogue/bam-like.md), with the default model.
@@ -14,6 +14,8 @@ ENSEMBLE: realisations of the synthetic motion (bam-like#1, #2, ...), which all 
 --motion: the default model under motions of which one thing is changed. The column `record` names change and realisation: FOLDER/pulse50-2
   is a changed bam-like#2. The table also holds the unchanged bam-like#2.
 All tables are of one version.
+--brief: a line for each statement and verdict, with the houses and in how many runs it holds there. Statements that agree, and those without
+  an answer (too few runs tell, or no change was tried), are counted only.
 
 The statements are those of statements.py. Runs that do not tell are left out. A statement that compares two houses pairs them by realisation:
 a house with a changed model with the other house of the ensemble, a house under a changed motion with the other house under that motion. A
@@ -172,14 +174,11 @@ def split(words):
     return paths
 
 
-def main():
-    paths = split(sys.argv[1:])
-    one_version(tables_of([path for of_word in paths.values() for path in of_word]))
+def judged(paths):
+    """Each statement that the ensemble has runs of, with its counts and its verdict."""
     ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
     motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)
-    print("| house | direction | the paper | holds in | 95 % interval, % | choices of the model that make it hold | changes of the motion that make it hold "
-          "| repeats with another answer | verdict |\n|---|---|---|---|---|---|---|---|---|")
     for statement in STATEMENTS:
         found = answers(statement, ensemble)
         if not found:
@@ -188,10 +187,43 @@ def main():
         by_model, by_motion, (differ, repeats) = model.counts(statement), motion.counts(statement), model.repeats(statement)
         if statement.holds is whole_at_first:
             by_model, by_motion = model.counts_at_rest(statement) | by_model, None
-        low, high = wilson(holds, runs) if runs else (0.0, 1.0)
-        print(f"| {statement.case} | {statement.direction} | {statement.text} | {holds} of {runs} | {100 * low:.0f} to {100 * high:.0f} "
-              f"| {said(by_model)} | {said(by_motion)} | {f'{differ} of {repeats}' if repeats else '–'} "
-              f"| {verdict(holds, runs, by_model, by_motion, differ)} |")
+        yield Judged(statement, holds, runs, by_model, by_motion, differ, repeats, verdict(holds, runs, by_model, by_motion, differ))
+
+
+Judged = collections.namedtuple("Judged", "statement holds runs by_model by_motion differ repeats verdict")
+
+
+def in_full(rows):
+    yield ("| house | direction | the paper | holds in | 95 % interval, % | choices of the model that make it hold | changes of the motion that make it hold "
+           "| repeats with another answer | verdict |")
+    yield "|---|---|---|---|---|---|---|---|---|"
+    for r in rows:
+        low, high = wilson(r.holds, r.runs) if r.runs else (0.0, 1.0)
+        yield (f"| {r.statement.case} | {r.statement.direction} | {r.statement.text} | {r.holds} of {r.runs} | {100 * low:.0f} to {100 * high:.0f} "
+               f"| {said(r.by_model)} | {said(r.by_motion)} | {f'{r.differ} of {r.repeats}' if r.repeats else '–'} | {r.verdict} |")
+
+
+NO_ANSWER = ("open: no run tells", "open: few runs", "open: no change was tried")
+
+
+def in_brief(rows):
+    rows = list(rows)
+    agree, silent = sum(r.verdict == "agrees" for r in rows), sum(r.verdict in NO_ANSWER for r in rows)
+    yield f"| the paper: of {len(rows)} statements {agree} agree, {silent} have no answer, and these are left | holds in | verdict |"
+    yield "|---|---|---|"
+    groups = collections.defaultdict(lambda: collections.defaultdict(list))
+    for r in rows:
+        if r.verdict != "agrees" and r.verdict not in NO_ANSWER:
+            groups[r.statement.text, r.verdict][r.statement.case].append(f"{r.statement.direction} {r.holds}/{r.runs}")
+    for (text, said_of_it), houses in groups.items():
+        yield f"| {text} | {'; '.join(house + ' ' + ', '.join(runs) for house, runs in houses.items())} | {said_of_it} |"
+
+
+def main():
+    brief = "--brief" in sys.argv[1:]
+    paths = split([word for word in sys.argv[1:] if word != "--brief"])
+    one_version(tables_of([path for of_word in paths.values() for path in of_word]))
+    print("\n".join((in_brief if brief else in_full)(judged(paths))))
 
 
 if __name__ == "__main__":

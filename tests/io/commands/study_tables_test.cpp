@@ -300,6 +300,11 @@ TEST_CASE("verdict: what an ensemble has in most runs, in some, in none, and whi
   holds(all,
         "flat40n | TLV | bearing walls less cracked than Flat20N's (4.1) | 0 of 5 | 0 to 43 | deep (4 of 4, without 0) | "
         "weak (4 of 4, without 0) | 0 of 4 | open: a motion with other figures makes it hold");
+  // In brief: what agrees or has no answer is counted only.
+  holds(all + " --brief", "stands (4.3) | flat40n TLV 1/5 | motion or chance");
+  holds(all + " --brief", "stands (4.1) | flat20n TLV 0/5 | open: a motion with other figures makes it hold");
+  CHECK(text_of(out).find("flat20r") == std::string::npos);
+  CHECK(text_of(out).find("no change was tried") == std::string::npos);
   Table still;
   for (int i = 1; i <= 4; ++i) {
     still.add("flat20n", "bam-like#" + std::to_string(i), stands(false));

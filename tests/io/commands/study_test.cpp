@@ -287,4 +287,8 @@ TEST_CASE("a table in Markdown has the runs that are done, in figures for people
   CHECK(has("\n| stood | G0 | never | none | 0.0 | 0.0 | 1.0 | 0.0; 0.0 | 99.9 | 0 / 12 / 0 | 0 / 0 / 0 | 12 | 359 | 4.4e-08 | 0.06 |\n"));
   CHECK(has("\n| arch | – | 0.50 | none | – | 25.0 | – | 1.0; 0.5 | – | – | 7 / 0 / 0 | 0 | 1 | 1.0e-06 | 0.01 |\n"));
   CHECK_FALSE(has("waits"));
+  CHECK(code_of(script("markdown.py") + table + " run 'roof fallen' grade >" + out) == 0);
+  CHECK(text_of(out).find("| run | grade | roof fallen, %; collapse, s |\n|---|---|---|\n| fell | G5 | 100.0, 3.30 |\n") == 0);
+  CHECK(code_of(script("markdown.py") + table + " roofs 2>" + out) == 1);
+  CHECK(text_of(out).find("roofs: no column begins so; allowed: run; grade; ") == 0);
 }
