@@ -30,7 +30,8 @@ Json told(const Hdf5File& run) {
     if (has(name)) out[name] = run.attribute_int("/summary", name);
   for (const char* name : {"fallen_mass_fraction", "first_crack_time", "peak_base_shear", "peak_speed", "worst_residual", "end_time"})
     if (has(name)) out[name] = run.attribute_double("/summary", name);
-  if (has("state_hash")) out["state_hash"] = run.attribute_text("/summary", "state_hash");
+  for (const char* name : {"state_hash", "failure"})
+    if (has(name)) out[name] = run.attribute_text("/summary", name);
   return out;
 }
 
@@ -128,10 +129,21 @@ void print_modes(const Json& s) {
   line("sides opened by", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
 }
 
+/// How far the run has come, and why it came no farther.
+void print_end(const Json& s) {
+  if (!s.contains("place")) return line("run", "finished at " + text("%.3f s", s.value("end_time", 0.0)));
+  const std::string place = s["place"];
+  if (s.contains("failure")) {
+    line("run", "lost " + place);
+    line("", s["failure"]);
+    return line("", "figures are those up to there");
+  }
+  line("run", "not finished: " + place);
+  line("", "figures are those so far; if it does not run any more, voussoir resume goes on");
+}
+
 void print_table(const Json& s, const Measures& m) {
-  const double end = s.value("end_time", 0.0);
-  line("run", s.contains("place") ? "not finished: " + s["place"].get<std::string>() : "finished at " + text("%.3f s", end));
-  if (s.contains("place")) line("", "figures are those so far; if it does not run any more, voussoir resume goes on");
+  print_end(s);
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
   line("first crack",

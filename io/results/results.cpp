@@ -42,11 +42,8 @@ std::string hexadecimal(std::uint64_t n) {
   return text.data();
 }
 
-void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary, const std::optional<std::uint64_t>& hash, bool finished) {
+void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary) {
   const std::string at = "/summary";
-  file.make_group(at);
-  file.set_attribute(at, "finished", std::int64_t{finished});
-  if (hash) file.set_attribute(at, "state_hash", hexadecimal(*hash));
   if (!summary) return;
   const solver::Summary& s = *summary;
   file.set_attribute(at, "collapsed", std::int64_t{s.collapsed});
@@ -258,6 +255,11 @@ void ResultsWriter::state_hash(std::uint64_t hash) {
   stale_ = true;
 }
 
+void ResultsWriter::failure(std::string why) {
+  failure_ = std::move(why);
+  stale_ = true;
+}
+
 void ResultsWriter::measure() {
   flush();
   const Hdf5File run = Hdf5File::open(folder_ + "/run.h5");
@@ -319,7 +321,11 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   file.make_group("/case");
   file.set_attribute("/case", "toml", case_toml_);
   write_provenance(file, provenance_, wall_clock());
-  write_summary(file, summary_, state_hash_, finished_);
+  file.make_group("/summary");
+  file.set_attribute("/summary", "finished", std::int64_t{finished_});
+  if (state_hash_) file.set_attribute("/summary", "state_hash", hexadecimal(*state_hash_));
+  if (failure_) file.set_attribute("/summary", "failure", *failure_);
+  write_summary(file, summary_);
   if (drive_) write_drive(file, *drive_);
   if (measures_) write_measures(file, *measures_);
   if (capacity_) write_capacity(file, *capacity_);

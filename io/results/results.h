@@ -69,6 +69,8 @@ class ResultsWriter final : public solver::Recorder {
   void summary(const solver::Summary& s) override;
   /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
   void state_hash(std::uint64_t hash);
+  /// Why a run ended before its end: stands in run.h5 beside the summary from the next part on.
+  void failure(std::string why);
 
   /// Takes the measures of a collapse (measures.h) from all rows so far: they stand in run.h5 beside the summary from the next part on. For
   /// the end of a run or a stop. \throw FileError
@@ -115,6 +117,7 @@ class ResultsWriter final : public solver::Recorder {
   std::optional<solver::Summary> summary_;
   std::optional<solver::Drive> drive_;
   std::optional<std::uint64_t> state_hash_;
+  std::optional<std::string> failure_;
   std::optional<Measures> measures_;
   std::optional<Capacity> capacity_;
   bool stale_ = false;  // run.h5 does not say all there is to say

@@ -245,6 +245,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
   } catch (const solver::NumericalError& e) {
     watch.finish();
     std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    results.failure(e.what());
     if (try_to([&] { results.flush(); }, "the last rows are not in the results")) measure_failed(results);
     if (try_to([&] { checkpoints.save_failed(sim, plan, results.rows()); }, "the state is not saved"))
       std::fprintf(stderr, "voussoir: the state is in %s/checkpoint-failed.h5\n", folder.c_str());

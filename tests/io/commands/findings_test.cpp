@@ -68,6 +68,22 @@ TEST_CASE("a run that is stopped says where, in which stage, and how it goes on"
   CHECK(has(pushed, "pushover, not at its end: figures so far"));
 }
 
+TEST_CASE("the summary of a run that was lost says so, when and why, and has its figures up to there") {
+  const TempFolder folder;
+  const std::string name = written(folder, kBlock);
+  const Outcome lost = voussoir("run " + name + " --quiet -j 1 --dt 0.01 --set block[0].velocity=[0,0,-5] -o " + folder.path("lost"));
+  CHECK(lost.code == 1);
+  CHECK(has(lost, "voussoir: numerical failure: "));
+  const Outcome summary = voussoir("summary " + folder.path("lost"));
+  CAPTURE(summary.text);
+  CHECK(has(summary, "run                  lost at 0."));
+  CHECK(has(summary, " of 10 s, shaking\n"));
+  CHECK(has(summary, " at t = 0."));
+  CHECK(has(summary, "figures are those up to there"));
+  CHECK(summary.text.find("not finished") == std::string::npos);
+  CHECK(has(voussoir("summary --format json " + folder.path("lost")), "\"failure\": \""));
+}
+
 TEST_CASE("check counts findings, lists them as JSON, and says that there are no faults only without them") {
   const TempFolder folder;
   const Outcome sound = voussoir("check -j 1 " + written(folder, kBlock));

@@ -115,6 +115,10 @@ TEST_CASE("a run that is lost keeps its measures, and its capacity curve up to t
   const io::Hdf5File file = io::Hdf5File::open(run + "/run.h5");
   CHECK(file.attribute_int("/summary", "finished") == 0);
   CHECK(file.has_attribute("/summary", "end_time"));
+  REQUIRE(file.has_attribute("/summary", "failure"));
+  const std::string why = file.attribute_text("/summary", "failure");
+  CHECK(why.starts_with("the energy ledger is off by "));
+  CHECK(errors.text().find("numerical failure: " + why) != std::string::npos);
   CHECK(file.exists("/capacity"));
   REQUIRE(results.capacity());
   const std::size_t rows = file.read<double>("/assessment/time").size();
