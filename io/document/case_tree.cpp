@@ -121,7 +121,8 @@ SyntaxError encoding_error(std::string_view text, Source near) {
 Node parse_document(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw syntax_error_at(text, 0, "the file is in UTF-16; save it in UTF-8");
-  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) throw syntax_error_at(text, nul, "a NUL byte");
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    throw syntax_error_at(text, nul, nul < 2 ? "a NUL byte, as in UTF-16; save the file in UTF-8" : "a NUL byte");
   refuse_deep_keys(text);
   try {
     return convert(toml::parse(text), Source{1, 1, -1});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/files/foreign_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -89,7 +90,18 @@ bool is_all_utf8(std::string_view text) {
   return true;
 }
 
-bool has_utf16_mark(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+Utf16 utf16_of(std::string_view bytes) {
+  if (bytes.starts_with("\xFF\xFE")) return Utf16::little_endian;
+  if (bytes.starts_with("\xFE\xFF")) return Utf16::big_endian;
+  constexpr std::size_t kHead = 256;
+  const std::string_view head = bytes.substr(0, std::min(bytes.size() & ~std::size_t{1}, kHead));
+  std::array<std::size_t, 2> zeros{};  // at even places and at odd ones
+  for (std::size_t i = 0; i < head.size(); ++i) zeros[i % 2] += head[i] == '\0' ? 1 : 0;
+  const std::size_t enough = std::max<std::size_t>(1, head.size() / 8);
+  if (zeros[0] == 0 && zeros[1] >= enough && head[1] == '\0') return Utf16::little_endian;
+  if (zeros[1] == 0 && zeros[0] >= enough && head[0] == '\0') return Utf16::big_endian;
+  return Utf16::no;
+}
 
 std::string_view without_utf8_mark(std::string_view bytes) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
@@ -97,7 +109,10 @@ std::string_view without_utf8_mark(std::string_view bytes) {
 }
 
 std::string as_utf8(const std::string& path, std::string bytes) {
-  if (has_utf16_mark(bytes)) return from_utf16(path, std::string_view(bytes).substr(2), bytes[0] == '\xFE');
+  if (const Utf16 order = utf16_of(bytes); order != Utf16::no) {
+    const bool has_mark = bytes[0] == '\xFF' || bytes[0] == '\xFE';
+    return from_utf16(path, std::string_view(bytes).substr(has_mark ? 2 : 0), order == Utf16::big_endian);
+  }
   const std::size_t mark = bytes.size() - without_utf8_mark(bytes).size();
   bytes.erase(0, mark);
   return is_all_utf8(bytes) ? std::move(bytes) : from_windows_1252(bytes);

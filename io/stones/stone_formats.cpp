@@ -40,7 +40,7 @@ bool is_damaged_stl(const std::string& path, std::string_view text) {
 }  // namespace
 
 StoneFile read_stone_file(const std::string& path, std::string_view text) {
-  if (has_utf16_mark(text) && !is_binary_stl(text)) return read_stone_file(path, as_utf8(path, std::string(text)));
+  if (utf16_of(text) != Utf16::no && !is_binary_stl(text)) return read_stone_file(path, as_utf8(path, std::string(text)));
   text = without_utf8_mark(text);
   const std::string_view start = trimmed(text.substr(0, 4096));
   if (start.empty()) throw FileError(path, "is empty");

@@ -57,6 +57,7 @@ TEST_CASE("faults: syntax names file, line, column and reason") {
 TEST_CASE("faults: what is not in UTF-8 is told with its line and byte") {
   CHECK(refusal("title = \"caf\xE9\"\n") == "test.toml:1:13: byte 0xE9 is no UTF-8; save the file in UTF-8");
   CHECK(refusal("title = \"a\"\n# caf\xE9\n") == "test.toml:2:6: byte 0xE9 is no UTF-8; save the file in UTF-8");
+  CHECK(refusal(std::string("t\0i\0", 4)) == "test.toml:1:2: a NUL byte, as in UTF-16; save the file in UTF-8");
   CHECK(refusal("\xFF\xFEt") == "test.toml:1:1: the file is in UTF-16; save it in UTF-8");
 }
 

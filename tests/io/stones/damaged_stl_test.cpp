@@ -84,6 +84,9 @@ TEST_CASE("OBJ, PLY: names in Latin-1 are UTF-8 afterwards; a byte order mark an
   CHECK(c.stones[0].stones[0].name == "Pfeiler_\xC3\xBC");
   const std::string ascii = obj({{"a", kTwo[0]}, {"b", kTwo[1]}});
   CHECK(load(folder.write("b.obj", in_utf16(ascii))).stones[0].stones.size() == 2);
+  const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
+  CHECK(says(refusal(folder.write("e.stl", in_utf16(stl).substr(2))), "e.stl:4"));  // read as text: its last line is told
+  CHECK(load(folder.write("b.obj", in_utf16(ascii).substr(2))).stones[0].stones.size() == 2);
   CHECK(load(folder.write("c.obj", "\xEF\xBB\xBF" + ascii)).stones[0].stones.size() == 2);
   for (const Ply kind : {Ply::ascii, Ply::little}) {
     CHECK(load(folder.write("d.ply", "\xEF\xBB\xBF" + ply(kTwo[0], kind))).stones[0].stones.size() == 1);
