@@ -9,9 +9,8 @@
 /// Text that other programs wrote, in whatever encoding they did.
 namespace voussoir::io {
 
-/// The text in UTF-8, without a byte order mark: from UTF-16, see utf16_of, and from Windows-1252 (Latin-1 is within it) if its bytes are no
-/// UTF-8. `path` is for messages.
-/// \throw FileError for UTF-16 that ends within a character or holds half of one
+/// The text in UTF-8, without a byte order mark: from UTF-16, see utf16_of, and from Windows-1252 (Latin-1 is within it) if its bytes are
+/// no UTF-8. `path` is for messages. \throw FileError for UTF-16 that ends within a character or holds half of one
 std::string as_utf8(const std::string& path, std::string bytes);
 
 /// Whether the bytes are UTF-8 throughout.
