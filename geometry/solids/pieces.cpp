@@ -17,16 +17,15 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of the size
 constexpr std::size_t kMostPieces = 500;
 constexpr std::size_t kMostCuts = 20 * kMostPieces;
-constexpr double kFills = 1e-9;                   // relative, of volumes
+constexpr double kFills = 1.0;                    // tolerances of the size: relative, of volumes
 constexpr double kMild = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
 constexpr int kPerEdge = 1000;                    // what speaks for a plane, for each reflex edge that it takes
 constexpr int kSecondChoice = kPerEdge / 2;       // what speaks against a cut between two faces that turn by more
 constexpr int kLastChoice = 1'000'000;            // and against the face of a mild edge, however many edges it takes
 constexpr double kNearMiss = 1e-3;                // of the size: a plane so near a corner, and not through it, cuts off slivers
-constexpr double kSameCorner = 1e-8;              // of the size
+constexpr double kSameCorner = 10.0;              // tolerances
 constexpr int kMissesCorner = 2 * kPerEdge;       // what speaks against it
 
 /// A flat part of the surface within a cell.
@@ -53,7 +52,8 @@ struct Cell {
 
 class Cutting {
  public:
-  Cutting(const Mesh& solid, double snap) : solid_(solid), size_(diagonal(solid)), tolerance_(kTolerance * size_) {
+  Cutting(const Mesh& solid, double snap, double tolerance)
+      : solid_(solid), size_(diagonal(solid)), tolerance_(tolerance * size_), fills_(kFills * tolerance) {
     for (std::size_t f = 0; f < solid.faces.size(); ++f) plane_.push_back(half_space_of(solid, f));
     for (const Fold& fold : reflex_folds(solid)) add(fold, snap);
   }
@@ -231,7 +231,7 @@ class Cutting {
   [[nodiscard]] Polyhedron with_own_corners(Polyhedron shape) const {
     for (Vec3& v : shape.vertices) {
       const Vec3* nearest = nullptr;
-      double least = kSameCorner * size_;
+      double least = kSameCorner * tolerance_;
       for (const Vec3& own : solid_.vertices) {
         const double apart = norm(own - v);
         if (apart <= least) least = apart, nearest = &own;
@@ -252,14 +252,16 @@ class Cutting {
     double sum = 0.0;
     for (const Polyhedron& p : pieces_) sum += signed_volume(p);
     const double whole = volume(solid_);
-    if (std::abs(sum - whole) <= kFills * whole) return;
-    throw ModelError("cannot be cut into convex pieces: they hold " + figure(sum) + " m3 of " + figure(whole) +
-                         " m3; its surface goes through itself, mend it where it was drawn",
+    if (std::abs(sum - whole) <= fills_ * whole) return;
+    throw ModelError("cannot be cut into convex pieces: they hold " + figure(std::abs(sum - whole)) +
+                         (sum > whole ? " m3 more" : " m3 less") + " than its " + figure(whole) +
+                         " m3; its surface goes through itself, or has dents too shallow to cut along; mend it where it was drawn, or "
+                         "raise stones.snap",
                      -1);
   }
 
   const Mesh& solid_;
-  double size_, tolerance_;
+  double size_, tolerance_, fills_;
   std::vector<HalfSpace> plane_;  // by face
   std::vector<ReflexEdge> edges_;
   std::vector<Polyhedron> pieces_;
@@ -267,6 +269,6 @@ class Cutting {
 
 }  // namespace
 
-std::vector<Polyhedron> convex_pieces(const Mesh& solid, double snap) { return Cutting(solid, snap).cut(); }
+std::vector<Polyhedron> convex_pieces(const Mesh& solid, double snap, double tolerance) { return Cutting(solid, snap, tolerance).cut(); }
 
 }  // namespace voussoir::geometry

@@ -13,8 +13,11 @@ namespace {
 /// Twice the area of a triangle as seen against a normal.
 double turn(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - a), normal); }
 
+/// Whether a point is in the ear a, b, c, or on its diagonal from c to a but for its ends: an ear cut off there would fold what is left.
 bool is_in(Vec3 p, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
-  return turn(a, b, p, normal) > 0.0 && turn(b, c, p, normal) > 0.0 && turn(c, a, p, normal) > 0.0;
+  constexpr double kOnDiagonal = 1e-9;  // of its length
+  if (p == a || p == b || p == c) return false;
+  return turn(a, b, p, normal) > 0.0 && turn(b, c, p, normal) > 0.0 && turn(c, a, p, normal) > -kOnDiagonal * dot(a - c, a - c);
 }
 
 /// The corner that makes the fattest ear.

@@ -34,7 +34,8 @@ std::size_t binary_count(const std::string& path, std::string_view text, StoneFi
   if (text.size() < kHeadBytes)
     throw FileError(path,
                     "has " + std::to_string(text.size()) + " bytes, and the head of a binary STL file has 84: it was cut; export it again");
-  const std::size_t stated = stated_count(text), held = (text.size() - kHeadBytes) / kTriangleBytes, rest = (text.size() - kHeadBytes) % kTriangleBytes;
+  const std::size_t stated = stated_count(text), held = (text.size() - kHeadBytes) / kTriangleBytes,
+                    rest = (text.size() - kHeadBytes) % kTriangleBytes;
   if (stated == held && rest == 0) return held;
   const bool never_filled = stated == 0 || stated == std::numeric_limits<std::uint32_t>::max();
   const std::string says = "its head says " + triangles(stated) + ", its length holds " + std::to_string(held) +

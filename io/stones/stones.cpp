@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/message.h"
 #include "geometry/prism.h"
 #include "geometry/solids/flatten.h"
 #include "geometry/solids/overlaps.h"
-#include "geometry/solids/pieces.h"
 #include "geometry/solids/triangles.h"
+#include "io/stones/cut_stone.h"
 #include "io/stones/raw_stones.h"
 #include "io/stones/shown_faults.h"
 #include "io/stones/supports.h"
@@ -48,6 +49,7 @@ struct Item {
   Mesh drawn = {};               // as it came from the file
   int taken_back = 0;            // times it was put back to what was drawn, see Import::take_back
   std::vector<Polyhedron> pieces = {};
+  double dents = 0.0;   // m, what is shallower was left out when it was cut into pieces
   double parted = 0.0;  // m, how deep it was cut at most where it lay in another stone
 };
 
@@ -121,12 +123,52 @@ class Import {
     if (snap == 0.0 || geometry::is_convex(item.raw.mesh, kConvex * size)) return;
     // A fourth corner lies up to four times as far off the plane of the other three as all four off the plane between them.
     Mesh merged = geometry::with_merged_faces(item.raw.mesh, 4.0 * std::min(snap, 0.005 * size), kNearlyFlat);
-    if (!geometry::is_convex(merged, 2.0 * snap)) return;
-    for (std::size_t f = 0; f < merged.faces.size(); ++f) {
-      if (geometry::warp(merged, f) > snap) return;
+    if (!geometry::is_convex(merged, 2.0 * snap)) return without_dents(item, merged.faces.size());
+    if (is_plane(merged, snap)) merge(item, std::move(merged));
+  }
+
+  static bool is_plane(const Mesh& m, double within) {
+    for (std::size_t f = 0; f < m.faces.size(); ++f) {
+      if (geometry::warp(m, f) > within) return false;
     }
+    return true;
+  }
+
+  static void merge(Item& item, Mesh merged) {
     item.nearly_flat = item.raw.mesh.faces.size() - merged.faces.size();
     item.raw.mesh = std::move(merged);
+  }
+
+  /// A stone that is not convex, of triangles with rounded corners. Dents of its flat faces may be too shallow to cut along: as few of its
+  /// faces are merged as let it be cut with nothing left out, or with least. \param fewest  faces, if all are merged that lie nearly in one
+  /// plane
+  void without_dents(Item& item, std::size_t fewest) const {
+    std::size_t faces = item.raw.mesh.faces.size();
+    double least = faces == fewest ? 0.0 : dents_left(item);
+    const double most = 4.0 * std::min(spec_of(item).snap, 0.005 * geometry::diagonal(item.raw.mesh));
+    Mesh best;
+    for (double within = 1e-6 * most; least > 0.0 && within < 2.0 * most; within *= 10.0) {
+      Item tried = item;
+      tried.raw.mesh = geometry::with_merged_faces(item.raw.mesh, std::min(within, most), kNearlyFlat);
+      if (tried.raw.mesh.faces.size() == faces || !is_plane(tried.raw.mesh, spec_of(item).snap)) continue;
+      faces = tried.raw.mesh.faces.size();
+      if (const double left = dents_left(tried); left < least) least = left, best = std::move(tried.raw.mesh);
+    }
+    if (!best.faces.empty()) merge(item, std::move(best));
+  }
+
+  /// Of a stone cut as if nothing lay near it, m; infinite if it cannot be.
+  [[nodiscard]] double dents_left(Item item) const {
+    try {
+      part_warped(item);
+      std::vector<geometry::RoughSolid> one = {{std::move(item.raw.mesh), spec_of(item).snap, spec_of(item).gap}};
+      const bool moved = geometry::flatten(one, std::nullopt).front().moved > 0.0;
+      item.raw.mesh = moved ? merged_exactly(one.front().mesh) : std::move(one.front().mesh);
+      cut(item);
+      return item.dents;
+    } catch (const geometry::ModelError&) {
+      return std::numeric_limits<double>::infinity();
+    }
   }
 
   void part_warped(Item& item) const {
@@ -157,9 +199,7 @@ class Import {
     item.nearly_flat = item.in_triangles = 0;
     part_warped(item);
     if (straightened) return true;
-    for (std::size_t f = 0; f < item.raw.mesh.faces.size(); ++f) {
-      if (geometry::warp(item.raw.mesh, f) > spec_of(item).snap) return false;
-    }
+    if (!is_plane(item.raw.mesh, spec_of(item).snap)) return false;
     std::size_t parted = 0;
     item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, 0.1 * kConvex * geometry::diagonal(item.raw.mesh), parted);
     item.in_triangles += parted;
@@ -194,10 +234,12 @@ class Import {
     for (std::size_t i = 0; i < items_.size(); ++i) take_flat(i, std::move(solids[i].mesh));
   }
 
+  static Mesh merged_exactly(const Mesh& m) { return geometry::with_merged_faces(m, kConvex * geometry::diagonal(m), 1e-3); }
+
   void take_flat(std::size_t i, Mesh mesh) {
     if (flattened_[i].moved > 0.0) {
       const std::size_t before = mesh.faces.size();
-      mesh = geometry::with_merged_faces(mesh, kConvex * geometry::diagonal(mesh), 1e-3);
+      mesh = merged_exactly(mesh);
       items_[i].nearly_flat += before - mesh.faces.size();
     }
     items_[i].raw.mesh = std::move(mesh);
@@ -210,59 +252,17 @@ class Import {
     take_flat(i, std::move(one.front().mesh));
   }
 
-  /// \return nothing if it is not convex
-  std::optional<Polyhedron> convex_shape(const Item& item) const {
-    Polyhedron shape = geometry::in_prism_order({item.raw.mesh.vertices, item.raw.mesh.faces});
-    try {
-      geometry::validate(shape);
-    } catch (const geometry::ModelError& e) {
-      if (std::string(e.what()).find("not convex") != std::string::npos) return std::nullopt;
-      throw;
-    }
-    return shape;
-  }
-
-  /// Cut about a corner of its own, so that a stone far from the origin keeps its digits.
-  static std::vector<Polyhedron> pieces_about_corner(Mesh mesh, double snap) {
-    const Vec3 first = mesh.vertices.front(), origin{std::round(first.x), std::round(first.y), std::round(first.z)};
-    for (Vec3& v : mesh.vertices) v = v - origin;
-    std::vector<Polyhedron> pieces = geometry::convex_pieces(mesh, snap);
-    for (Polyhedron& p : pieces) {
-      for (Vec3& v : p.vertices) v += origin;
-    }
-    return pieces;
-  }
-
-  static std::vector<Polyhedron> checked(std::vector<Polyhedron> pieces) {
-    for (Polyhedron& p : pieces) {
-      p = geometry::in_prism_order(p);
-      geometry::validate(p);
-    }
-    return pieces;
-  }
-
-  /// Cuts that go through a corner near by may leave slivers: then cuts that do not.
-  [[nodiscard]] std::vector<Polyhedron> cut(const Item& item) const {
-    if (auto shape = convex_shape(item)) return {*std::move(shape)};
-    const double snap = spec_of(item).snap;
-    std::optional<geometry::ModelError> first;
-    for (const bool about_corner : {false, true}) {
-      for (const double reach : {snap, 0.0}) {
-        try {
-          return checked(about_corner ? pieces_about_corner(item.raw.mesh, reach) : geometry::convex_pieces(item.raw.mesh, reach));
-        } catch (const geometry::ModelError& e) {
-          if (!first) first = e;
-        }
-      }
-    }
-    throw geometry::ModelError(*first);
+  void cut(Item& item) const {
+    CutStone done = cut_stone(item.raw.mesh, spec_of(item).snap);
+    item.pieces = std::move(done.pieces);
+    item.dents = done.dents;
   }
 
   void cut_into_pieces(std::size_t i) {
     for (bool again = false;;) {
       try {
         if (again) flatten_alone(i);
-        items_[i].pieces = cut(items_[i]);
+        cut(items_[i]);
         return;
       } catch (const geometry::ModelError& e) {
         again = take_back(i);
@@ -319,6 +319,7 @@ class Import {
     if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
     if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + geometry::millimetres(done.warped) + " made plane");
     if (done.moved > 0.0) add("corners moved by up to " + geometry::millimetres(done.moved));
+    if (item.dents > 0.0) add("dents shallower than " + geometry::millimetres(item.dents) + " left out");
     if (item.parted > 0.0) add("cut by " + geometry::millimetres(item.parted) + " where it lay in another stone or the base");
     if (stone.pieces.size() > 1) {
       const auto& materials = case_.materials;
