@@ -13,7 +13,7 @@
 #include "cases/analysis.h"
 #include "cases/house/house_case.h"
 #include "cases/solids/stones.h"
-#include "geometry/segment_rule.h"
+#include "geometry/segments/segment_rule.h"
 #include "geometry/vec3.h"
 
 /// What is simulated, as plain data: the case file, read. SI units, z up; angles in degrees, as the user writes them.
@@ -133,7 +133,7 @@ struct Contact {
 };
 
 enum class Baseline { none, mean, linear, parabolic };
-/// What is done to the components of a motion before they are scaled (cases/motion/treatment.h).
+/// What is done to the components of a motion before they are scaled (io/input/motion/treatment.h).
 struct MotionTreatment {
   std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
   Baseline baseline = Baseline::none;     // taken off what the window holds
@@ -141,7 +141,7 @@ struct MotionTreatment {
 };
 
 enum class IntensityMeasure { pga, pgv, sa };
-/// A level to which a motion is brought by one factor (cases/motion/intensity.h).
+/// A level to which a motion is brought by one factor (io/input/motion/spectra/intensity.h).
 struct MotionIntensity {
   IntensityMeasure measure = IntensityMeasure::pga;
   double level = 0.0;            // m/s2; of PGV m/s

@@ -6,15 +6,15 @@
 #include <limits>
 
 #include "cases/blocks.h"
-#include "cases/contact_rules.h"
-#include "cases/solids/ground.h"
 #include "cases/house/house.h"
-#include "cases/joint_rules.h"
 #include "cases/loads/loads.h"
 #include "cases/loose_model.h"
 #include "cases/names.h"
 #include "cases/numbering.h"
+#include "cases/rules/contact_rules.h"
+#include "cases/rules/joint_rules.h"
 #include "cases/scatter.h"
+#include "cases/solids/ground.h"
 #include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"

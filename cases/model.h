@@ -108,7 +108,7 @@ struct Model {
   std::vector<std::vector<Stone>> stones;       // by table, as the case had them
   geometry::Assembly assembly;                  // of the blocks, in order
   std::vector<std::int32_t> joint_law;          // by assembly joint, into laws
-  std::vector<double> contact_friction;         // degrees, see cases/contact_rules.h
+  std::vector<double> contact_friction;         // degrees, see cases/rules/contact_rules.h
   std::vector<TieBar> ties;                     // those by themselves before those of meshes
   std::vector<TieBill> tie_bill;
   std::vector<double> joint_strength;  // by assembly joint, factor on f_t, c and f_m of its law (Case::scatter)

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cases/house/house_decks.h"
-#include "cases/house/house_floors.h"
-#include "cases/house/house_pitched.h"
+#include "cases/house/floors/house_decks.h"
+#include "cases/house/floors/house_floors.h"
 #include "cases/house/house_ties.h"
+#include "cases/house/roofs/house_pitched.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
 #include "geometry/polygon.h"

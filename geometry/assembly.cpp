@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/joints.h"
 #include "geometry/message.h"
 #include "geometry/parallel/ranges.h"
-#include "geometry/touching.h"
+#include "geometry/segments/joints.h"
+#include "geometry/segments/touching.h"
 
 namespace voussoir::geometry {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/polyhedron.h"
-#include "geometry/segment_rule.h"
-#include "geometry/segment_store.h"
+#include "geometry/segments/segment_rule.h"
+#include "geometry/segments/segment_store.h"
 
 /// From shapes to faces, segments and joints (paper 2.1, Fig. 1c; choices in the theory manual).
 namespace voussoir::geometry {
@@ -84,8 +84,9 @@ struct Part {
 /// face with the normal −z at base_z touches the base all over. Segments stand row by row in the grid of the face that masters them; (s, t)
 /// are multiples of 2^-40 m, so that equal patches are equal bit by bit.
 ///
-/// That is SegmentRule::centres. Under SegmentRule::rim the points of a joint are those of append_rim_points (geometry/rim_points.h) over
-/// the overlap, with the smaller segment size of the two elements, and every joint between two elements is merged.
+/// That is SegmentRule::centres. Under SegmentRule::rim the points of a joint are those of append_rim_points
+/// (geometry/segments/rim_points.h) over the overlap, with the smaller segment size of the two elements, and every joint between two
+/// elements is merged.
 ///
 /// Joints with ground have the other element's points alone, as those with the base, and are merged; faces of ground have no patches.
 ///

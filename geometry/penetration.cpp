@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/touching.h"
+#include "geometry/segments/touching.h"
 
 namespace voussoir::geometry {
 

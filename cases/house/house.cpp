@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cases/house/house_parts.h"
-#include "cases/house/house_pitched.h"
-#include "cases/house/house_vault.h"
+#include "cases/house/roofs/house_pitched.h"
+#include "cases/house/roofs/house_vault.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

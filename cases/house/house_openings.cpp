@@ -7,8 +7,8 @@
 #include <functional>
 #include <tuple>
 
+#include "cases/house/floors/house_floors.h"
 #include "cases/house/house_courses.h"
-#include "cases/house/house_floors.h"
 #include "cases/house/house_wall.h"
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/ground.h"
@@ -296,8 +296,9 @@ std::vector<InputError> unsupported_heads(const House& house) {
       const Opening& opening = house.openings[h.opening];
       if (opening.lintel || opening.arch || 2 * h.along.length() <= plan.brick_length) continue;
       if (!has_masonry_above(house, plan, wall, h)) continue;
-      found.emplace_back(opening_key(h.opening), "the opening in the " + wall_name(house, wall) + ", " + text(opening.width) +
-                                                " m wide, has masonry above it and nothing that carries it; give it a lintel or an arch");
+      found.emplace_back(opening_key(h.opening),
+                         "the opening in the " + wall_name(house, wall) + ", " + text(opening.width) +
+                             " m wide, has masonry above it and nothing that carries it; give it a lintel or an arch");
     }
   }
   return found;

@@ -66,7 +66,7 @@ struct StonesSpec {
   WarpedFaces warped = WarpedFaces::refuse;
   StoneSupports supports;
 
-  std::vector<Stone> stones;       // no key: io/stones fills it in before a model is built
+  std::vector<Stone> stones;       // no key: io/input/stones fills it in before a model is built
   std::vector<std::string> notes;  // no key: what was done to the file as a whole, for people
 };
 

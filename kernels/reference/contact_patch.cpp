@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "kernels/contact/patch_work.h"
 #include "kernels/laws/contact_law.h"
-#include "kernels/patch_work.h"
 
 namespace voussoir::kernels {
 

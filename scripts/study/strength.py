@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How strong the motion of a run is, by its row in a study's table: the level of the study's [intensity], or else the scale of the motion."""
 
-UNITS = {"PGA": "m/s2", "PGV": "m/s", "Sa": "m/s2"}  # of the measures of motion.intensity (cases/motion/intensity.h)
+UNITS = {"PGA": "m/s2", "PGV": "m/s", "Sa": "m/s2"}  # of the measures of motion.intensity (io/input/motion/spectra/intensity.h)
 
 
 def text_of(row):

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solver/joints/joint_tasks.h"
+#include "solver/schedule/joint_tasks.h"
 
 namespace voussoir::solver {
 

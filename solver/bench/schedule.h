@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/joints/joint_tasks.h"
+#include "solver/schedule/joint_tasks.h"
 #include "solver/world/stages.h"
 
 /// A small model of the schedule of a step: what it would take on more cores than the machine has.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/overlap.h"
+#include "kernels/contact/overlap.h"
 #include "solver/world/world.h"
 
 /// Contact of whole bodies by their exact overlap (THEORY.md (21a)): which pairs may need it, and the forces of those that do.

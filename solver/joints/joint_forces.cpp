@@ -8,8 +8,8 @@
 
 #include "solver/joints/block_prefetch.h"
 #include "solver/joints/block_state.h"
-#include "solver/joints/out_of_cache.h"
 #include "solver/joints/side_outcome.h"
+#include "solver/schedule/out_of_cache.h"
 
 namespace voussoir::solver {
 

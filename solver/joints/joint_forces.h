@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/joints/joint_tasks.h"
+#include "solver/schedule/joint_tasks.h"
 #include "solver/world/stages.h"
 #include "solver/world/world.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "cases/contact_rules.h"
+#include "cases/rules/contact_rules.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/polygon.h"
 #include "solver/limit/convex_hull.h"

@@ -7,7 +7,7 @@
 #include "solver/limit/balance.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/limit_proof.h"
-#include "solver/limit/programmes.h"
+#include "solver/limit/programme/programmes.h"
 
 namespace voussoir::solver {
 

@@ -14,7 +14,7 @@
 #include "solver/limit/balance.h"
 #include "solver/limit/coulomb.h"
 #include "solver/limit/friction_cone.h"
-#include "solver/limit/programmes.h"
+#include "solver/limit/programme/programmes.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {

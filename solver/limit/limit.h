@@ -10,8 +10,8 @@
 #include "kernels/rows.h"
 #include "solver/limit/contacts.h"
 #include "solver/limit/limit_proof.h"
-#include "solver/limit/linear_programme.h"
 #include "solver/limit/live_load.h"
+#include "solver/limit/programme/linear_programme.h"
 
 /// Limit analysis of dry assemblies of rigid blocks (Livesley 1978; Ferris and Tin-Loi 2001), by linear programmes: no tension, friction at
 /// contact points, no crushing; bonds are taken as broken. Nothing moves before it collapses, so no dynamics and no stiffness are in it.

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "solver/setup/decomposition.h"
+#include "solver/schedule/colouring.h"
 #include "solver/setup/point_sets.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/side_kinds.h"

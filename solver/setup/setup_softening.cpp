@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/message.h"
-#include "solver/setup/decomposition.h"
+#include "solver/schedule/colouring.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {

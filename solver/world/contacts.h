@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/grid.h"
-#include "kernels/contact_patch.h"
+#include "kernels/contact/contact_patch.h"
 #include "solver/world/array.h"
 #include "solver/world/multirate.h"
 #include "solver/world/search_room.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/vec3.h"
-#include "kernels/contact_patch.h"
-#include "kernels/overlap.h"
+#include "kernels/contact/contact_patch.h"
+#include "kernels/contact/overlap.h"
 #include "solver/world/multirate.h"
 #include "solver/world/search_room.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/contact_patch.h"
+#include "kernels/contact/contact_patch.h"
 #include "solver/world/array.h"
 
 namespace voussoir::solver {

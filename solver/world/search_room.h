@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/polyhedron.h"
-#include "kernels/contact_patch.h"
+#include "kernels/contact/contact_patch.h"
 #include "solver/world/array.h"
 
 namespace voussoir::solver {

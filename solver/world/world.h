@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "kernels/contact_patch.h"
+#include "kernels/contact/contact_patch.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
 #include "kernels/side.h"

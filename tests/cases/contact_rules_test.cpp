@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/contact_rules.h"
+#include "cases/rules/contact_rules.h"
 
 #include <doctest/doctest.h>
 

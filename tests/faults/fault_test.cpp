@@ -12,8 +12,8 @@
 #include <sstream>
 #include <thread>
 
-#include "io/commands/compare_command.h"
-#include "io/results/checkpoints.h"
+#include "io/output/results/checkpoints.h"
+#include "io/output/results/comparison.h"
 #include "tests/io/temp_folder.h"
 
 // What happens to runs in the world: kills, full disks, damaged files, people in a hurry. A quick selection; the long campaign is the

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/case_file/case_file.h"
-#include "io/files/errors.h"
+#include "io/input/case_file/case_file.h"
+#include "io/input/files/errors.h"
 
 // The case file: any text is a case or a fault with a message (an `include` is looked for beside the process). A case that is taken writes
 // itself as a text that reads as the same case.

@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "io/files/hdf5_file.h"
-#include "io/results/checkpoint_file.h"
+#include "io/input/files/hdf5_file.h"
+#include "io/output/results/checkpoint_file.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/io/bytes_of.h"
 

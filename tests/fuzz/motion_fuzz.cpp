@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/files/errors.h"
-#include "io/motion/read_motion.h"
-#include "io/motion/support_motion.h"
+#include "io/input/files/errors.h"
+#include "io/input/motion/formats/read_motion.h"
+#include "io/input/motion/support_motion.h"
 #include "tests/fuzz/memory_file.h"
 
 // The formats of motion. The first byte chooses the reader. What is taken has a step and finite samples, and no more of them than bytes.

@@ -6,9 +6,9 @@
 
 #include "cases/model.h"
 #include "geometry/polyhedron.h"
-#include "io/files/errors.h"
-#include "io/stones/stone_file.h"
-#include "io/stones/stones.h"
+#include "io/input/files/errors.h"
+#include "io/input/stones/stone_file.h"
+#include "io/input/stones/stones.h"
 #include "tests/fuzz/memory_file.h"
 
 // Files of stones. The first byte chooses the reader (0: by what the file begins with) and whether there is a gap. Whatever a reader takes

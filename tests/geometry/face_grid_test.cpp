@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/face_grid.h"
+#include "geometry/segments/face_grid.h"
 
 #include <doctest/doctest.h>
 

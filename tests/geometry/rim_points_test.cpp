@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/rim_points.h"
+#include "geometry/segments/rim_points.h"
 
 #include <doctest/doctest.h>
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/results.h"
+#include "io/output/results/results.h"
 
 /// A synthetic run of two cubes whose every number follows from its row, so that any prefix can be checked.
 namespace voussoir::io::test {

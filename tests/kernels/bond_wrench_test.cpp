@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/rim_points.h"
+#include "geometry/segments/rim_points.h"
 #include "kernels/laws/softening.h"
 
 // A bond wrench: a joint bent without a normal force until it parts. What it bears at most must not depend on the number of its points.

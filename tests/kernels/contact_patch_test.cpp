@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/contact_patch.h"
+#include "kernels/contact/contact_patch.h"
 
 #include <doctest/doctest.h>
 

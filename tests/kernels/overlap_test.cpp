@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/overlap.h"
+#include "kernels/contact/overlap.h"
 
 #include <doctest/doctest.h>
 

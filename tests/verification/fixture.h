@@ -14,8 +14,8 @@
 
 #include "cases/census.h"
 #include "cases/model.h"
-#include "io/case_file/case_file.h"
-#include "io/motion/motion_files.h"
+#include "io/input/case_file/case_file.h"
+#include "io/input/motion/motion_files.h"
 #include "kernels/integrate.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
@@ -114,8 +114,8 @@ class Run {
     return rest;
   }
 
-  /// Steps until `end` [s]; `each` sees the state at time() before every step, or every cycle of multi-rate stepping. With `due` the results
-  /// of the last step are behind it.
+  /// Steps until `end` [s]; `each` sees the state at time() before every step, or every cycle of multi-rate stepping. With `due` the
+  /// results of the last step are behind it.
   template <class Each>
   void until(double end, solver::Due due, const Each& each) {
     while (sim_->time() < end - 0.5 * sim_->dt()) {

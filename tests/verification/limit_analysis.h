@@ -6,7 +6,7 @@
 
 #include "cases/model.h"
 #include "solver/limit/limit.h"
-#include "solver/limit/linear_programme.h"
+#include "solver/limit/programme/linear_programme.h"
 
 /// Collapse factors of a case by the program's own limit analysis (solver/limit/limit.h), for the problems that compare with it.
 namespace voussoir::testing {

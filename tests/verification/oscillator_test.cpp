@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "io/input/motion/spectra/figures.h"
+#include "io/input/motion/synthetic/bam_like.h"
 #include "tests/verification/fixture.h"
 
 // V9: one block on its joint with the base is an oscillator; its peak under a record is known exactly.
@@ -30,7 +32,7 @@ Peak peak_of(const cases::Case& c, double scale = 1.0) {
   const double end = record.dt * static_cast<double>(record.acceleration.size() - 1);
   double peak = 0.0;
   run.until(end, {}, [&] { peak = std::max(peak, std::abs(run.displacement(0).z)); });
-  return {peak / scale, cases::spectral_displacement(refined(record, 10), frequency, 0.05) / scale};
+  return {peak / scale, io::spectral_displacement(refined(record, 10), frequency, 0.05) / scale};
 }
 
 void compare(const std::string& what, const cases::Case& c) {
@@ -67,9 +69,9 @@ TEST_CASE("V9: response spectrum of bam-like, V") {
     expect_near(what, peak.got, peak.exact, 1e-3);
     got.x.push_back(frequency), got.y.push_back(peak.got);
   }
-  const cases::Accelerogram record = cases::bam_like_1()[2];
+  const cases::Accelerogram record = io::bam_like_1()[2];
   for (double f = 1.0; f < 15.0; f *= 1.04) {
-    exact.x.push_back(f), exact.y.push_back(cases::spectral_displacement(refined(record, 10), f, 0.05));
+    exact.x.push_back(f), exact.y.push_back(io::spectral_displacement(refined(record, 10), f, 0.05));
   }
   curve.series = {got, exact};
   write(curve);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cases/census.h"
-#include "io/case_file/case_file.h"
-#include "io/case_file/catalogue.h"
+#include "io/input/case_file/case_file.h"
+#include "io/input/case_file/catalogue.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 #include "tests/verification/fixture.h"

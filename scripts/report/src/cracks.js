@@ -8,7 +8,7 @@ import { kPlaced } from "./brick.js";
 const kRow = 1024; // joints in a row of the texture of levels
 const kApart = 10; // level from which on bricks are apart: their faces show, and no line joins them
 
-/** Classes of the legend: from `level` (io/replay/joint_cracks.h) on, `pixels` wide, red to this part, from this width in mm on. */
+/** Classes of the legend: from `level` (io/output/replay/joint_cracks.h) on, `pixels` wide, red to this part, from this width in mm on. */
 export const kClasses = [
   { level: 1, pixels: 1.8, strength: 0.7, mm: 0 },
   { level: 3, pixels: 2.5, strength: 0.85, mm: 0.1 },

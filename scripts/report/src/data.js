@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// The data in the page; io/report/report_data.h and io/report/report_frames.h say how they are packed.
+// The data in the page; io/output/report/report_data.h and io/output/report/report_frames.h say how they are packed.
 
 import { Modes } from "./modes.js";
 
@@ -81,7 +81,7 @@ export class Frames {
   broken(at) { return this.brokenBytes.subarray(Math.floor(at) * this.n, (Math.floor(at) + 1) * this.n); }
 }
 
-/** How wide open joints are: a level for each joint in each frame (io/replay/joint_cracks.h). */
+/** How wide open joints are: a level for each joint in each frame (io/output/replay/joint_cracks.h). */
 class Cracks {
   constructor(elements, edges, ends, levels, count) {
     Object.assign(this, { elements, edges, ends, levels, joints: edges.length, count });
@@ -91,7 +91,7 @@ class Cracks {
   at(at) { return this.levels.subarray(Math.floor(at) * this.joints, (Math.floor(at) + 1) * this.joints); }
 }
 
-/** Bodies that move as one: the number of each element's body in each frame, their names, hinges (io/report/report_bodies.h). */
+/** Bodies that move as one: the number of each element's body in each frame, their names, hinges (io/output/report/report_bodies.h). */
 class Bodies {
   constructor({ names, bodies, hinges }, ids, n) {
     Object.assign(this, { texts: names, bodies, lines: hinges, ids, n });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// Mode shapes of the structure as it was built (io/report/report_modes.h), swinging slowly, as large as the control of the motion says.
+// Mode shapes of the structure as it was built (io/output/report/report_modes.h), swinging slowly, as large as the control of the motion says.
 
 const kLargest = 0.02; // of the house's size: how far the part that moves most goes if nobody says
 const kSwing = 1.5; // s, of one swing on the screen

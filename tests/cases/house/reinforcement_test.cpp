@@ -9,8 +9,8 @@
 #include <set>
 
 #include "cases/census.h"
-#include "tests/cases/refused.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;

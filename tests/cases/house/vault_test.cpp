@@ -10,9 +10,9 @@
 
 #include "cases/census.h"
 #include "cases/house/house.h"
-#include "cases/house/house_vault.h"
-#include "tests/cases/refused.h"
+#include "cases/house/roofs/house_vault.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;

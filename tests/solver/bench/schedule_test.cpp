@@ -80,10 +80,10 @@ TEST_CASE("the model of a step: its parts sum, what one thread does alone stays,
   const auto set = [&](solver::Stage s, double one, double two) {
     m.one[static_cast<std::size_t>(s)] = one, m.two[static_cast<std::size_t>(s)] = two;
   };
-  set(solver::Stage::forces, 1.0, 1.0);     // not used: its parts are
-  set(solver::Stage::update, 1e-4, 9e-5);   // shared, whatever it took on two
-  set(solver::Stage::search, 4e-5, 3e-5);   // half of it alone
-  set(solver::Stage::damage, 3e-6, 3e-6);   // alone
+  set(solver::Stage::forces, 1.0, 1.0);    // not used: its parts are
+  set(solver::Stage::update, 1e-4, 9e-5);  // shared, whatever it took on two
+  set(solver::Stage::search, 4e-5, 3e-5);  // half of it alone
+  set(solver::Stage::damage, 3e-6, 3e-6);  // alone
   m.alone = 1e-6;
   const double joints = 1e-5 * static_cast<double>(t.count);
   const solver::PredictedStep one = solver::predict(t.tasks, m, 1);

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "solver/limit/linear_programme.h"
 #include "solver/limit/mechanism.h"
+#include "solver/limit/programme/linear_programme.h"
 #include "solver/run/simulation.h"
 #include "solver/world/errors.h"
 

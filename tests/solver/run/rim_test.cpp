@@ -10,8 +10,8 @@
 #include "solver/run/simulation.h"
 #include "solver/state/field_table.h"
 #include "solver/state/saved_state.h"
-#include "tests/solver/row_hash.h"
 #include "tests/solver/rods.h"
+#include "tests/solver/row_hash.h"
 #include "tests/solver/small_wall.h"
 
 // segments.rule = "rim": what holds by the rule of centres holds with points up to the rim of joints too.

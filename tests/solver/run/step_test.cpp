@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "solver/run/simulation.h"
-#include "solver/setup/decomposition.h"
+#include "solver/schedule/colouring.h"
 #include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 #include "tests/solver/small_wall.h"

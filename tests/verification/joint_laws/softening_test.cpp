@@ -7,8 +7,8 @@
 namespace voussoir::testing {
 namespace {
 
-constexpr double kModeI = 20.0, kModeII = 12.0;  // J/m2
-const double kElasticOpening = kTension / kStiffness, kElasticSlide = kCohesion / kShearStiffness;  // m, at the limits
+constexpr double kModeI = 20.0, kModeII = 12.0;                                                                         // J/m2
+const double kElasticOpening = kTension / kStiffness, kElasticSlide = kCohesion / kShearStiffness;                      // m, at the limits
 const double kOpening = kModeI / kTension - 0.5 * kElasticOpening, kSlide = kModeII / kCohesion - 0.5 * kElasticSlide;  // m, u_c and s_c
 
 std::vector<std::string> softening(const std::string& curve, const std::vector<std::string>& more = {}) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "io/measures/capacity.h"
+#include "io/output/measures/capacity/capacity.h"
 #include "solver/analysis/drive.h"
 #include "solver/run/run.h"
 #include "tests/verification/fixture.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/verification/arch.h"
+#include "tests/verification/structures/arch.h"
 #include "tests/verification/limit_analysis.h"
 
 // V15: quasi-static analyses against closed forms and limit analysis of the same blocks and contact points.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/names.h"
-#include "io/session/prepared_case.h"
+#include "io/app/session/prepared_case.h"
 #include "tests/verification/fixture.h"
 
 // V16: ties against closed forms.

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/roofs/house_pitched.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cases/house/floors/house_decks.h"
+#include "cases/house/house_parts.h"
+#include "cases/names.h"
+#include "geometry/prism.h"
+
+namespace voussoir::cases {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+constexpr double kSteepest = 60.0, kFlattest = 5.0;  // degrees
+constexpr double kSeat = 0.5;                        // of a rafter's depth that its seat takes at most
+
+void check_roof(const Roof& roof, const HousePlan& plan) {
+  if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
+    throw InputError("house.roof.kind", "rafters rest on the front and the rear wall; house.walls leaves one of them out");
+  if (!(roof.pitch >= kFlattest && roof.pitch <= kSteepest))
+    throw InputError("house.roof.pitch",
+                     text(roof.pitch) + " degrees is out of range; allowed: " + text(kFlattest) + " to " + text(kSteepest));
+  const Tick width = positive_length(roof.beam[0], "house.roof.beam"), spacing = positive_length(roof.spacing, "house.roof.spacing");
+  positive_length(roof.beam[1], "house.roof.beam");
+  if (2 * width > plan.outer[0])
+    throw InputError("house.roof.beam",
+                     text(roof.beam[0]) + " m leaves no room for two pairs of rafters; at most " + text(metres(plan.outer[0] / 2)) + " m");
+  if (spacing < width)
+    throw InputError("house.roof.spacing", text(roof.spacing) + " m is less than the width of a rafter, " + text(roof.beam[0]) + " m");
+}
+
+/// Flush with both ends of the house, at most `spacing` apart, unless they would overlap.
+std::vector<std::array<double, 2>> rafters_along(const Roof& roof, const HousePlan& plan) {
+  const double length = metres(plan.outer[0]), width = roof.beam[0];
+  const double wanted = std::ceil((length - width) / roof.spacing - 1e-9), most = std::floor((length - width) / width + 1e-9);
+  const double bays = std::max(1.0, std::min(wanted, most));
+  std::vector<std::array<double, 2>> all;
+  for (int i = 0; i <= static_cast<int>(bays); ++i) {
+    const double low = (length - width) * i / bays;
+    all.push_back({low, low + width});
+  }
+  return all;
+}
+
+/// What of the section lies between two plumb planes.
+Polygon between(const Polygon& section, double low, double high) {
+  Polygon part = section, scratch;
+  geometry::clip(part, {-1.0, 0.0}, -low, scratch);
+  geometry::clip(part, {1.0, 0.0}, high, scratch);
+  for (Point2& p : part) {
+    for (const double at : {low, high})
+      if (std::abs(p.s - at) < 1e-9) p.s = at;
+  }
+  const auto same = [](Point2 a, Point2 b) { return std::hypot(a.s - b.s, a.t - b.t) < 1e-9; };
+  part.erase(std::unique(part.begin(), part.end(), same), part.end());
+  while (part.size() > 1 && same(part.front(), part.back())) part.pop_back();
+  return part;
+}
+
+std::vector<std::array<double, 2>> corners_of(const Polygon& section, double depth_of_house, bool rear) {
+  std::vector<std::array<double, 2>> corners;
+  for (const Point2 p : section) corners.push_back({rear ? depth_of_house - p.s : p.s, p.t});
+  if (rear) std::ranges::reverse(corners);
+  return corners;
+}
+
+/// A point of a pair of rafters, axes of the house.
+Vec3 on_rafter(const HousePlan& plan, double x, double y, double z, bool rear) { return {x, rear ? metres(plan.outer[1]) - y : y, z}; }
+
+}  // namespace
+
+RafterProfile rafter_profile(const House& house, const HousePlan& plan) {
+  const Roof& roof = house.roof;
+  check_roof(roof, plan);
+  const double pitch = roof.pitch * std::numbers::pi / 180.0;
+  const Tick wall = plan.wall(Side::front).thickness;
+  RafterProfile p;
+  p.slope = std::tan(pitch), p.depth = roof.beam[1] / std::cos(pitch);
+  p.inner = metres(wall), p.ridge = 0.5 * metres(plan.outer[1]), p.seat = metres(plan.height);
+  p.foot = p.inner - std::min(metres(std::min(wall, plan.brick_length)), kSeat * p.depth / p.slope);
+  const double low = p.underside(p.foot) + p.depth, ridge = p.underside(p.ridge);
+  p.section = {{p.foot, p.seat}, {p.inner, p.seat}, {p.ridge, ridge}, {p.ridge, ridge + p.depth}, {p.foot, low}};
+  p.upper = (p.ridge - p.foot) / std::cos(pitch);
+  const Tick span = ticks(p.ridge - p.inner), element = element_length(roof.element * std::cos(pitch), span, "house.roof.element");
+  p.cuts = {p.foot};
+  for (const Interval part : cut_member({0, span}, element)) p.cuts.push_back(p.inner + metres(part.high));
+  p.cuts.back() = p.ridge;
+  p.x = rafters_along(roof, plan);
+  return p;
+}
+
+Polygon pitched_gable(const RafterProfile& p, const HousePlan& plan) {
+  return {{p.inner, p.seat}, {p.ridge, p.underside(p.ridge)}, {metres(plan.outer[1]) - p.inner, p.seat}};
+}
+
+double rafter_surcharge(const House& house, const HousePlan& plan) {
+  const RafterProfile p = rafter_profile(house, plan);
+  const double strip = metres(plan.outer[0]) / static_cast<double>(p.x.size());
+  return house.roof.surcharge * strip * p.upper / (house.roof.beam[0] * geometry::region(p.section).area);
+}
+
+void build_pitched_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
+  const RafterProfile p = rafter_profile(house, plan);
+  Block prototype;
+  prototype.kind = PartKind::beam;
+  prototype.material = parts.roof;
+  const Tick element = std::min(ticks(house.roof.element), ticks(p.upper));
+  prototype.segment_size = segment_size_of(ticks(house.roof.beam[0]), ticks(house.roof.beam[1]), element);
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    for (const bool rear : {false, true}) {
+      prototype.tag = "rafter " + std::to_string(2 * i + (rear ? 1 : 0));
+      prototype.member = parts.members++;
+      for (std::size_t k = 0; k + 1 < p.cuts.size(); ++k) {
+        const Polygon part = between(p.section, p.cuts[k], p.cuts[k + 1]);
+        prototype.whole = k > 0 && part.size() == 4;
+        parts.blocks.push_back(prototype);
+        parts.blocks.back().shape = geometry::make_prism(corners_of(part, metres(plan.outer[1]), rear), p.x[i][0], p.x[i][1]);
+      }
+    }
+  }
+}
+
+std::vector<PlannedTie> roof_ties(const House& house, double foot) {
+  std::vector<PlannedTie> all;
+  if (house.roof.kind != RoofKind::pitched || !house.roof.tie) return all;
+  const HousePlan plan = plan_house(house);
+  const RafterProfile p = rafter_profile(house, plan);
+  for (int j = 0; j < house.copies[1]; ++j) {
+    for (int i = 0; i < house.copies[0]; ++i) {
+      for (const auto& [low, high] : p.x) {
+        Tie tie = *house.roof.tie;
+        const double x = 0.5 * (low + high), z = p.seat + 0.25 * p.depth;
+        tie.from = in_case(house, plan, i, j, on_rafter(plan, x, p.inner, z, false)) + Vec3{0, 0, foot};
+        tie.to = in_case(house, plan, i, j, on_rafter(plan, x, p.inner, z, true)) + Vec3{0, 0, foot};
+        tie.name = "roof tie " + std::to_string(all.size() + 1);
+        all.push_back({tie, 0});
+      }
+    }
+  }
+  return all;
+}
+
+PlannedDeck roof_deck(const House& house, double foot) {
+  const HousePlan plan = plan_house(house);
+  const RafterProfile p = rafter_profile(house, plan);
+  PlannedDeck one;
+  for (const bool rear : {false, true}) {
+    std::vector<std::vector<Vec3>> rows;
+    for (const auto& [low, high] : p.x) {
+      std::vector<Vec3>& row = rows.emplace_back();
+      for (std::size_t k = 0; k + 1 < p.cuts.size(); ++k) {
+        const double y = 0.5 * (p.cuts[k] + p.cuts[k + 1]);
+        row.push_back(on_rafter(plan, 0.5 * (low + high), y, p.underside(y) + 0.9 * p.depth, rear));
+      }
+    }
+    add_panels(rows, *house.roof.deck, one);
+  }
+  if (one.bars.empty()) throw InputError("house.roof.deck", "spans nothing: a rafter has less than two elements");
+  return in_all_copies(one, house, plan, foot);
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "cases/case.h"
+#include "io/output/results/results.h"
+#include "solver/bench/step_work.h"
+#include "solver/run/run.h"
+
+/// Where the time of a step goes: a pass of its own, since looking at clocks costs some hundredths of a step.
+namespace voussoir::io {
+
+/// `scatter`: what elements take from the slots of contacts, and by gather from those of sides; by colour also what handing out the forces
+/// of all joints takes alone (solver::assembly_time), which is taken off the joints' parts. `waiting`: what is left of the stage of forces.
+/// `ledger`, `output`: at the intervals of the case, as in a run.
+enum class StepPart : std::size_t { whole_joints, damaged_joints, contacts, assembly, waiting, search, damage, update, ledger, output };
+inline constexpr std::array<const char*, 10> kStepPartNames = {"joints whole", "joints damaged", "contacts", "scatter", "waiting",
+                                                               "search",       "damage",         "update",   "ledger",  "output"};
+using StepParts = std::array<double, kStepPartNames.size()>;
+
+/// Of one number of threads.
+struct StepSplit {
+  int threads = 1;
+  StepParts parts{};      // s a step: medians over batches; of search, ledger and output, which few steps have, means over all of them
+  solver::StepWork work;  // of a step: the mean over batches
+  // Means over all batches, s a step.
+  solver::StageTimes stages{};
+  solver::ForceTimes forces{};
+  std::vector<double> tasks;  // of joints by colour, by task
+  double alone = 0.0;         // of forces, by one thread alone
+  [[nodiscard]] double step() const;
+};
+
+/// From what stages and parts of the forces took [s].
+/// \param scatter  s, of joints, by colour: not more than their parts
+/// \param whole_share  of it, for those in whole blocks
+StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& forces, double scatter, double whole_share);
+
+/// A run to be measured; it goes on meanwhile.
+struct RunInHand {
+  const cases::Case& value;
+  solver::Simulation& sim;
+  solver::RunState& plan;
+  ResultsWriter& results;  // that writes to the disk only when it is told to
+};
+
+/// The numbers of threads take turns, as in time_steps.
+/// \param steps  in a batch, by number of threads; rounded up to what a run's tick allows
+std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> counts, std::span<const int> steps, int batches);
+
+}  // namespace voussoir::io

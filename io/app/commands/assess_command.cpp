@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <system_error>
+
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/common_words.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/session.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
+#include "io/input/files/text_file.h"
+#include "io/output/assess/assess_words.h"
+#include "io/output/assess/crack_map.h"
+#include "io/output/results/case_of_run.h"
+
+namespace voussoir::io {
+namespace {
+
+struct AssessOptions {
+  std::string folder;                 // of the run
+  std::optional<double> time;         // s, of cracks and of what is "now"; none: the last frame
+  std::vector<double> levels;         // m above the base, of storeys; none: foot and top of the walls
+  std::vector<double> damping{0.05};  // of the spectra
+  std::string maps, spectra;          // folder of crack maps; CSV file; empty: none
+  bool json = false, overwrite = false;
+};
+
+/// The name of a wall as that of a file: "front-wall". Letters of any alphabet stay, being bytes beyond ASCII.
+std::string file_stem(std::string wall) {
+  const auto stays = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c > 127; };
+  for (char& c : wall)
+    if (!stays(static_cast<unsigned char>(c))) c = '-';
+  if (wall.starts_with('.')) wall.front() = '_';  // else hidden, or the folder above
+  return wall;
+}
+
+/// "front-wall-2.000s.svg" \param taken  stems of the maps so far
+std::string map_name(const std::string& wall, double time, std::set<std::string>& taken) {
+  std::string stem = file_stem(wall);
+  while (!taken.insert(stem).second) stem += '_';
+  std::array<char, 32> at{};
+  std::snprintf(at.data(), at.size(), "-%.3fs.svg", time);
+  return stem + at.data();
+}
+
+void write_maps(const Hdf5File& run, const cases::Case& c, const Building& building, const Assessment& a, const AssessOptions& o) {
+  std::error_code error;
+  std::filesystem::create_directories(o.maps, error);
+  if (error) throw FileError(o.maps, "cannot make the folder: " + error.message());
+  std::set<std::string> taken;
+  for (std::size_t w = 0; w < building.walls.size(); ++w) {
+    const std::string file = o.maps + "/" + map_name(building.walls[w].name, a.time, taken);
+    write_text_file(file, crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen), o.overwrite);
+    std::fprintf(stderr, "voussoir: %s\n", file.c_str());
+  }
+}
+
+/// What engineers read off a run (io/MEASURES.md), crack maps of its walls, floor response spectra. \throw cases::InputError, FileError
+int assess(const AssessOptions& o) {
+  const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
+  const cases::Case c = case_of_run(run);
+  const Building building = building_of(run);
+  if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
+  check_output(o.spectra, o.overwrite);
+  const Assessment a = assess(run, c, building, o.time, o.levels);
+  const cases::GroundMotion base = base_of_run(run, c);
+  const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
+  std::fputs((o.json ? assessment_json(a, points, base) : assessment_text(a, points, base)).c_str(), stdout);
+  if (!o.maps.empty()) write_maps(run, c, building, a, o);
+  if (!o.spectra.empty()) write_text_file(o.spectra, spectra_csv(points, base, o.damping), o.overwrite);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_assess(CLI::App& program) {
+  CLI::App* words =
+      program.add_subcommand("assess", "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run");
+  auto o = std::make_shared<AssessOptions>();
+  words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
+  words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)");
+  words->add_option("--levels", o->levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
+      ->delimiter(',');
+  words->add_option("--maps", o->maps, "write a crack map of every wall into this folder, as SVG");
+  words->add_option("--spectra", o->spectra, "write response spectra of the followed points and of the base to this CSV file");
+  words->add_option("--damping", o->damping, "damping ratios of the spectra (default 0.05)")->delimiter(',')->check(CLI::Range(0.0, 0.99));
+  add_format(*words, o->json);
+  words->add_flag("--overwrite", o->overwrite, "replace existing files");
+  words->footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");
+  return {.words = words, .work = [o] { return assess(*o); }};
+}
+
+}  // namespace voussoir::io

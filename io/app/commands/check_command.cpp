@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/census.h"
+#include "cases/levers.h"
+#include "cases/names.h"
+#include "cases/rules/contact_rules.h"
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/case_words.h"
+#include "io/app/commands/words/common_words.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/likely_slips.h"
+#include "io/app/session/prepared_case.h"
+#include "io/app/session/progress.h"
+#include "io/app/session/tie_lines.h"
+#include "io/input/case_file/catalogue.h"
+#include "io/input/files/output_path.h"
+#include "io/input/files/text_file.h"
+#include "io/input/motion/motion_files.h"
+#include "io/output/drawing/drawing.h"
+#include "io/output/measures/capacity/capacity_file.h"
+#include "solver/run/simulation.h"
+#include "solver/world/errors.h"
+
+namespace voussoir::io {
+
+namespace {
+
+struct CheckOptions {
+  std::string draw;  // SVG file of a drawing; empty: none
+  bool overwrite = false;
+  bool json = false;
+};
+
+struct CheckWords {
+  CaseWords c;
+  CheckOptions o;
+};
+
+// For the estimate: steps of the intact model are timed here and now; a house that collapses took ten times as long (perf/README.md).
+constexpr double kTrialTime = 0.3;  // s of wall-clock
+constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
+constexpr double kCollapse = 10.0;
+constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s simulated: the default ramp, a typical wait
+constexpr double kMegabyte = 1e6;
+
+double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
+
+/// What the rule of centres does to levers: a share of 1/n of each, THEORY.md (2).
+void print_levers(const cases::Case& c, const cases::Model& m) {
+  const std::vector<cases::Lever> levers = cases::levers(c, m);
+  for (const cases::Lever& l : levers) {
+    std::printf("levers                   %s of %.3g m: %.3g segments across, short by %.3g %%", l.joint < 0 ? "walls" : "coarsest joint",
+                l.width, l.segments, 100.0 * l.short_by());
+    if (l.joint < 0) {
+      const double slope = l.width / l.height;
+      std::printf(" (%.3g m high and free, such a wall overturns at %.2f instead of %.2f degrees)", l.height,
+                  degrees(slope * (1.0 - l.short_by())), degrees(slope));
+    }
+    std::printf("\n");
+  }
+  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("levers                   exact\n");
+  if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
+}
+
+void print_parts(const cases::Census& n) {
+  std::printf("\n%-24s %10s %8s %12s\n", "part", "whole", "cut", "mass [kg]");
+  for (const cases::CensusGroup& g : n.groups) {
+    std::printf("%-24s %10s %8s %12.1f\n", g.name.c_str(), format_count(g.whole).c_str(), format_count(g.cut).c_str(), g.mass);
+  }
+}
+
+std::string dimensions(const cases::BillLine& line) {
+  if (line.faces > 0) return "polyhedron of " + std::to_string(line.faces) + " faces";
+  if (line.edges[0] == 0.0) return line.corners == 4 ? "hexahedron" : "prism of " + std::to_string(line.corners) + " corners";
+  std::string text;
+  for (const double edge : line.edges) text += (text.empty() ? "" : " x ") + cases::text(edge);
+  return text + " m";
+}
+
+void print_bill(const cases::Census& n, const cases::Model& m) {
+  std::printf("\n%-52s %10s %12s\n", "bill of blocks", "count", "volume [m3]");
+  for (const cases::BillLine& line : n.bill) {
+    const std::string what = m.materials[static_cast<std::size_t>(line.material)].name + " " + cases::name(line.kind) +
+                             (line.whole ? ", " : ", cut, ") + dimensions(line);
+    std::printf("%-52s %10s %12.4f\n", what.c_str(), format_count(line.count).c_str(), line.volume);
+  }
+}
+
+/// The laws that joints have, as runs see them: strength of the bond, and the friction that is left without it.
+void print_joint_laws(const cases::Model& m) {
+  struct Row {
+    std::int64_t joints = 0;
+    double least = 90.0, most = 0.0;  // degrees, friction without the bond
+  };
+  std::vector<Row> rows(m.laws.size());
+  for (std::size_t j = 0; j < m.joint_law.size(); ++j) {
+    const double after = cases::friction_without_bond(m, j);
+    Row& row = rows[static_cast<std::size_t>(m.joint_law[j])];
+    ++row.joints, row.least = std::min(row.least, after), row.most = std::max(row.most, after);
+  }
+  std::printf("\n%-24s %10s %13s %13s %16s %13s %15s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",
+              "friction [°]", "when open [°]");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].joints == 0) continue;
+    const cases::JointLaw& l = m.laws[i].value;
+    const bool bond = i != 0 && !l.stiffens();
+    const auto figure = [&](double v) { return bond ? cases::text(v) : std::string("none"); };
+    std::string after = cases::text(rows[i].least);
+    if (rows[i].most > rows[i].least) after += " to " + cases::text(rows[i].most);
+    std::printf("%-24s %10s %13s %13s %16s %12s %14s\n", m.laws[i].name.c_str(), format_count(rows[i].joints).c_str(),
+                figure(l.tension).c_str(), figure(l.cohesion).c_str(), figure(l.compression).c_str(), figure(l.friction).c_str(),
+                after.c_str());
+  }
+}
+
+/// One friction for all pairs of materials, and those that have their own.
+void print_friction(const cases::Contact& c) {
+  std::printf("\nfriction of contacts     %s degrees", cases::text(c.friction).c_str());
+  for (const cases::ContactRule& r : c.between) {
+    std::printf("; %s on %s %s", r.materials[0].c_str(), r.materials[1].c_str(), cases::text(r.friction).c_str());
+  }
+  std::printf("\n");
+}
+
+void print_step(const cases::Census& n, const cases::Model& m, const solver::World& w) {
+  if (n.step_element < 0) return;
+  const double dt = w.dt;
+  const auto e = static_cast<std::size_t>(n.step_element);
+  std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
+              cases::describe(m.blocks[e], e).c_str());
+  std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
+  const solver::Multirate& rates = w.multirate;
+  if (rates.wanted == 1) return;
+  const auto elements = std::span(rates.of_joints).first(static_cast<std::size_t>(n.elements));
+  for (std::size_t level = 0; level < rates.every.size(); ++level) {
+    const std::string steps = level == 0 ? "every step" : "one step of " + std::to_string(rates.every[level]);
+    std::printf("%-25s%s of %s elements in %s\n", level == 0 ? "rates" : "",
+                format_count(std::ranges::count(elements, static_cast<std::uint8_t>(level))).c_str(), format_count(n.elements).c_str(),
+                steps.c_str());
+  }
+}
+
+/// s of wall-clock that a step of the intact model takes. Takes a few.
+double time_a_step(solver::Simulation& sim) {
+  using Clock = std::chrono::steady_clock;
+  for (int i = 0; i < kWarmUp; ++i) sim.step({});
+  const auto start = Clock::now();
+  int steps = 0;
+  double taken = 0.0;
+  while (steps < kMostTrialSteps && taken < kTrialTime) {
+    sim.step({});
+    ++steps;
+    taken = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return taken / steps;
+}
+
+/// s simulated before the shaking begins.
+double settling_time(const cases::Case& c) {
+  if (!c.gravity.settle) return 0.0;
+  const double ramp = c.gravity.ramp.value_or(c.damping.frequency ? 5.0 / *c.damping.frequency : kRamp);
+  return ramp + std::min(c.gravity.settle_limit, kWaitForRest);
+}
+
+/// \return whether the first steps can be made
+bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
+  const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
+  const double sides = static_cast<double>(n.joint_sides);
+  const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
+  const double interval = cases::frame_interval(c, static_cast<std::size_t>(n.elements));
+  const double frames = std::floor(c.end() / interval) + 1.0;
+  const double rows = c.end() / c.output.history_interval;
+  const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
+  bool sound = true;
+  try {
+    const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
+    std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
+                sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
+    if (is_assessment(c.analysis))
+      std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
+                  cases::text(c.end()).c_str());
+  } catch (const solver::NumericalError& e) {
+    std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
+    sound = false;
+  }
+  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", memory / kMegabyte, disk / kMegabyte,
+              cases::text(interval).c_str());
+  return sound;
+}
+
+/// What the files of stones gave, and what was done to them.
+void print_stones(const cases::Case& c) {
+  for (const cases::StonesSpec& spec : c.stones) {
+    const auto fixed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return s.fixed; });
+    const auto changed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return !s.change.empty(); });
+    std::printf("\nstones of %s: %s, %s of them fixed, %s changed (in %s)\n", spec.file.c_str(),
+                format_count(static_cast<std::int64_t>(spec.stones.size())).c_str(), format_count(fixed).c_str(),
+                format_count(changed).c_str(), spec.unit.c_str());
+    for (const std::string& note : spec.notes) std::printf("  %s\n", note.c_str());
+    for (const cases::Stone& s : spec.stones) {
+      if (!s.change.empty()) std::printf("  %-22s %s\n", s.name.c_str(), s.change.c_str());
+    }
+  }
+}
+
+/// The motion, or the analysis that leaves it out.
+void print_loading(const cases::Case& c, const cases::GroundMotion& motion) {
+  if (is_assessment(c.analysis))
+    std::printf("\nanalysis                 %s%s\n", name_of(c.analysis.kind), c.motion ? "; [motion] is left out" : "");
+  else
+    std::printf("\n%s", c.motion ? motion_lines(c, motion).c_str() : "motion                   none\n");
+}
+
+/// All that is likely a slip: of values, and of the model and the motion.
+std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
+  const std::vector<std::string> slips = likely_slips(c, model, motion);
+  warn_of(slips);  // those of values have been told as the case was read
+  std::vector<std::string> all = c.findings;
+  all.insert(all.end(), slips.begin(), slips.end());
+  return all;
+}
+
+int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
+  const cases::Census n = cases::census(model);
+  const double step = sim.dt();
+  std::string fault;
+  try {
+    time_a_step(sim);
+  } catch (const solver::NumericalError& e) {
+    fault = std::string("the first steps go wrong: ") + e.what();
+  }
+  nlohmann::ordered_json out{
+      {"title", c.value.title}, {"elements", n.elements}, {"joints", n.joints},         {"base_joints", n.base_joints},
+      {"volume", n.volume},     {"mass", n.mass},         {"step_bound", n.step_bound}, {"step", step}};
+  out["faults"] = fault.empty() ? std::vector<std::string>{} : std::vector{fault};
+  out["findings"] = findings_of(c, model, motion);
+  std::printf("%s\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  return fault.empty() ? kDone : kInputFault;
+}
+
+/// Reads, builds and reports; runs nothing. \throw cases::InputError, FileError
+int check(const LoadedCase& c, const CheckOptions& o) {
+  check_output(o.draw, o.overwrite);
+  const cases::Model model = prepared_model(c.value);
+  const cases::GroundMotion motion = ground_motion(c.value);
+  solver::Options options;
+  solver::Simulation sim(c.value, model, motion, options);
+  if (o.json) {
+    if (!o.draw.empty()) write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    return check_as_json(c, model, motion, sim);
+  }
+  const cases::Census n = cases::census(model);
+  std::printf("%s\n\n", c.value.title.c_str());
+  std::printf("elements                 %s\n", format_count(n.elements).c_str());
+  std::printf("joints                   %s, and %s with the base; %s of them merged\n", format_count(n.joints).c_str(),
+              format_count(n.base_joints).c_str(), format_count(n.merged_joints).c_str());
+  std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(),
+              format_count(n.free_segments).c_str());
+  std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
+  print_stones(c.value);
+  print_levers(c.value, model);
+  print_ties(model);
+  print_bounded_ties(sim.world().ties, model);
+  print_step(n, model, sim.world());
+  print_joint_laws(model);
+  print_friction(c.value.contact);
+  print_loading(c.value, motion);
+  print_parts(n);
+  print_bill(n, model);
+  print_tie_bill(model);
+  const bool sound = print_estimate(c.value, n, sim);
+  if (!o.draw.empty()) {
+    write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    std::printf("\ndrawing                  %s\n", o.draw.c_str());
+  }
+  const std::size_t findings = findings_of(c, model, motion).size();
+  if (!sound) std::printf("\na fault: the first steps go wrong, see estimate\n");
+  if (findings > 0)
+    std::printf("\nwarnings: %zu (on standard error)%s\n", findings,
+                sound ? "; nothing else found, but each of them is likely a slip" : "");
+  else if (sound)
+    std::printf("\nno faults found\n");
+  return sound ? kDone : kInputFault;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  CLI::App* words =
+      program.add_subcommand("check", "read, build, report: counts, mass, step and what limits it, how long a run takes, faults");
+  auto w = std::make_shared<CheckWords>();
+  add_case(*words, w->c);
+  add_short_keys(*words, w->c);
+  words->add_option("--draw", w->o.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
+  words->add_flag("--overwrite", w->o.overwrite, "replace an existing drawing");
+  add_format(*words, w->o.json);
+  words->footer("example: voussoir check my-house.toml --draw my-house.svg");
+  return {.words = words, .work = [w] { return with_case(w->c, [w](const auto& c) { return check(c, w->o); }); }, .threads = &w->c.threads};
+}
+
+}  // namespace voussoir::io

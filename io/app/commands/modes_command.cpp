@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/case_words.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/prepared_case.h"
+#include "io/app/session/progress.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
+#include "io/input/files/text_file.h"
+#include "io/output/report/vtu_file.h"
+#include "solver/analysis/impulse.h"
+#include "solver/analysis/modes.h"
+#include "solver/setup/setup.h"
+
+namespace voussoir::io {
+
+namespace {
+
+struct ModesOptions {
+  int count = 6;
+  std::string shapes;       // file for ParaView; empty: none
+  bool no_impulse = false;  // eigenvalues only: seconds instead of minutes
+  bool closed = false;      // joints without a bond count as if bonded, in the eigenvalues
+  bool overwrite = false, quiet = false;
+};
+
+struct ModesWords {
+  CaseWords c;
+  ModesOptions o;
+};
+
+constexpr std::array<const char*, 2> kAxes{"x", "y"};
+
+double share(const solver::Mode& m, int axis) { return axis == 0 ? m.mass_share.x : m.mass_share.y; }
+
+const solver::Mode& dominant(const std::vector<solver::Mode>& modes, int axis) {
+  return *std::max_element(modes.begin(), modes.end(), [&](const auto& a, const auto& b) { return share(a, axis) < share(b, axis); });
+}
+
+void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
+  std::printf("eigenvalues of the assembled stiffness%s\n%6s %16s %31s\n%6s %16s %10s %9s %9s\n",
+              closed ? ", joints without a bond held as if bonded" : "", "", "", "effective mass [%]", "mode", "frequency [Hz]", "x", "y",
+              "z");
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const Vec3 s = modes[i].mass_share;
+    std::printf("%6zu %16.3f %10.1f %9.1f %9.1f\n", i + 1, modes[i].frequency, 100.0 * s.x, 100.0 * s.y, 100.0 * s.z);
+  }
+}
+
+/// Points to listen at where the case names none.
+std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes) {
+  std::vector<cases::HistoryPoint> points;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::vector<Vec3>& u = dominant(modes, axis).displacement;
+    const auto most = std::max_element(u.begin(), u.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); }) - u.begin();
+    const auto element = static_cast<std::size_t>(most);
+    points.push_back({"element " + std::to_string(element), model.assembly.elements[element].mass.centroid});
+  }
+  return points;
+}
+
+void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o) {
+  solver::Options options;
+  std::array<solver::ImpulseResponse, 2> response;
+  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto tick = [&](double done) {
+      if (on_terminal) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", kAxes[static_cast<std::size_t>(axis)], 100.0 * done);
+    };
+    response[static_cast<std::size_t>(axis)] = solver::impulse_response(c, model, options, axis, tick);
+    if (on_terminal) std::fputc('\n', stderr);
+  }
+  std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,
+              solver::kImpulseInterval * solver::kImpulseSamples, 1.0 / (solver::kImpulseInterval * solver::kImpulseSamples), "point",
+              "x by x [Hz]", "y by y [Hz]");
+  for (std::size_t k = 0; k < c.output.history.size(); ++k) {
+    std::printf("%-16s", c.output.history[k].name.c_str());
+    for (const solver::ImpulseResponse& r : response)
+      std::printf(" %14.3f", solver::dominant_frequency(r.displacement[k], solver::kImpulseInterval));
+    std::printf("\n");
+  }
+  std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", dominant(modes, 0).frequency, dominant(modes, 1).frequency);
+  const std::int64_t broken = response[0].broken + response[1].broken;
+  if (broken > 0)
+    std::printf("warning: %lld segment sides broke or slipped under the impulse: its frequencies are not the sound house's\n",
+                static_cast<long long>(broken));
+}
+
+/// First natural frequencies from the eigenvalues of the assembled stiffness, and from the impulse and Fourier transform of the paper's
+/// section 3.5 at the points that the case follows (without any: the element that the mode with the largest share of mass moves most).
+/// \throw cases::InputError, FileError, solver::NumericalError
+int modes(const LoadedCase& loaded, const ModesOptions& o) {
+  check_output(o.shapes, o.overwrite);
+  cases::Case c = loaded.value;
+  const cases::Model model = prepared_model(c);
+  const std::vector<solver::Mode> modes =
+      solver::natural_modes(*solver::build_world(c, model, {}), o.count, o.closed ? solver::DryJoints::closed : solver::DryJoints::open);
+  if (modes.empty()) throw cases::InputError("", "has nothing that moves");
+  std::printf("%s\n\n", c.title.c_str());
+  print_modes(modes, o.closed);
+  if (!o.shapes.empty()) write_text_file(o.shapes, mode_shapes_vtu(model, modes), o.overwrite);
+  std::fflush(stdout);
+  if (o.no_impulse) return kDone;
+  if (c.output.history.empty()) c.output.history = most_moved(model, modes);
+  print_impulse(c, model, modes, o);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_modes(CLI::App& program) {
+  CLI::App* words = program.add_subcommand("modes", "first natural frequencies: eigenvalues, and an impulse with a Fourier transform");
+  auto w = std::make_shared<ModesWords>();
+  add_case(*words, w->c);
+  words->add_option("--count", w->o.count, "how many modes (default 6)")->check(CLI::Range(1, 200));
+  words->add_option("--shapes", w->o.shapes, "write the mode shapes to this .vtu file for ParaView");
+  words->add_flag("--no-impulse", w->o.no_impulse, "eigenvalues only: seconds instead of minutes");
+  words->add_flag(
+      "--closed", w->o.closed,
+      "eigenvalues with joints without a bond held as if bonded, as weight holds them while the motion is small: for beams that "
+      "lie loose on walls");
+  words->add_flag("--overwrite", w->o.overwrite, "replace an existing file of shapes");
+  words->add_flag("--quiet", w->o.quiet, "no progress");
+  words->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
+  return {.words = words,
+          .work = [w] { return with_case(w->c, [w](const auto& c) { return modes(c, w->o); }); },
+          .threads = &w->c.threads,
+          .takes_long = true};
+}
+
+}  // namespace voussoir::io

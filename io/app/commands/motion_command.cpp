@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/commands/motion_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <system_error>
+
+#include "cases/names.h"
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/number_range.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
+#include "io/input/files/text_file.h"
+#include "io/input/motion/formats/motion_text.h"
+#include "io/input/motion/motion_files.h"
+#include "io/input/motion/spectra/figures.h"
+#include "io/input/motion/spectra/intensity.h"
+#include "io/input/motion/spectra/motion_spectra.h"
+#include "io/input/motion/spectra/target_file.h"
+#include "io/input/motion/treatment.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// One argument: a record of three components, or the components of a file.
+struct MotionSource {
+  Record record;
+  std::vector<Component> of_file;
+};
+
+MotionSource read_source(const std::string& argument, const Unstated& unstated) {
+  std::error_code error;
+  if (is_built_in_record(argument) && !fs::exists(argument, error)) return {built_in_record(argument, ""), {}};
+  if (fs::is_directory(argument, error)) return {read_record_folder(argument, unstated), {}};
+  const bool exists = fs::exists(argument, error);
+  if (!exists && argument.find('#') == std::string::npos) {
+    throw FileError(argument, "no such file; allowed: a file, FILE#COMPONENT, a folder that holds record.toml, bam-like, or bam-like#N");
+  }
+  MotionSource source;
+  std::vector<Channel> channels = exists ? read_motion_file(argument, unstated) : std::vector<Channel>{read_channel(argument, unstated)};
+  for (Channel& c : channels) {
+    const std::string name = c.component.empty() ? "-" : c.component;
+    source.of_file.push_back({fs::path(argument).filename().string(), name, std::move(c.motion), c.stated_peak, c.axis, 0});
+  }
+  return source;
+}
+
+void cut(cases::Accelerogram& a, double until) {
+  if (a.acceleration.empty()) return;
+  const double samples = std::floor(until / a.dt * (1.0 + 1e-12)) + 1.0;
+  if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
+}
+
+/// Cut, corrected, tapered.
+void prepare(MotionSource& s, const MotionOptions& o) {
+  if (o.until) {
+    for (auto& a : s.record.ltv) cut(a, *o.until);
+    for (Component& c : s.of_file) cut(c.motion, *o.until);
+  }
+  treat(s.record.ltv, o.treatment, "--");
+  for (Component& c : s.of_file) {
+    std::array<cases::Accelerogram, 3> one{std::move(c.motion)};
+    treat(one, o.treatment, "--");
+    c.motion = std::move(one[0]);
+  }
+}
+
+void check_spectra(const MotionOptions& o) {
+  if (o.combine && !o.spectra && !o.target)
+    throw cases::InputError("--combine", "is of spectra; allowed: with --spectra FILE.csv, or with --target");
+  if (!(o.fit[0] > 0.0 && o.fit[1] > o.fit[0]) || !std::isfinite(o.fit[1])) {
+    throw cases::InputError("--fit",
+                            "from " + cases::text(o.fit[0]) + " to " + cases::text(o.fit[1]) + " s; allowed: two rising periods above 0");
+  }
+}
+
+void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
+  if (arguments.empty())
+    throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like, bam-like#N");
+  if (o.unit && !acceleration_unit(*o.unit)) throw cases::InputError("--unit", shown(*o.unit) + "; allowed: " + kUnitNames);
+  if (o.until && !(*o.until > 0.0)) throw cases::InputError("--until", cases::text(*o.until) + " s; allowed: above 0");
+  for (const double z : o.damping) {
+    if (!(z >= 0.0 && z < 1.0)) throw cases::InputError("--damping", cases::text(z) + "; allowed: from 0 to below 1 (of critical)");
+  }
+  if (o.until && o.treatment.to) throw cases::InputError("--until", "does not go with --to; give one of them");
+  if (o.dt && !(*o.dt >= kShortestStep && *o.dt <= kLongestStep))
+    throw cases::InputError("--dt", cases::text(*o.dt) + " s; allowed: from 1e-6 to 10");
+  check_spectra(o);
+  if ((o.spectra || o.target) && o.damping.empty())
+    throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
+  std::error_code error;
+  if (o.spectra) check_output(*o.spectra, o.overwrite);
+  for (const std::string& argument : arguments) {
+    if (o.spectra && fs::equivalent(argument, *o.spectra, error)) throw FileError(*o.spectra, "is the record itself; name another file");
+  }
+  if (o.write && arguments.size() != 1) {
+    throw cases::InputError("--write", std::to_string(arguments.size()) + " records named; allowed: one");
+  }
+}
+
+std::vector<Component> components_of(std::vector<MotionSource>& sources) {
+  std::vector<Component> all;
+  for (std::size_t n = 0; n < sources.size(); ++n) {
+    MotionSource& s = sources[n];
+    for (Component& c : s.of_file) {
+      c.source = n;
+      all.push_back(c);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (s.record.ltv[i].acceleration.empty()) continue;
+      all.push_back({s.record.name, std::string(1, "LTV"[i]), s.record.ltv[i], std::nullopt, "LTV"[i], n});
+    }
+  }
+  return all;
+}
+
+/// A name that several arguments share says nothing: these are called by what the user called them.
+void tell_apart(std::vector<MotionSource>& sources, const std::vector<std::string>& arguments) {
+  const auto name_of = [](MotionSource& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
+  std::map<std::string, int> uses;
+  for (MotionSource& s : sources) ++uses[name_of(s)];
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (uses[name_of(sources[i])] == 1) continue;
+    sources[i].record.name = arguments[i];
+    for (Component& c : sources[i].of_file) c.record = arguments[i];
+  }
+}
+
+void write_record(const MotionSource& source, const std::string& argument, const MotionOptions& o) {
+  if (!source.of_file.empty())
+    throw cases::InputError("--write", shown(argument) + " is a single file; allowed: bam-like, bam-like#N, or a folder");
+  for (const cases::Accelerogram& a : source.record.ltv) {
+    if (a.acceleration.size() == 1)
+      throw cases::InputError("--until", cases::text(*o.until) + " s leaves one sample; allowed: " + cases::text(a.dt) + " s or more");
+  }
+  write_record_folder(source.record, *o.write, o.overwrite);
+}
+
+void print_table(const std::vector<Component>& components, std::ostream& out) {
+  std::size_t width = 6;
+  for (const Component& c : components) width = std::max(width, c.record.size());
+  const auto name_column = [width](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+  char line[320];
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "component", "dt", "samples", "duration",
+                "PGA", "PGA", "at", "PGV", "PGD", "Arias", "D5-75", "D5-95", "stated");
+  out << name_column("record") << line;
+  std::snprintf(line, sizeof line, "  %-9s %8s %8s %8s %9s %8s %8s %8s %8s %8s %7s %7s %8s\n", "", "s", "", "s", "m/s2", "g", "s", "m/s",
+                "m", "m/s", "s", "s", "m/s2");
+  out << name_column("") << line;
+  for (const Component& c : components) {
+    const MotionFigures f = figures(c.motion);
+    char stated[32] = "-";
+    if (c.stated_peak) std::snprintf(stated, sizeof stated, "%.4f", *c.stated_peak);
+    std::snprintf(line, sizeof line, "  %-9s %8.6g %8zu %8.3f %9.4f %8.5f %8.3f %8.4f %8.4f %8.4f %7.3f %7.3f %8s\n", c.name.c_str(),
+                  c.motion.dt, c.motion.acceleration.size(), f.duration, f.peak_acceleration, f.peak_acceleration / cases::kStandardGravity,
+                  f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95, stated);
+    out << name_column(c.record) << line;
+  }
+}
+
+/// What motion.intensity may ask for, of each pair of horizontal components as they are.
+void print_intensities(const std::vector<Component>& components, const std::vector<double>& periods, std::ostream& out) {
+  using cases::IntensityMeasure;
+  std::vector<cases::MotionIntensity> measures{{IntensityMeasure::pga, 1.0, {}}, {IntensityMeasure::pgv, 1.0, {}}};
+  for (const double period : periods) measures.push_back({IntensityMeasure::sa, 1.0, period});
+  out << "\nintensity (motion.intensity: geometric mean of both horizontal components; Sa with 5 % of damping)\n";
+  for (const HorizontalPair& pair : horizontal_pairs(components, "--intensity")) {
+    out << pair.record << ":";
+    const char* between = " ";
+    for (cases::MotionIntensity& m : measures) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.4g", intensity(m, components[pair.first].motion, components[pair.second].motion));
+      m.level = std::strtod(digits, nullptr);
+      out << between << described(m);
+      between = ", ";
+    }
+    out << "\n";
+  }
+}
+
+/// The keys of [motion] of the same names.
+void add_treatment(CLI::App& command, cases::MotionTreatment& t) {
+  command.add_option("--from", t.from, "s: begin there, and call it time zero")->check(number_range(0.0, 1e9));
+  command.add_option("--to", t.to, "s, of the record: end there")->check(number_range(1e-9, 1e9));
+  const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
+                                                         {"mean", cases::Baseline::mean},
+                                                         {"linear", cases::Baseline::linear},
+                                                         {"parabolic", cases::Baseline::parabolic}};
+  command.add_option("--baseline", t.baseline, "take off what is left of the baseline: none, mean, linear or parabolic")
+      ->transform(CLI::CheckedTransformer(baselines));
+  command
+      .add_option_function<double>(
+          "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
+      ->check(number_range(0.0, 1e9));
+}
+
+struct MotionWords {
+  std::vector<std::string> files;
+  MotionOptions o;
+};
+
+}  // namespace
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
+  check(arguments, o);
+  std::vector<MotionSource> sources;
+  for (const std::string& argument : arguments) {
+    MotionSource s = read_source(argument, {o.unit, o.dt});
+    prepare(s, o);
+    sources.push_back(std::move(s));
+  }
+  tell_apart(sources, arguments);
+  const std::vector<Component> components = components_of(sources);
+  Spectra spectra{components, {}, o.damping, {}, o.fit};
+  if (o.combine) spectra.pairs = horizontal_pairs(components, "--combine");
+  if (o.target) spectra.target = read_target(*o.target, o.unit);
+  std::ostringstream fits;  // whatever is wrong with them is found before anything is written
+  if (!o.periods.empty()) print_intensities(components, o.periods, fits);
+  if (o.target) print_fits(spectra, fits);
+  if (o.write) write_record(sources[0], arguments[0], o);
+  if (o.spectra) write_spectra(spectra, *o.spectra);
+  print_table(components, out);
+  if (const std::string done = described(o.treatment); !done.empty()) out << "\n" << done << "\n";
+  out << fits.str();
+  return 0;
+}
+
+int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o) { return motion_command(arguments, o, std::cout); }
+
+Command add_motion(CLI::App& program) {
+  CLI::App* words = program.add_subcommand("motion", "peaks, durations, Arias intensity and response spectra of records");
+  auto w = std::make_shared<MotionWords>();
+  words
+      ->add_option("FILE", w->files,
+                   "files of any format that is read (FILE#COMPONENT: one of several), folders with a record.toml, bam-like, or "
+                   "bam-like#N: realisation N of its family")
+      ->required();
+  words->add_option("--spectra", w->o.spectra, "write response spectra to this CSV file");
+  words->add_option("--damping", w->o.damping, "damping ratios of the spectra (default 0.02)");
+  words->add_option("--until", w->o.until, "use the first seconds only");
+  words->add_option("--unit", w->o.unit, "g, m/s2 or cm/s2, where a format does not say");
+  words->add_option("--dt", w->o.dt, "s between samples, where a format does not say (one column)");
+  add_treatment(*words, w->o.treatment);
+  words->add_flag("--combine", w->o.combine, "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
+  words
+      ->add_option(
+          "--intensity", w->o.periods,
+          "print the measures of motion.intensity, too, of both horizontal components together: PGA, PGV, and Sa at these periods, s")
+      ->check(number_range(0.01, 20.0))
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  words->add_option("--target", w->o.target,
+                    "compare with a spectrum, and print the factor that fits: a file of period [s] and acceleration, or Eurocode 8 as "
+                    "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");
+  words->add_option("--fit", w->o.fit, "two periods between which it is compared, s (default 0.05 1)")->allow_extra_args(false);
+  words->add_option("--write", w->o.write, "write the record as CSV files into this folder");
+  words->add_flag("--overwrite", w->o.overwrite, "replace existing files");
+  words->footer("example: voussoir motion bam-like --spectra spectra.csv");
+  return {.words = words, .work = [w] { return motion_command(w->files, w->o); }};
+}
+
+}  // namespace voussoir::io

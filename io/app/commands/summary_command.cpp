@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/commands/summary_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "geometry/message.h"
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/common_words.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/stop_words.h"
+#include "io/input/files/hdf5_file.h"
+#include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/measures_file.h"
+#include "io/output/results/case_of_run.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the run itself has said in /summary; nothing of a run that has not come so far.
+Json told(const Hdf5File& run) {
+  Json out = Json::object();
+  const auto has = [&](const char* name) { return run.has_attribute("/summary", name); };
+  for (const char* name : {"finished", "collapsed", "settled", "tension", "shear", "compression", "slipped", "first_tension", "first_shear",
+                           "first_compression", "settling_tension", "settling_shear", "settling_compression", "settling_slipped"})
+    if (has(name)) out[name] = run.attribute_int("/summary", name);
+  for (const char* name : {"fallen_mass_fraction", "first_crack_time", "peak_base_shear", "peak_speed", "worst_residual", "end_time"})
+    if (has(name)) out[name] = run.attribute_double("/summary", name);
+  for (const char* name : {"state_hash", "failure"})
+    if (has(name)) out[name] = run.attribute_text("/summary", name);
+  return out;
+}
+
+Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capacity>& capacity) {
+  Json out = told(run);
+  if (!out.contains("collapsed")) {
+    out["collapsed"] = std::int64_t{m.collapsed};
+    out["fallen_mass_fraction"] = m.fallen_mass_fraction;
+    out["first_crack_time"] = m.first_crack_time;
+    if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
+  }
+  if (out.value("finished", 0) == 0 && out.contains("end_time")) {
+    const cases::Case c = case_of_run(run);
+    const double end = out["end_time"];
+    out["stage"] = stage_at(c, end), out["place"] = place_in_run(c, end), out["planned_end"] = c.end();
+  }
+  out.update(Json::parse(measures_json(m)));
+  if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
+  return out;
+}
+
+/// A figure with its unit, or a word for "there is none".
+std::string text(const char* format, double value, const char* none = "-") {
+  if (std::isnan(value)) return none;
+  return geometry::printed(format, value);
+}
+std::string percent(double value) { return text("%.1f %%", 100 * value); }
+std::string seconds(double time) { return time < 0 ? "never" : text("%.3f s", time); }
+
+void line(const char* name, const std::string& value) { std::printf("%-21s%s\n", name, value.c_str()); }
+
+void print_grade(const Measures& m) {
+  if (m.damage_grade < 0) return line("damage grade", "-");
+  std::string value = "G" + std::to_string(m.damage_grade);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(m.damage_grade); ++g) {
+    const bool settled = static_cast<std::int64_t>(g) < m.settling_damage_grade;
+    value += (g == 0 ? "  (G" : ", G") + std::to_string(g + 1) + " from " + (settled ? "settling" : seconds(m.grade_time[g]));
+  }
+  line("damage grade", value + (m.damage_grade > 0 ? ")" : ""));
+}
+
+std::string millimetres(double x) { return text("%.3f mm", 1e3 * x); }
+
+/// Segment sides by mode: "3 in tension, ...". \param prefix  of the names
+std::string counts(const Json& s, const std::string& prefix) {
+  std::string value;
+  for (const char* mode : {"tension", "shear", "compression"})
+    value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
+  return value;
+}
+
+/// How deep bodies are in each other, where the contact of the solver should stop them.
+void print_penetration(const Measures& m) {
+  line("deepest in another", millimetres(m.penetration) + " at the end, at most " + millimetres(m.peak_penetration) +
+                                 (m.peak_penetration_time < 0 ? "" : " at " + seconds(m.peak_penetration_time)));
+  if (!m.peak_penetration_pair.empty()) line("", m.peak_penetration_pair);
+  line("deepest in the base", millimetres(m.base_penetration) + " at the end, at most " + millimetres(m.peak_base_penetration));
+  line("over half a segment", m.most_deep_pairs < 0
+                                  ? "-"
+                                  : std::to_string(m.deep_pairs) + " pairs at the end, at most " + std::to_string(m.most_deep_pairs) +
+                                        (m.most_deep_pairs > 0 ? " at " + seconds(m.most_deep_pairs_time) : ""));
+  line("touching", std::to_string(m.touching_pairs) + " pairs at the end");
+}
+
+/// What broke under the building's own weight, and what the shaking broke.
+void print_origin(const Json& s, const Measures& m) {
+  if (m.settling_cracks == 0)
+    return line("broken by settling", "nothing; by the shaking " + std::to_string(m.shaking_cracks) + " segments");
+  line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first at " + text("%.3f s", m.settling_first_crack_time) +
+                                 "; by the shaking " + std::to_string(m.shaking_cracks));
+  if (s.contains("settling_tension"))
+    line("sides of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
+}
+
+void print_walls(const Measures& m) {
+  if (m.walls.empty()) return;
+  std::size_t width = 20;
+  for (const WallMeasures& w : m.walls) width = std::max(width, w.name.size());
+  const int indent = static_cast<int>(width);
+  std::printf("\n%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, "", "fallen", "first fallen", "peak drift", "at end", "in plane",
+              "cracks 1 mm", "of 5 mm", "of settling");
+  for (const WallMeasures& w : m.walls)
+    std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
+                seconds(w.first_fallen_time).c_str(), percent(w.peak_drift).c_str(), percent(w.residual_drift).c_str(),
+                percent(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
+                text("%.2f", w.settling_crack_extent).c_str());
+  if (!std::isnan(m.roof_fallen_mass_fraction))
+    std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
+}
+
+/// Segment sides by the limit that they reached first and by what opened them; a run of an earlier version tells the latter alone.
+void print_modes(const Json& s) {
+  if (s.contains("first_tension")) line("sides reached first", counts(s, "first_"));
+  if (!s.contains("tension")) return;
+  line("sides opened by", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
+}
+
+/// How far the run has come, and why it came no farther.
+void print_end(const Json& s) {
+  if (!s.contains("place")) return line("run", "finished at " + text("%.3f s", s.value("end_time", 0.0)));
+  const std::string place = s["place"];
+  if (s.contains("failure")) {
+    line("run", "lost " + place);
+    line("", s["failure"]);
+    return line("", "figures are those up to there");
+  }
+  line("run", "not finished: " + place);
+  line("", "figures are those so far; if it does not run any more, voussoir resume goes on");
+}
+
+void print_table(const Json& s, const Measures& m) {
+  print_end(s);
+  print_grade(m);
+  line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
+  line("first crack",
+       m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; of the shaking " + seconds(s["first_crack_time"]));
+  print_origin(s, m);
+  line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
+  line("fallen mass", percent(s["fallen_mass_fraction"]));
+  line("debris", text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
+                     text("%.2f m", m.debris.reach_95));
+  line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
+  line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  line("in-plane drift", percent(m.peak_in_plane_drift) + " at most");
+  print_penetration(m);
+  print_modes(s);
+  if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
+  if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  for (const PointAcceleration& p : m.accelerations.points)
+    line("peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
+  if (s.contains("state_hash")) line("state hash", s["state_hash"]);
+  print_walls(m);
+}
+
+}  // namespace
+
+std::string summary_json(const Hdf5File& run) {
+  return summary_of(run, measure(run), capacity_of(run)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+namespace {
+
+struct SummaryOptions {
+  std::string folder;  // of the run, or its run.h5
+  bool json = false;   // one object for programs instead of a table for people
+};
+
+/// What came out of a run, with all measures (measures.h), computed afresh from its frames; so also of a run that goes on, was killed, or
+/// was made by an earlier version of the program. \throw FileError
+int print_summary(const SummaryOptions& o) {
+  const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
+  const Measures m = measure(run);
+  const std::optional<Capacity> capacity = capacity_of(run);
+  const Json summary = summary_of(run, m, capacity);
+  if (o.json) {
+    std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+  } else {
+    print_table(summary, m);
+    if (capacity) std::printf("\n%s", capacity_text(*capacity).c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_summary(CLI::App& program) {
+  CLI::App* words = program.add_subcommand("summary", "what came out of a run: damage grade, fallen walls, debris, free volume, drift");
+  auto o = std::make_shared<SummaryOptions>();
+  words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
+  add_format(*words, o->json);
+  words->footer("example: voussoir summary results/flat20n");
+  return {.words = words, .work = [o] { return print_summary(*o); }};
+}
+
+}  // namespace voussoir::io

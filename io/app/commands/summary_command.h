@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace voussoir::io {
+
+class Hdf5File;
+
+/// All that `voussoir summary --format json` says of a run, on one line. \throw FileError
+std::string summary_json(const Hdf5File& run);
+
+}  // namespace voussoir::io

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/commands/words/case_words.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/app/commands/words/common_words.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/likely_slips.h"
+#include "io/app/session/prepared_case.h"
+#include "io/input/document/case_values.h"
+#include "io/input/files/errors.h"
+#include "io/input/motion/motion_files.h"
+#include "io/input/stones/stones.h"
+
+namespace voussoir::io {
+namespace {
+
+/// A path given on the command line starts at the working folder, not at the case's.
+std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+/// A record or files on the command line take the place of those that the case names (apply_overrides).
+std::vector<std::string> motion_overrides(const CaseWords& w) {
+  std::vector<std::string> given;
+  const auto give = [&](const std::string& key, const std::string& value) { given.push_back("motion." + key + "=" + toml_string(value)); };
+  if (!w.direction.empty()) give("direction", w.direction);
+  const bool in_folder = !is_built_in_record(w.record) && std::filesystem::exists(w.record);
+  if (!w.record.empty()) give("record", in_folder ? from_here(w.record) : w.record);
+  for (const std::string& m : w.motion) {
+    const std::size_t equals = m.find('=');
+    if (equals == std::string::npos || equals + 1 == m.size()) {
+      throw cases::InputError("--motion", toml_string(m) + " is not AXIS=FILE; allowed axes: x, y, z, L, T, V");
+    }
+    give(m.substr(0, equals), from_here(m.substr(equals + 1)));
+  }
+  return given;
+}
+
+std::vector<std::string> overrides(const CaseWords& w) {
+  std::vector<std::string> all = motion_overrides(w);
+  if (!w.scale.empty()) all.push_back("motion.scale=" + w.scale);
+  if (!w.duration.empty()) all.push_back("time.duration=" + w.duration);
+  if (!w.dt.empty()) all.push_back("time.step=" + (w.dt == "auto" ? toml_string(w.dt) : w.dt));
+  if (!w.frames.empty()) all.push_back("output.frame_interval=" + w.frames);
+  all.insert(all.end(), w.set.begin(), w.set.end());
+  return all;
+}
+
+}  // namespace
+
+void add_case(CLI::App& command, CaseWords& w) {
+  command.add_option("CASE", w.name, "a name of the catalogue (see `voussoir cases`), or the path of a .toml file")->required();
+  command.add_option("--set", w.set, "override a key of the case: a.b[0].c=value (may be repeated)");
+  add_threads(command, w.threads);
+}
+
+void add_short_keys(CLI::App& command, CaseWords& w) {
+  command.add_option("--direction", w.direction, "which of L, T, V goes to x, y, z: LTV, TLV, ...");
+  command.add_option("--record", w.record, "name of a built-in record, a folder that holds record.toml, or a file that holds L, T and V");
+  command.add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
+  command.add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
+  command.add_option("--duration", w.duration, "of shaking, s");
+  command.add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
+  command.add_option("--frames", w.frames, "interval of frames, s");
+}
+
+int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, bool raw_stones) {
+  LoadedCase c = load_case(w.name, overrides(w));
+  for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
+  warn_of(c.findings);
+  try {
+    if (!raw_stones) {
+      load_stones(c.value);
+      fill_own_frequency(c.value);
+    }
+    return use(c);
+  } catch (const cases::InputError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
+    return kInputFault;
+  } catch (const NamedFileError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", c.describe({e.key(), std::string("cannot be used: ") + e.what()}).c_str());
+    return kFileFault;
+  }
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "cases/case.h"
+#include "io/app/commands/command.h"
+#include "io/app/commands/words/command_word.h"
+#include "io/app/session/exit_code.h"
+#include "io/app/session/process.h"
+#include "io/app/session/threads.h"
+#include "io/input/files/errors.h"
+#include "io/output/results/provenance.h"
+#include "solver/world/errors.h"
+
+namespace {
+
+using namespace voussoir;
+
+int work(const io::Command& command, char** argv) {
+  const int threads = command.threads == nullptr ? 0 : *command.threads;
+  io::let_threads_sleep(argv, threads, command.takes_long);
+  io::use_threads(threads);
+  return io::code_after_output(command.work());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  io::prepare_process();
+  CLI::App program{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
+  program.set_version_flag("--version", "voussoir " + io::program_version());
+  program.require_subcommand(1);
+  program.footer("example: voussoir run flat20n --direction LTV --duration 6");
+  std::vector<io::Command> commands;
+  for (const io::AddCommand add : io::all_commands()) commands.push_back(add(program));
+  try {
+    if (argc > 1) io::check_command_word(program, argv[1]);
+    program.parse(argc, argv);
+    return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }), argv);
+  } catch (const CLI::ParseError& e) {
+    return program.exit(e) == 0 ? io::kDone : io::kInputFault;
+  } catch (const solver::NumericalError& e) {
+    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    return io::kNumericalFailure;
+  } catch (const io::FileError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return io::kFileFault;
+  } catch (const cases::InputError& e) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return io::kInputFault;
+  } catch (const std::exception& e) {
+    return io::end_unexpectedly(e);
+  }
+}

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/session/likely_slips.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "cases/house/house_openings.h"
+#include "cases/house/house_ties.h"
+#include "cases/loads/loads.h"
+#include "cases/names.h"
+#include "cases/rules/joint_rules.h"
+#include "cases/solids/outside.h"
+#include "io/input/motion/spectra/figures.h"
+#include "io/input/motion/spectra/intensity.h"
+#include "io/input/stones/stone_sizes.h"
+#include "solver/world/errors.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr double kOff = 0.20;                 // of the model's own frequency
+constexpr std::size_t kMostElements = 10000;  // above it modes take minutes
+constexpr std::array kAxes{"x", "y", "z"};
+// Records stronger than that: none is known (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
+constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
+constexpr double kMostOfLevel = 0.95;                                                      // of an intensity, that a run reaches at least
+constexpr double kStepsOfPeriod = 10.0;  // of a record, that a period of Sa has at least: with fewer its peaks fall between samples
+constexpr double kWeaker = 0.05;         // of two horizontal components: a geometric mean with so weak a one says little
+constexpr double kMostOfRun = 0.8;       // that a motion shakes at least
+
+/// The frequency sets the damping, and the ramp of gravity where that is not given.
+bool frequency_matters(const cases::Case& c) {
+  return c.damping.frequency && ((c.damping.ratio > 0.0 && !c.damping.alpha) || (c.gravity.settle && !c.gravity.ramp));
+}
+
+void look_at_frequency(const cases::Case& c, const cases::Model& model, std::vector<std::string>& out) {
+  if (c.damping.own_frequency || !frequency_matters(c) || model.blocks.size() > kMostElements) return;
+  std::array<solver::MainMode, 2> modes;
+  try {
+    modes = solver::main_modes(c, model);
+    if (modes[0].number == 0 && modes[1].number == 0) modes = solver::main_modes(c, model, solver::DryJoints::closed);
+  } catch (const solver::NumericalError&) {
+    return;  // nothing to compare with
+  }
+  std::string own;
+  for (const std::size_t axis : {1U, 0U}) {
+    const solver::MainMode& m = modes[axis];
+    if (m.number == 0) continue;
+    if (std::abs(*c.damping.frequency - m.frequency) <= kOff * m.frequency) return;
+    own += (own.empty() ? "" : ", ") + mode_words(m, axis);
+  }
+  if (own.empty()) return;
+  out.push_back("damping.frequency = " + four_digits(*c.damping.frequency) + " Hz is more than 20 % off the model's own: " + own +
+                "; damping.frequency = \"auto\" takes that of y");
+}
+
+/// Whether the case's own file, or an override, has this table: what it includes may hold more than it needs.
+bool is_own(const LoadedCase& c, const std::string& key) {
+  const auto place = c.keys.find(key);
+  return place != c.keys.end() && !place->second.included;
+}
+
+void look_for_unused(const LoadedCase& c, const cases::Model& m, std::vector<std::string>& out) {
+  std::vector<bool> law(m.laws.size(), false), material(m.materials.size(), false);
+  const auto mark = [](std::vector<bool>& used, const auto& all, std::int32_t i) {
+    for (; i >= 0 && !used[static_cast<std::size_t>(i)]; i = all[static_cast<std::size_t>(i)].made_from)
+      used[static_cast<std::size_t>(i)] = true;
+  };
+  for (const std::int32_t l : m.joint_law) mark(law, m.laws, l);
+  for (const cases::Block& b : m.blocks) mark(material, m.materials, b.material);
+  const auto tell = [&](const std::string& table, const std::string& name, const char* what) {
+    const std::string key = table + "." + name;
+    if (is_own(c, key)) out.push_back(c.describe(cases::InputError(key, what)));
+  };
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    if (!law[i]) tell("joint_laws", m.laws[i].name, "is the law of no joint");
+  }
+  for (std::size_t i = 0; i < material.size(); ++i) {
+    if (!material[i]) tell("materials", m.materials[i].name, "is the material of no element");
+  }
+}
+
+/// The measure is that of the whole record. A run may end before its peaks, and of two components one may be all but still.
+void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion, double duration, std::vector<std::string>& out) {
+  const bool turned = !std::ranges::any_of(m.xyz, [](const auto& file) { return file.has_value(); });
+  const auto component = [&](char letter, std::size_t axis) { return motion.axis[turned ? m.direction.find(letter) : axis]; };
+  std::array<cases::Accelerogram, 2> horizontal{component('L', 0), component('T', 1)};
+  const double a = figures(horizontal[0]).peak_acceleration, b = figures(horizontal[1]).peak_acceleration;
+  if (std::min(a, b) > 0.0 && std::min(a, b) < kWeaker * std::max(a, b))
+    out.push_back("motion.intensity is a geometric mean, and one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) +
+                  " times as strong as the other; motion.scale = [1, 0, 1] takes one away");
+  const double step = std::max(horizontal[0].dt, horizontal[1].dt);
+  if (m.intensity->measure == cases::IntensityMeasure::sa && *m.intensity->period < kStepsOfPeriod * step)
+    out.push_back("motion.intensity.period = " + four_digits(*m.intensity->period) + " s is shorter than ten steps of the record (" +
+                  four_digits(step) + " s): Sa comes out low there, so the motion comes out too strong");
+  for (cases::Accelerogram& h : horizontal) {
+    const double last = duration / (h.dt > 0.0 ? h.dt : 1.0);
+    if (last + 1.0 < static_cast<double>(h.acceleration.size())) h.acceleration.resize(static_cast<std::size_t>(last) + 1);
+  }
+  const double reached = intensity(*m.intensity, horizontal[0], horizontal[1]);
+  if (reached < kMostOfLevel * m.intensity->level)
+    out.push_back("motion.intensity: the whole record has " + described(*m.intensity) + ", but up to the end of the run, at " +
+                  four_digits(duration) + " s, it is " + four_digits(reached) + "; motion.to cuts the record before it is measured");
+}
+
+void look_at_motion(const cases::Case& c, const cases::GroundMotion& motion, std::vector<std::string>& out) {
+  if (is_assessment(c.analysis)) return;  // it leaves the motion out
+  if (c.motion && c.motion->intensity) look_at_intensity(*c.motion, motion, c.time.duration, out);
+  double end = 0.0;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const MotionFigures f = figures(motion.axis[axis]);
+    end = std::max(end, f.duration);
+    if (f.peak_acceleration <= kMostAcceleration && f.peak_velocity <= kMostVelocity && f.peak_displacement <= kMostDisplacement) continue;
+    out.push_back("the motion along " + std::string(kAxes[axis]) + " is stronger than any record: peaks of " +
+                  four_digits(f.peak_acceleration) + " m/s2, " + four_digits(f.peak_velocity) + " m/s and " +
+                  four_digits(f.peak_displacement) + " m; are motion.unit, motion.dt, " +
+                  (c.motion && c.motion->intensity ? "motion.intensity" : "motion.scale") + " and motion.baseline right?");
+  }
+  if (end > 0.0 && end < kMostOfRun * c.time.duration)
+    out.push_back("the motion ends at " + four_digits(end) + " s: the ground is still until the run ends, at " +
+                  four_digits(c.time.duration) + " s");
+}
+
+/// Points that lie far off what they are a point of, as those of another unit do.
+void look_at_points(const LoadedCase& c, const cases::Model& m, std::vector<std::string>& out) {
+  const auto tell = [&](const std::string& key, std::size_t element, Vec3 point) {
+    const auto [low, high] = geometry::bounds(m.blocks[element].shape);
+    const double away = cases::distance_outside(m.assembly, element, point), size = norm(high - low);
+    if (away > size)
+      out.push_back(
+          c.describe(cases::InputError(key, "lies " + four_digits(away) + " m off " + cases::describe(m.blocks[element], element) +
+                                                ", which is " + four_digits(size) + " m across")));
+  };
+  for (std::size_t i = 0; i < c.value.loads.size(); ++i) {
+    const cases::Load& load = c.value.loads[i];
+    if (!load.at) continue;
+    for (const cases::LoadShare& s : cases::load_shares(m, load, i))
+      tell(cases::indexed_key("load", i, "at"), static_cast<std::size_t>(s.element), *load.at);
+  }
+  if (const auto& control = c.value.analysis.control)
+    tell("analysis.control", static_cast<std::size_t>(cases::nearest_element(m, *control)), *control);
+}
+
+}  // namespace
+
+std::string four_digits(double v) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", v);
+  return text.data();
+}
+
+/// "8.015 Hz (mode 1, 75.1 % of the mass in y)"
+std::string mode_words(const solver::MainMode& m, std::size_t axis) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%s Hz (mode %d, %.1f %% of the mass in %s)", four_digits(m.frequency).c_str(), m.number,
+                100.0 * m.mass_share, kAxes[axis]);
+  return text.data();
+}
+
+std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model& model) {
+  std::vector<std::string> out = cases::unused_joint_rules(c.value, model);
+  look_for_unused(c, model, out);
+  for (const cases::InputError& e : unusual_sizes(c.value)) out.push_back(c.describe(e));
+  if (c.value.house) {
+    for (const cases::InputError& rod : cases::rods_in_openings(*c.value.house)) out.push_back(c.describe(rod));
+    for (const cases::InputError& opening : cases::unsupported_heads(*c.value.house)) out.push_back(c.describe(opening));
+  }
+  look_at_points(c, model, out);
+  return out;
+}
+
+std::vector<std::string> likely_slips(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
+  std::vector<std::string> out = slips_of_model(c, model);
+  look_at_motion(c.value, motion, out);
+  look_at_frequency(c.value, model, out);
+  return out;
+}
+
+void warn_of(const std::vector<std::string>& findings) {
+  for (const std::string& f : findings) std::fprintf(stderr, "voussoir: warning: %s\n", f.c_str());
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/session/prepared_case.h"
+
+#include <omp.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "cases/followed_points.h"
+#include "io/app/session/likely_slips.h"
+#include "io/input/motion/support_motion.h"
+#include "solver/analysis/main_modes.h"
+
+namespace voussoir::io {
+
+cases::Model build_on_all_threads(const cases::Case& c) { return cases::build_model(c, omp_get_max_threads()); }
+
+cases::Model prepared_model(const cases::Case& c) {
+  cases::Model model = build_on_all_threads(c);
+  load_support_motions(model, c.folder);
+  cases::check_followed_points(c, model);
+  return model;
+}
+
+void fill_own_frequency(cases::Case& c) {
+  if (!c.damping.own_frequency || c.damping.frequency) return;
+  const cases::Model model = prepared_model(c);
+  solver::MainMode mode = solver::main_modes(c, model)[1];
+  // Beams that lie on walls by friction alone have six still modes each: then their weight is taken to hold them.
+  const bool held = mode.number == 0;
+  if (held) mode = solver::main_modes(c, model, solver::DryJoints::closed)[1];
+  if (mode.number == 0)
+    throw cases::InputError("damping.frequency", "is \"auto\", but none of the " + std::to_string(solver::kMainModesOf) +
+                                                     " lowest modes moves a tenth of the mass along y (voussoir modes lists them once a "
+                                                     "number stands here); give a number of Hz");
+  c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
+  std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s%s\n", mode_words(mode, 1).c_str(),
+               held ? ", with joints without a bond held as if bonded" : "");
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/session/views.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
+#include "io/input/files/text_file.h"
+#include "io/output/report/paraview_files.h"
+#include "io/output/report/report_data.h"
+
+namespace voussoir::io {
+
+void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
+  check_output(page, overwrite);
+  const std::string text = report_html(runs, modes);
+  write_text_file(page, text, overwrite);
+  std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
+}
+
+void write_for_paraview(const std::string& folder, bool overwrite) {
+  write_paraview(folder, overwrite);
+  std::printf("%s/run.xdmf\n", folder.c_str());
+}
+
+void write_views(const std::string& folder, const Views& views) {
+  if (views.page || views.page_every > 0) write_page({folder + "/run.h5"}, folder + "/report.html", true);
+  if (views.paraview) write_for_paraview(folder, true);
+}
+
+void LivePage::look(double now) {
+  if (every_ <= 0 || now < next_) return;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    write_text_file(folder_ + "/report.html", report_html({folder_ + "/run.h5"}), true);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this page\n", e.what());
+  }
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  next_ = now + took + std::max(every_, 20 * took);
+}
+
+}  // namespace voussoir::io

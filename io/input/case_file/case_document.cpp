@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/input/case_file/case_document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "io/input/case_file/case_paths.h"
+#include "io/input/case_file/catalogue.h"
+#include "io/input/document/case_values.h"
+#include "io/input/files/errors.h"
+#include "io/input/motion/motion_keys.h"
+
+namespace voussoir::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargest = 16U << 20U;  // bytes
+constexpr std::size_t kMostFiles = 64;
+
+CaseText read_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw FileError(path, "no such file");
+  if (fs::is_directory(status)) throw FileError(path, "is a folder, wanted a case file (.toml)");
+  if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file");
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) throw FileError(path, error.message());
+  if (size > kLargest) throw FileError(path, "has " + std::to_string(size) + " bytes; a case file may have 16 MB");
+  std::ifstream in(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!in || !in.read(text.data(), static_cast<std::streamsize>(size))) throw FileError(path, "cannot be read");
+  const std::string folder = fs::path(path).parent_path().string();
+  return {path, std::move(text), folder.empty() ? "." : folder};
+}
+
+bool is_path(const std::string& name) { return name.find('/') != std::string::npos || name.ends_with(".toml"); }
+
+CaseText text_of(const CatalogueEntry& entry) { return {entry.path, entry.text, entry.folder, entry.built_in}; }
+
+/// Collects the files of one case.
+class Reader {
+ public:
+  Node read(const CaseText& text) {
+    const auto file = static_cast<int>(files_.size());
+    files_.push_back(text.path);
+    if (files_.size() > kMostFiles) throw CaseFileError(text.path + ": more than 64 files are included", "include", "too many files", 0);
+    open_.push_back(text.path);
+    Node document = parse(text);
+    set_file(document, file);
+    if (file > 0 && !text.built_in) find_files_from(document, text.folder);
+    Node whole = included(text, *document.as<Node::Table>());
+    make_way(document, whole);
+    lay_over(std::move(document), whole);
+    open_.pop_back();
+    return whole;
+  }
+
+  [[nodiscard]] std::vector<std::string> files() && { return std::move(files_); }
+
+ private:
+  static Node parse(const CaseText& text) {
+    try {
+      return parse_document(text.text);
+    } catch (const SyntaxError& e) {
+      const std::string where = text.path + ":" + std::to_string(e.line()) + ":" + std::to_string(e.column());
+      throw CaseFileError(where + ": " + e.what(), "", e.what(), e.line());
+    }
+  }
+
+  static void set_file(Node& node, int file) {
+    node.source.file = file;
+    if (auto* array = node.as<Node::Array>()) {
+      for (Node& n : *array) set_file(n, file);
+    }
+    if (auto* table = node.as<Node::Table>()) {
+      for (Entry& e : *table) set_file(e.node, file);
+    }
+  }
+
+  /// Files that an included case names lie beside it, not beside the one that includes it.
+  static void find_files_from(Node& document, const std::string& folder) {
+    for_each_path(document, [&](std::string& path) { path = fs::absolute(fs::path(folder) / path).lexically_normal().string(); });
+  }
+
+  /// Takes `include` out of a document and reads what it names.
+  Node included(const CaseText& text, Node::Table& document) {
+    Node whole{Node::Table{}, {1, 1, -1}};
+    Entry* include = find_entry(document, "include");
+    if (include == nullptr) return whole;
+    const Node list = std::move(include->node);
+    document.erase(document.begin() + (include - document.data()));
+    const auto* array = list.as<Node::Array>();
+    for (const Node& node : array != nullptr ? *array : Node::Array{list}) {
+      const std::string where = text.path + ":" + std::to_string(node.source.line) + ": include";
+      const auto* name = node.as<std::string>();
+      if (name == nullptr || name->empty()) {
+        const std::string problem = "wanted the name of a case or the path of a .toml file, or an array of them";
+        throw CaseFileError(where + ": " + problem, "include", problem, node.source.line);
+      }
+      const CaseText part = find(text, *name, where);
+      if (std::find(open_.begin(), open_.end(), part.path) != open_.end())
+        throw CaseFileError(where + " = \"" + *name + "\" leads back to itself", "include", "leads back to itself", node.source.line);
+      Node next = read(part);
+      make_way(next, whole);
+      lay_over(std::move(next), whole);
+    }
+    return whole;
+  }
+
+  /// "parts/mesh.toml", unless the folder of the including case has a file of that name.
+  static std::optional<CatalogueEntry> ready_part(const CaseText& from, const std::string& name) {
+    std::error_code none;
+    if (!name.starts_with("parts/") || fs::exists(fs::path(from.folder) / name, none)) return std::nullopt;
+    return built_in_part(name.ends_with(".toml") ? name : name + ".toml");
+  }
+
+  static CaseText find(const CaseText& from, const std::string& name, const std::string& where) {
+    if (from.built_in) {
+      if (const auto part = built_in_part(name)) return text_of(*part);
+    }
+    if (const auto part = ready_part(from, name)) return text_of(*part);
+    if (is_path(name)) {
+      try {
+        return read_file((fs::path(from.folder) / name).lexically_normal().string());
+      } catch (const FileError& e) {
+        throw FileError(where, e.what());
+      }
+    }
+    try {
+      return find_case(name, from.folder);
+    } catch (const CaseFileError& e) {
+      throw CaseFileError(where + ": " + e.problem(), "include", e.problem(), 0);
+    }
+  }
+
+  /// Takes from `under` the source of a motion if `top` names another.
+  static void make_way(const Node& top, Node& under) {
+    const Entry* from = find_entry(*top.as<Node::Table>(), "motion");
+    Entry* to = find_entry(*under.as<Node::Table>(), "motion");
+    const auto* later = from == nullptr ? nullptr : from->node.as<Node::Table>();
+    auto* earlier = to == nullptr ? nullptr : to->node.as<Node::Table>();
+    if (later == nullptr || earlier == nullptr) return;
+    for (const Entry& entry : *later) {
+      for (const std::string_view other : give_way_to(entry.name)) {
+        std::erase_if(*earlier, [&](const Entry& e) { return e.name == other; });
+      }
+    }
+  }
+
+  /// Lays `top` over `under`.
+  static void lay_over(Node top, Node& under) {
+    auto* from = top.as<Node::Table>();
+    auto* to = under.as<Node::Table>();
+    if (from == nullptr || to == nullptr) {
+      under = std::move(top);
+      return;
+    }
+    under.source = top.source;
+    for (Entry& entry : *from) {
+      if (Entry* known = find_entry(*to, entry.name)) {
+        const auto* array = entry.node.as<Node::Array>();
+        if (array != nullptr && array->empty() && known->node.as<Node::Array>() == nullptr) {
+          known->node = {Node::Removed{}, entry.node.source};  // `key = []` takes away what was included, be it no array
+        } else {
+          lay_over(std::move(entry.node), known->node);
+        }
+      } else {
+        to->push_back(std::move(entry));
+      }
+    }
+  }
+
+  std::vector<std::string> files_;
+  std::vector<std::string> open_;  // files that are being read, each included by the one before
+};
+
+}  // namespace
+
+CaseText find_case(const std::string& name, const std::string& folder) {
+  std::error_code error;
+  const std::string file = (fs::path(folder) / name).string();
+  if (is_path(name)) return read_file(file);
+  const std::vector<CatalogueEntry> entries = catalogue();
+  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& e) { return e.name == name; });
+  if (entry != entries.end()) return text_of(*entry);
+  if (fs::exists(file, error)) return read_file(file);
+
+  std::vector<std::string> names;
+  for (const CatalogueEntry& e : entries) names.push_back(e.name);
+  const std::string near = fs::exists(file + ".toml", error) ? name + ".toml" : nearest(name, names);
+  const std::string problem = "case \"" + name + "\" is neither in the catalogue nor a file; " +
+                              (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "The catalogue: " + joined(names);
+  throw CaseFileError(problem, "", problem, 0);
+}
+
+Document read_document(const CaseText& text) {
+  Reader reader;
+  Node root = reader.read(text);
+  return {std::move(root), std::move(reader).files()};
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "io/input/case_file/case_tables.h"
+#include "io/input/case_file/usual_ranges.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace cases;
+
+/// A resolved case has every key, with its default where it says nothing.
+void check_own_keys(const Analysis& s, const RuleCheck& check) {
+  const Analysis plain;
+  const auto only = [&](const char* key, bool said, bool goes, const char* with) {
+    if (said && !goes) check.fault(key, std::string("goes only with ") + with);
+  };
+  const AnalysisKind kind = s.kind;
+  const bool grows = kind == AnalysisKind::pushover || kind == AnalysisKind::tilt, pushed = grows || kind == AnalysisKind::cyclic;
+  const bool cyclic = kind == AnalysisKind::cyclic, slow = is_assessment(s);
+  const char *to_push = "kind = \"pushover\", \"tilt\" or \"cyclic\"", *to_grow = "kind = \"pushover\" or \"tilt\"",
+             *to_and_fro = "kind = \"cyclic\"", *any_slow = "a kind other than \"time-history\"";
+  only("pattern", s.pattern != plain.pattern, kind == AnalysisKind::pushover, "kind = \"pushover\"");
+  only("direction", s.direction != plain.direction, slow, any_slow);
+  only("share", s.share.has_value(), pushed, to_push);
+  only("drop", s.drop != plain.drop, grows, to_grow);
+  only("largest_factor", s.largest_factor != plain.largest_factor, grows, to_grow);
+  only("largest_drift", s.largest_drift != plain.largest_drift, grows, to_grow);
+  only("amplitudes", !s.amplitudes.empty(), cyclic, to_and_fro);
+  only("cycles", s.cycles != plain.cycles, cyclic, to_and_fro);
+  only("level", s.level != plain.level, cyclic, to_and_fro);
+  only("control", s.control.has_value(), slow, any_slow);
+  only("pace", s.pace.has_value(), slow, any_slow);
+  only("damping", s.damping.has_value(), slow, any_slow);
+  only("longest", s.longest != plain.longest, slow, any_slow);
+  if (std::hypot(s.direction[0], s.direction[1]) < kShortestVector) check.fault("direction", "has no direction");
+  if (kind == AnalysisKind::cyclic && s.amplitudes.empty()) check.fault("amplitudes", "is missing: give those of the cycles (m, > 0)");
+  if (std::ranges::any_of(s.amplitudes, [](double a) { return a <= 0.0; })) check.fault("amplitudes", "must all be > 0 (m)");
+}
+
+}  // namespace
+
+Table<Analysis> analysis_table() {
+  using S = Analysis;
+  return {
+      "what the run finds out: what an earthquake does, or a capacity by slow loading",
+      {choice<S, AnalysisKind S::*, AnalysisKind>(
+           "kind", &S::kind, "",
+           {{"time-history", AnalysisKind::time_history},
+            {"pushover", AnalysisKind::pushover},
+            {"tilt", AnalysisKind::tilt},
+            {"settlement", AnalysisKind::settlement},
+            {"cyclic", AnalysisKind::cyclic}},
+           "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
+           "[block.motion] or that of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave "
+           "[motion] out"),
+       choice<S, LoadPattern S::*, LoadPattern>(
+           "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
+           "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
+       value<S>("direction", &S::direction, "", any(), "x and y of the push (where gravity turns to); of any length, -x pushes back"),
+       value<S>(
+           "control", &S::control, "m", any(),
+           "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass"),
+       value<S>("drop", &S::drop, "", inside(0.0, 1.0),
+                "the run ends when the base shear (tilt: the multiplier) has lost this share of its largest value"),
+       value<S>(
+           "share", &S::share, "", above(0.0),
+           "stiffness of the loading spring over the initial one of the structure: displacement control begins where the tangent of the "
+           "structure falls below that of the spring; none: 0.5, cyclic: 5"),
+       value<S>("pace", &S::pace, "s", above(0.0).usually(usual::kDuration),
+                "time in which the displacement grows e-fold; none: 20 first periods, 2 s at least. Twice the pace is half the rate"),
+       value<S>("damping", &S::damping, "1/s", at_least(0.0).usually(usual::kDecay),
+                "mass damping, of rotations too; none: a tenth of critical at the first frequency, less where it would bear 0.2 % of the "
+                "weight"),
+       value<S>("longest", &S::longest, "s", within(0.0, kLongestRun),
+                "the run ends then at the latest, after settling; in place of time.duration"),
+       value<S>("largest_factor", &S::largest_factor, "", above(0.0), "the run ends when the load factor (tangent of the tilt) gets there"),
+       value<S>("largest_drift", &S::largest_drift, "", above(0.0),
+                "the run ends when the control point has moved by this share of its height in `direction`"),
+       value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
+                "cyclic: of the displacement of the loads that grow, one after another"),
+       value<S>("cycles", &S::cycles, "", within(1.0, 1000.0), "cyclic: at each amplitude"),
+       value<S>("level", &S::level, "", any(), "cyclic: blocks with a load that grows do not turn (the top is held level)")},
+      check_own_keys};
+}
+
+namespace {
+
+/// A fixed block or a part of the base has a motion.
+bool a_support_moves(const Case& c) {
+  const auto moves = [](const auto& support) { return support.motion.has_value(); };
+  return std::ranges::any_of(c.blocks, moves) || (c.base && std::ranges::any_of(c.base->parts, moves));
+}
+
+}  // namespace
+
+void check_analysis(const Case& c, const RuleCheck& check) {
+  const Analysis& a = c.analysis;
+  if (!is_assessment(a)) {
+    for (std::size_t i = 0; i < c.loads.size(); ++i) {
+      if (c.loads[i].grows)
+        check.fault(path_to("load", i) + ".grows", "needs [analysis] with kind = \"cyclic\", or \"pushover\" and pattern = \"given\"");
+    }
+    return;
+  }
+  const bool grow = std::ranges::any_of(c.loads, &Load::grows);
+  const bool given = a.kind == AnalysisKind::cyclic || (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::given);
+  if (given && !grow)
+    check.fault(a.kind == AnalysisKind::cyclic ? "analysis.kind" : "analysis.pattern", "needs a [[load]] with grows = true");
+  if (!given && grow) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
+  if (a.kind == AnalysisKind::settlement && !a_support_moves(c))
+    check.fault("analysis.kind", "needs a fixed block with [block.motion] or a [[base.part]] with motion, which moves");
+  const bool by_weight = a.kind == AnalysisKind::tilt || (a.kind == AnalysisKind::pushover && !given);
+  if (by_weight && norm(c.gravity.acceleration) == 0.0)
+    check.fault("analysis.kind", "needs gravity: its load factor is a share of the weight");
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    if (!c.loads[i].grows || c.loads[i].force != Vec3{}) continue;
+    if (c.loads[i].moment == Vec3{}) check.fault(path_to("load", i), "grows from nothing: give it a force (N) or a moment (N m)");
+    if (a.level)
+      check.fault("analysis.level", "keeps loaded blocks from turning; load[" + std::to_string(i) + "] is a moment without force");
+  }
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/case.h"
+#include "io/input/case_file/case_keys.h"
+
+/// The option tables of the case file; `case_table` is the root and holds the others.
+namespace voussoir::io {
+
+inline constexpr double kShortestVector = 1e-100;  // a shorter one has no direction: its square is 0
+
+Table<cases::Case> case_table();
+Table<cases::House> house_table();
+Table<cases::Motion> motion_table();
+Table<cases::Output> output_table();
+Table<cases::BlockSpec> block_table();
+Table<cases::SupportMotion> support_motion_table();
+Table<cases::StonesSpec> stones_table();
+Table<cases::Load> load_table();
+Table<cases::Analysis> analysis_table();
+/// What [analysis] asks of the rest of the case.
+void check_analysis(const cases::Case& c, const RuleCheck& check);
+Table<cases::Tie> tie_table();
+Table<cases::HouseTie> house_tie_table();
+Table<cases::HouseMesh> house_mesh_table();
+Table<cases::Floor> house_floor_table();
+Table<cases::Tie> roof_tie_table();
+Table<cases::Deck> deck_table();
+
+}  // namespace voussoir::io

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include "io/input/case_file/case_file.h"
+#include "io/input/case_file/case_paths.h"
+#include "io/input/case_file/case_tables.h"
+#include "io/input/document/case_tree.h"
+#include "io/input/files/run_folder.h"
+
+namespace voussoir::io {
+
+namespace fs = std::filesystem;
+
+cases::Case anchored(cases::Case value) {
+  for_each_path(value, [&](std::string& path) {
+    std::error_code error;  // canonical: as the system sees it, through links; a FILE#COMPONENT does not exist, and stays at the end
+    const std::string whole = fs::weakly_canonical(fs::absolute(fs::path(value.folder) / path), error).string();
+    if (!error && is_utf8(whole)) path = whole;
+  });
+  return value;
+}
+
+cases::Case without_folders(cases::Case value) {
+  for_each_path(value, [](std::string& path) { path = fs::path(path).filename().string(); });
+  return value;
+}
+
+std::string resolved_toml(const cases::Case& value) {
+  Lines lines;
+  lines.out = std::string(kResolvedHead) + " \"none\": the key has no value.\n\n";
+  write_table(case_table(), value, lines, "");
+  return std::move(lines.out);
+}
+
+std::string key_reference() {
+  Lines lines;
+  lines.out =
+      "Keys of a case file: name, default, unit, allowed values. [[...]] may stand several times.\n\n"
+      "include                          a ready case or a .toml file, or an array of them: read first; this case lies over them, key by "
+      "key; KEY = [] takes away what they brought\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
+std::string key_reference_markdown() {
+  Lines lines;
+  lines.markdown = true;
+  lines.out =
+      "# Keys of a case file\n\n"
+      "Made by `voussoir keys --markdown` from the option table that reads the files; do not edit. `[[...]]` may stand several times, "
+      "`<name>`\n"
+      "is the user's own. `none`: without a value. SI units, z up, degrees. Beside these keys, `include` at the top names a ready case or "
+      "a\n"
+      "`.toml` file, or an array of them: read first; the case lies over them, key by key. Arrays of tables (`[[...]]`) are replaced as a\n"
+      "whole. `KEY = []` takes away what they brought: all openings (`opening = []` in `[house]`), all followed points (`history = []` in\n"
+      "`[output]`), a table (`reinforcement = []`), or a single value, which has its default again; `--set KEY=` does so on the command "
+      "line.\n\n";
+  list_table(case_table(), lines, {});
+  return std::move(lines.out);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/input/document/case_values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+
+namespace voussoir::io {
+namespace {
+
+constexpr std::size_t kLongest = 80;
+
+std::string cut(std::string text) {
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest - 3;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
+  return text.substr(0, end) + "...";
+}
+
+std::string plain_number(double v) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr;
+  return {buffer.data(), end};
+}
+
+/// 1e6 in place of 1e+06
+std::string short_number(double v) {
+  std::string text = plain_number(v);
+  for (const auto& [sign, without] : {std::pair{"e+0", "e"}, std::pair{"e-0", "e-"}, std::pair{"e+", "e"}}) {
+    if (const std::size_t at = text.find(sign); at != std::string::npos) text.replace(at, std::string_view(sign).size(), without);
+  }
+  return text;
+}
+
+std::string kind_of(const Node& node) {
+  constexpr std::array<const char*, 8> kinds{
+      "nothing", "a date or time", "true or false", "an integer", "a number with a fraction", "a string in quotes", "an array", "a table"};
+  return kinds.at(node.value.index());
+}
+
+std::string text_of(const Node& node) {
+  if (const auto* v = node.as<bool>()) return *v ? "true" : "false";
+  if (const auto* v = node.as<std::int64_t>()) return std::to_string(*v);
+  if (const auto* v = node.as<double>()) return plain_number(*v);
+  if (const auto* v = node.as<std::string>()) return toml_string(cut(*v));
+  if (const auto* v = node.as<Node::Array>()) {
+    std::string text = "[";
+    for (const Node& n : *v) {
+      if (text.size() > kLongest) break;
+      text += (text.size() > 1 ? ", " : "") + text_of(n);
+    }
+    return text + "]";
+  }
+  return "";
+}
+
+bool starts_with_verb(std::string_view problem) {
+  constexpr std::array<std::string_view, 10> verbs{"is ", "are ", "has ", "does ", "do ", "would ", "needs ", "cannot ", "names ", "says "};
+  return std::any_of(verbs.begin(), verbs.end(), [&](std::string_view v) { return problem.starts_with(v); });
+}
+
+bool is_number(const Node& node) {
+  return node.as<double>() != nullptr || node.as<std::int64_t>() != nullptr || node.as<Node::Array>() != nullptr;
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = row[j];
+      row[j] = next;
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string Limits::usual_text() const {
+  if (!std::isfinite(usual_low) || !std::isfinite(usual_high)) return "";
+  return "usually " + short_number(usual_low) + " to " + short_number(usual_high);
+}
+
+std::string Limits::full_text() const {
+  const std::string range = text(), usual = usual_text();
+  return range.empty() || usual.empty() ? range + usual : range + ", " + usual;
+}
+
+std::string Limits::text() const {
+  const bool bounded_below = std::isfinite(low), bounded_above = std::isfinite(high);
+  if (filled) return "not empty";
+  if (bounded_below && bounded_above)
+    return "in " + std::string(low_open ? "(" : "[") + plain_number(low) + ", " + plain_number(high) + (high_open ? ")" : "]");
+  if (bounded_below) return (low_open ? "> " : ">= ") + plain_number(low);
+  if (bounded_above) return (high_open ? "< " : "<= ") + plain_number(high);
+  return "";
+}
+
+std::string sentence_of(const std::string& key, const std::string& value, const std::string& problem) {
+  if (key.empty() || problem.starts_with(key + " ")) return problem;
+  if (problem.starts_with("= ")) return key + " " + problem;
+  if (value.empty()) return key + (starts_with_verb(problem) ? " " : ": ") + problem;
+  const std::string bare = value.substr(0, value.find(' '));
+  if (problem.starts_with(value) || problem.starts_with(bare + " ")) return key + " = " + problem;
+  return key + " = " + value + (starts_with_verb(problem) ? " " : ": ") + problem;
+}
+
+void Reading::fault(Fault fault) {
+  ++count_;
+  if (!first_ || fault.source.before(first_->source)) first_ = std::move(fault);
+}
+
+void Reading::wrong_type(const Node& node, const std::string& path, const KeyInfo& info) {
+  const std::string limits = info.limits.text();
+  const std::string details = info.unit.empty() || limits.empty() ? info.unit + limits : info.unit + ", " + limits;
+  fault({node.source, path, short_text(node),
+         "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")")});
+}
+
+void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo& info, const std::string& problem) {
+  const bool with_unit = !info.unit.empty() && is_number(node);
+  fault({node.source, path, short_text(node) + (with_unit ? " " + info.unit : ""), problem});
+}
+
+void Reading::unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed) {
+  if (first_ && !entry.node.source.before(first_->source)) {  // a file of nothing but unknown keys must not cost a search each
+    ++count_;
+    return;
+  }
+  const std::string near = nearest(entry.name, allowed);
+  const std::string table = table_path.empty() ? "the case file" : "[" + table_path + "]";
+  fault({entry.node.source, cut(path_to(table_path, entry.name)), "",
+         "unknown key; " + (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "Keys of " + table + ": " + joined(allowed)});
+}
+
+void Reading::missing_key(const Node& table, const std::string& table_path, const KeyInfo& info) {
+  const std::string unit = info.unit.empty() ? "" : ", " + info.unit;
+  const std::string limits = info.limits.text();
+  fault({table.source, path_to(table_path, info.name), "",
+         "is missing; wanted " + info.shape + unit + (limits.empty() ? "" : ", " + limits) + ": " + info.sentence});
+}
+
+void Reading::know(const std::string& path, const Node& node, const std::string& unit) {
+  std::string value = node.as<Node::Table>() != nullptr ? "" : short_text(node);
+  if (!unit.empty() && is_number(node)) value += " " + unit;
+  known_[path] = {node.source, std::move(value)};
+}
+
+const Node::Table* Reading::table_of(const Node& node, const std::string& path) {
+  const auto* table = node.as<Node::Table>();
+  if (table == nullptr) wrong_type(node, path, {"", "", "", {}, "a table", false});
+  return table;
+}
+
+const Node::Array* Reading::array_of(const Node& node, const std::string& path) {
+  const auto* array = node.as<Node::Array>();
+  if (array == nullptr) wrong_type(node, path, {"", "", "", {}, "an array of tables ([[" + path + "]])", false});
+  return array;
+}
+
+std::string toml_number(double v) {
+  std::string text = plain_number(v);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string toml_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      std::array<char, 8> code{};
+      std::snprintf(code.data(), code.size(), "\\u%04X", static_cast<unsigned>(c));
+      out += code.data();
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::string toml_key(std::string_view name) {
+  const auto bare = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), bare) ? std::string(name) : toml_string(name);
+}
+
+std::string short_text(const Node& node) { return cut(text_of(node)); }
+
+bool same_word(const Node& node, std::string_view toml) {
+  if (const auto* v = node.as<double>()) return plain_number(*v) == toml;
+  return text_of(node) == toml;
+}
+
+std::string nearest(std::string_view name, const std::vector<std::string>& names) {
+  std::string best;
+  int least = std::max(1, static_cast<int>(std::min(name.size(), kLongest)) / 2);
+  if (name.size() > kLongest) return best;
+  for (const std::string& candidate : names) {
+    const int distance = edit_distance(name, candidate);
+    if (distance < least || (distance == least && best.empty())) best = candidate, least = distance;
+  }
+  return best;
+}
+
+std::string joined(const std::vector<std::string>& names, std::string_view separator) {
+  std::string out;
+  for (const std::string& name : names) {
+    if (!out.empty()) out += separator;
+    out += name;
+  }
+  return out;
+}
+
+std::string path_to(const std::string& table_path, const std::string& name) { return table_path.empty() ? name : table_path + "." + name; }
+std::string path_to(const std::string& array_path, std::size_t index) { return array_path + "[" + std::to_string(index) + "]"; }
+
+bool read_value(const Node& node, double& out, const KeyInfo& info, Reading& reading, const std::string& path) {
+  double v = 0.0;
+  if (const auto* number = node.as<double>()) {
+    v = *number;
+  } else if (const auto* integer = node.as<std::int64_t>()) {
+    v = static_cast<double>(*integer);
+  } else {
+    reading.wrong_type(node, path, info);
+    return false;
+  }
+  if (!std::isfinite(v)) {
+    reading.bad_value(node, path, info, "must be finite");
+  } else if (!info.limits.contains(v)) {
+    reading.bad_value(node, path, info, "must be " + info.limits.text());
+  } else {
+    if (!info.limits.is_usual(v)) {
+      const std::string unit = info.unit.empty() ? "" : " " + info.unit;
+      reading.doubt({node.source, path, short_text(node) + unit, "is unusual; " + info.limits.usual_text() + unit});
+    }
+    out = v;
+    return true;
+  }
+  return false;
+}
+
+bool read_value(const Node& node, int& out, const KeyInfo& info, Reading& reading, const std::string& path) {
+  const auto* v = node.as<std::int64_t>();
+  if (v == nullptr) {
+    reading.wrong_type(node, path, info);
+    return false;
+  }
+  if (*v < std::numeric_limits<int>::min() || *v > std::numeric_limits<int>::max()) {
+    reading.bad_value(node, path, info, "must be an integer of 32 bits, at most 2147483647 in magnitude");
+    return false;
+  }
+  if (!info.limits.contains(static_cast<double>(*v))) {
+    reading.bad_value(node, path, info, "must be " + info.limits.text());
+    return false;
+  }
+  out = static_cast<int>(*v);
+  return true;
+}
+
+bool read_value(const Node& node, bool& out, const KeyInfo& info, Reading& reading, const std::string& path) {
+  const auto* v = node.as<bool>();
+  if (v == nullptr) {
+    reading.wrong_type(node, path, info);
+    return false;
+  }
+  out = *v;
+  return true;
+}
+
+bool read_value(const Node& node, std::string& out, const KeyInfo& info, Reading& reading, const std::string& path) {
+  const auto* v = node.as<std::string>();
+  if (v == nullptr) {
+    reading.wrong_type(node, path, info);
+    return false;
+  }
+  if (info.limits.filled && v->empty()) {
+    reading.bad_value(node, path, info, "must not be empty");
+    return false;
+  }
+  out = *v;
+  return true;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "io/input/files/hdf5_file.h"
+
+/// What the sources of Hdf5File share, and nobody else: handles and checks. HDF5's handles are 64-bit integers, its states ints.
+namespace voussoir::io::hdf5 {
+
+/// An HDF5 handle that is closed in its turn.
+class Handle {
+ public:
+  using Close = int (*)(std::int64_t);
+  Handle(std::int64_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator std::int64_t() const noexcept { return id_; }
+
+ private:
+  std::int64_t id_;
+  Close close_;
+};
+
+/// What is being done to which object of which file, for messages.
+struct Doing {
+  const std::string& path;
+  const char* action;
+  const std::string& object;
+
+  /// \throw FileError with HDF5's reason if the state is negative
+  void check(int status) const {
+    if (status < 0) fail();
+  }
+  /// Takes over a handle. \throw FileError with HDF5's reason if it is negative
+  [[nodiscard]] Handle own(std::int64_t id, Handle::Close close) const {
+    if (id < 0) fail();
+    return {id, close};
+  }
+  [[noreturn]] void fail() const;
+};
+
+/// HDF5's types in memory and in the file. Not owned.
+struct TypePair {
+  std::int64_t memory, file;
+};
+TypePair types_of(Hdf5Type type);
+
+/// For links to objects whose groups may not exist yet.
+Handle link_properties(const Doing& doing);
+/// UTF-8 of so many bytes; H5T_VARIABLE: any.
+Handle text_type(const Doing& doing, std::size_t length);
+/// The space of a shape; of one value when it is empty.
+Handle simple_space(const Doing& doing, const Shape& shape);
+/// Writes the note of a dataset that was just made.
+void write_note(const Doing& doing, std::int64_t dataset, const Hdf5Note& note);
+Shape extent_of(const Doing& doing, std::int64_t dataset);
+
+}  // namespace voussoir::io::hdf5

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/input/files/run_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "io/input/files/descriptor.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/whole_file.h"
+
+namespace voussoir::io {
+namespace fs = std::filesystem;
+namespace {
+
+bool digits_only(const std::string& s) {
+  return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+/// The name that a temporary file, NAME.tmp or NAME.PROCESS.tmp, would have had in the end; of other files their own.
+std::string final_name(std::string name) {
+  if (!name.ends_with(".tmp")) return name;
+  name.resize(name.size() - 4);
+  const std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos && digits_only(name.substr(dot + 1))) name.resize(dot);
+  return name;
+}
+
+bool is_part(const std::string& found) {
+  const std::string name = final_name(found), stem = name.substr(0, name.find('.'));
+  return digits_only(stem) && name == stem + ".h5";
+}
+
+/// VIEW-TIMEs.png, as stills.cpp names them.
+bool is_still(const std::string& found) {
+  const std::string name = final_name(found);
+  const std::size_t dash = name.find('-');
+  if (dash == std::string::npos || !name.ends_with("s.png")) return false;
+  const std::string time = name.substr(dash + 1, name.size() - dash - 6);
+  return !time.empty() && time.find_first_not_of("0123456789.") == std::string::npos;
+}
+
+bool is_result(const std::string& found) {
+  const std::string name = final_name(found);
+  for (const char* own : {"run.h5", "case.toml", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "limit.json"})
+    if (name == own) return true;
+  return name == "checkpoint-failed.h5" || checkpoint_number(name);
+}
+
+std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(const std::string&)) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (chosen(entry.path().filename().string())) names.push_back(entry.path().filename().string());
+  // From the end of the alphabet: run.xdmf and run.h5 go first, since a half-removed run must not look like results.
+  std::ranges::sort(names, std::greater<>());
+  return names;
+}
+
+/// What no run wrote, as far as names tell; hidden files apart. Sorted, folders with a '/'.
+std::vector<std::string> foreign_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') || is_result(name)) continue;
+    const bool own = name == "parts" ? !names_in(entry.path().string(), is_part).empty() || fs::is_empty(entry.path())
+                                     : name == "stills" && !names_in(entry.path().string(), is_still).empty();
+    if (!own) names.push_back(name + (entry.is_directory() ? "/" : ""));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The file of that name is a case of the user's, not one that a run wrote.
+bool is_own_case(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  return file && !(std::getline(file, line) && line.starts_with(kResolvedHead));
+}
+
+/// Results go to a folder of their own. \throw FileError
+void check_folder(const std::string& path, bool used, bool overwrite) {
+  if (is_own_case(path + "/case.toml"))
+    throw FileError(path + "/case.toml", "is no case that a run wrote, and would be replaced by one; give another folder");
+  if (overwrite) return;
+  if (used) throw FileError(path, "holds the results of another run; give another folder, or --overwrite to replace them");
+  const std::vector<std::string> foreign = foreign_in(path);
+  if (foreign.empty()) return;
+  const std::string more = foreign.size() > 1 ? " and " + std::to_string(foreign.size() - 1) + " more" : "";
+  throw FileError(path, "holds what is of no run (" + foreign.front() + more +
+                            "); give a new or empty folder, or --overwrite to put the results beside it");
+}
+
+void remove_results(const std::string& folder) {
+  for (const std::string& name : names_in(folder, is_result)) fs::remove(folder + "/" + name);
+  const auto remove_in = [](const std::string& inner, bool (*chosen)(const std::string&)) {
+    for (const std::string& name : names_in(inner, chosen)) fs::remove(inner + "/" + name);
+    std::error_code not_empty;
+    fs::remove(inner, not_empty);
+  };
+  remove_in(folder + "/parts", is_part);
+  remove_in(folder + "/stills", is_still);
+}
+
+std::string holder(int lock) {
+  std::string text(32, '\0');
+  const ssize_t n = ::pread(lock, text.data(), text.size(), 0);
+  text.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  text = text.substr(0, text.find('\n'));
+  return digits_only(text) ? "process " + text : "another process";
+}
+
+int take_lock(const std::string& folder) {
+  Descriptor lock(folder + "/.lock", O_RDWR | O_CREAT);
+  if (::flock(lock.id(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) throw FileError(folder, "is in use by " + holder(lock.id()) + "; give another folder or wait for it to end");
+    throw FileError(folder + "/.lock", "cannot lock: " + system_words(errno));
+  }
+  const std::string pid = std::to_string(::getpid()) + "\n";
+  if (::ftruncate(lock.id(), 0) != 0) throw FileError(folder + "/.lock", "cannot write: " + system_words(errno));
+  write_all(lock.id(), pid.data(), pid.size(), folder + "/.lock");
+  return lock.release();
+}
+
+}  // namespace
+
+std::optional<long> checkpoint_number(const std::string& name) {
+  constexpr std::string_view kHead = "checkpoint-", kTail = ".h5";
+  if (!name.starts_with(kHead) || !name.ends_with(kTail) || name.size() <= kHead.size() + kTail.size()) return std::nullopt;
+  const std::string digits = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
+  if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return std::stol(digits);
+}
+
+RunFolder::RunFolder(std::string path) : path_(std::move(path)) {
+  while (path_.size() > 1 && path_.ends_with('/')) path_.pop_back();
+  lock_ = take_lock(path_);
+}
+
+RunFolder::RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+RunFolder::~RunFolder() {
+  // The lock file stays: removing it would let a third process lock a file that a second one still waits for.
+  if (lock_ >= 0) ::close(lock_);
+}
+
+RunFolder RunFolder::create(const std::string& path, bool overwrite) {
+  if (path.empty()) throw FileError("\"\"", "the folder for results has no name");
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error)) throw FileError(path, "is a file; results need a folder");
+  fs::create_directories(path, error);
+  if (error) throw FileError(path, "cannot make the folder: " + error.message());
+  const auto check = [&] {
+    const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
+    check_folder(path, used, overwrite);
+    return used;
+  };
+  try {
+    if (!fs::exists(path + "/.lock", error)) check();  // before the folder is touched
+    RunFolder folder(path);
+    if (check()) remove_results(path);
+    return folder;
+  } catch (const fs::filesystem_error& e) {
+    throw FileError(path, "cannot remove old results: " + e.code().message());
+  }
+}
+
+void RunFolder::write_case(const std::string& toml) const { write_text_file(file("case.toml"), toml); }
+
+RunFolder RunFolder::open(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) throw FileError(path, "is no folder of a run");
+  return RunFolder(path);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/input/motion/spectra/target_file.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "cases/case.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/foreign_text.h"
+#include "io/input/files/text_file.h"
+#include "io/input/motion/formats/read_motion.h"
+
+namespace voussoir::io {
+namespace {
+
+using Parts = std::vector<std::string>;
+
+Parts parts_of(std::string_view text, std::string_view dividers) {
+  Parts parts;
+  while (true) {
+    const std::size_t end = text.find_first_of(dividers);
+    const std::string_view part = trimmed(text.substr(0, end));
+    if (!part.empty() || dividers != " \t") parts.emplace_back(part);
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& problem) {
+  throw cases::InputError("--target", shown(name) + ": " + problem +
+                                          "; allowed: ec8:TYPE:GROUND:AG as in ec8:1:B:0.3g, TYPE 1 or 2, GROUND A to E, " +
+                                          "AG above 0 in g or, without a unit, in m/s2; or a file of period [s] and acceleration");
+}
+
+Eurocode8 eurocode8_of(const std::string& name) {
+  const Parts parts = parts_of(name, ":");
+  if (parts.size() != 4) refuse(name, "wanted four parts");
+  Eurocode8 e;
+  if (parts[1] != "1" && parts[1] != "2") refuse(name, "no type " + shown(parts[1]));
+  e.type = parts[1] == "1" ? 1 : 2;
+  const std::string ground = upper(parts[2]);
+  if (ground.size() != 1 || ground[0] < 'A' || ground[0] > 'E') refuse(name, "no ground " + shown(parts[2]));
+  e.ground = ground[0];
+  const bool in_g = parts[3].ends_with('g');
+  const auto ag = finite_number(std::string_view(parts[3]).substr(0, parts[3].size() - (in_g ? 1 : 0)));
+  if (!ag || !(*ag > 0.0)) refuse(name, "no acceleration " + shown(parts[3]));
+  e.ag = *ag * (in_g ? cases::kStandardGravity : 1.0);
+  return e;
+}
+
+/// "g" of "Sa [g]"; empty without brackets.
+std::string bracketed(const std::string& field) {
+  const std::size_t open = field.find_first_of("[("), close = field.find_first_of("])");
+  return open == std::string::npos || close == std::string::npos || close < open ? "" : field.substr(open + 1, close - open - 1);
+}
+
+Parts columns_of(const std::string& path, long line, std::string_view content) {
+  const std::size_t mark = content.find_first_of(",;");
+  Parts parts = parts_of(content, mark == std::string_view::npos ? std::string_view(" \t") : content.substr(mark, 1));
+  if (parts.size() != 2)
+    throw FileError(path, line, "has " + std::to_string(parts.size()) + " columns; wanted two: period [s], spectral acceleration");
+  return parts;
+}
+
+class TargetReader {
+ public:
+  explicit TargetReader(const std::string& path) : path_(path) {}
+
+  void line(long number, const Parts& parts) {
+    const auto period = finite_number(parts[0]), value = finite_number(parts[1]);
+    if (target_.period.empty() && !header_ && !period) return header(number, parts);
+    if (!period || !(*period >= 0.0)) fail(number, "period " + shown(parts[0]) + " is no number; allowed: 0 or more");
+    if (!value || !(*value > 0.0)) fail(number, "acceleration " + shown(parts[1]) + " is no number above 0");
+    if (!target_.period.empty() && !(*period > target_.period.back())) fail(number, "period " + shown(parts[0]) + " does not rise");
+    target_.period.push_back(*period);
+    target_.acceleration.push_back(*value);
+  }
+
+  TargetSpectrum finished(const std::optional<std::string>& unit) {
+    if (target_.period.size() < 2)
+      throw FileError(path_, "holds " + std::to_string(target_.period.size()) + " rows of numbers; allowed: 2 or more");
+    if (!factor_ && unit) factor_ = acceleration_unit(*unit);
+    if (!factor_) throw FileError(path_, "the unit of acceleration is not stated; give the file a header line 'T [s], Sa [g]', or --unit");
+    for (double& a : target_.acceleration) a *= *factor_;
+    target_.name = std::filesystem::path(path_).filename().string();
+    return std::move(target_);
+  }
+
+ private:
+  void header(long number, const Parts& parts) {
+    header_ = true;
+    const std::string of_period = bracketed(parts[0]), of_value = bracketed(parts[1]);
+    if (!of_period.empty() && of_period != "s") fail(number, "unit of the period is " + shown(of_period) + "; allowed: s");
+    if (of_value.empty()) return;
+    factor_ = acceleration_unit(of_value);
+    if (!factor_) fail(number, "unit of acceleration is " + shown(of_value) + "; allowed: g, m/s2, cm/s2");
+  }
+  [[noreturn]] void fail(long number, const std::string& what) const { throw FileError(path_, number, what); }
+
+  std::string path_;
+  TargetSpectrum target_;
+  std::optional<double> factor_;
+  bool header_ = false;
+};
+
+}  // namespace
+
+TargetSpectrum read_target(const std::string& name, const std::optional<std::string>& unit) {
+  if (name.starts_with("ec8:")) return {name, eurocode8_of(name), {}, {}};
+  std::error_code error;
+  if (!std::filesystem::exists(name, error)) refuse(name, "no such file");
+  const std::string text = read_foreign_text(name, kLargestMotionFile);
+  LineReader lines(text);
+  TargetReader reader(name);
+  while (const auto line = lines.next()) {
+    const std::string_view content = trimmed(*line);
+    if (!content.empty() && content.front() != '#') reader.line(lines.line(), columns_of(name, lines.line(), content));
+  }
+  return reader.finished(unit);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/case.h"
+#include "io/input/stones/stone_file.h"
+
+/// From files to closed solids in metres, each by its name. Internal to io/input/stones/.
+namespace voussoir::io {
+
+/// A closed solid, turned outward, with its faces merged where they are exactly in one plane; or one that is at fault.
+struct RawStone {
+  std::string name;
+  std::vector<std::string> groups;
+  geometry::Mesh mesh;  // global axes, m
+  bool support = false;
+  std::size_t merged = 0;  // faces that are gone since they lay in one plane with others
+  std::string fault = {};  // why it bounds no solid, with the place and what to do; the mesh is then as it was read
+};
+
+/// All stones of one table, in the order of its file. \param key  of the table; \param notes  what was passed over
+std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
+                                 std::vector<std::string>& notes);
+
+/// "12 stones", "1 stone".
+std::string counted(std::size_t n, const std::string& what);
+
+/// 'stone "Mesh_12" of "dome.obj"'
+std::string stone_words(const cases::StonesSpec& spec, const std::string& name);
+
+}  // namespace voussoir::io

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/measures/building.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "io/input/document/case_tree.h"
+#include "io/input/files/errors.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr double kPiece = 1.0;       // m along a wall's top, over which its displacement is averaged
+constexpr double kSameLevel = 1e-3;  // m
+
+/// /model/element as far as it matters here.
+struct Elements {
+  std::vector<std::string> tag;
+  std::vector<std::int32_t> house;
+  std::vector<std::uint8_t> fixed;
+};
+
+/// A number of the case, 0 if it is not given.
+double case_number(const Hdf5File& run, std::string_view table, std::string_view key) {
+  try {
+    const Node document = parse_document(run.attribute_text("/case", "toml"));
+    const Entry* entry = find_entry(*document.as<Node::Table>(), table);
+    const auto* inside = entry == nullptr ? nullptr : entry->node.as<Node::Table>();
+    const Entry* number = inside == nullptr ? nullptr : find_entry(*inside, key);
+    if (number == nullptr) return 0.0;
+    if (const auto* value = number->node.as<double>()) return *value;
+    if (const auto* value = number->node.as<std::int64_t>()) return static_cast<double>(*value);
+    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no number");
+  } catch (const SyntaxError& e) {
+    throw FileError(run.path(), std::string("/case: ") + e.what());
+  }
+}
+
+/// \throw FileError
+bool has_table(const Hdf5File& run, std::string_view table) {
+  try {
+    return find_entry(*parse_document(run.attribute_text("/case", "toml")).as<Node::Table>(), table) != nullptr;
+  } catch (const SyntaxError& e) {
+    throw FileError(run.path(), std::string("/case: ") + e.what());
+  }
+}
+
+std::vector<Box> boxes_of(const Hdf5File& run, std::size_t elements) {
+  const auto first = run.read<std::int32_t>("/model/element/first_vertex");
+  const auto vertex = run.read<double>("/model/vertex");
+  if (first.size() != elements) throw FileError(run.path(), "/model/element does not fit together");
+  std::vector<Box> boxes(elements, Box::empty());
+  std::size_t e = 0;
+  for (std::size_t v = 0; v < vertex.size() / 3; ++v) {
+    while (e + 1 < elements && static_cast<std::int64_t>(v) >= first[e + 1]) ++e;
+    const std::array at{vertex[3 * v], vertex[3 * v + 1], vertex[3 * v + 2]};
+    boxes[e].include({at, at});
+  }
+  return boxes;
+}
+
+/// What the tag of a brick says: "front wall", "left gable", "middle wall, storey 2".
+struct WallTag {
+  std::string side;  // empty: no brick of a wall
+  bool gable = false;
+  int storey = 1;
+  std::string storey_name;  // ", storey 2"; empty: a house of one storey
+};
+
+WallTag wall_tag(std::string tag) {
+  WallTag found;
+  const std::size_t storey = tag.rfind(", storey ");
+  if (storey != std::string::npos) {
+    found.storey_name = tag.substr(storey);
+    found.storey = std::max(1, std::atoi(tag.c_str() + storey + std::string_view(", storey ").size()));
+    tag.resize(storey);
+  }
+  for (const std::string_view what : {" wall", " gable"}) {
+    if (tag.size() <= what.size() || !tag.ends_with(what)) continue;
+    found.side = tag.substr(0, tag.size() - what.size());
+    found.gable = what == " gable";
+  }
+  return found;
+}
+
+/// What each element is in a house. Results of early versions say it by tags alone, and there what is neither wall, lintel nor roof is a
+/// block.
+std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std::string>& tags) {
+  using enum cases::PartKind;
+  std::vector<cases::PartKind> kinds;
+  if (run.exists("/model/element/kind")) {
+    for (const std::uint8_t k : run.read<std::uint8_t>("/model/element/kind")) kinds.push_back(static_cast<cases::PartKind>(k));
+    return kinds;
+  }
+  for (const std::string& tag : tags) {
+    kinds.push_back(!wall_tag(tag).side.empty()      ? brick
+                    : tag.starts_with("lintel ")     ? lintel
+                    : tag.starts_with("roof beam ")  ? beam
+                    : tag.starts_with("vault ring ") ? voussoir
+                                                     : block);
+  }
+  return kinds;
+}
+
+/// House, storey, place round it (4: an inner wall), side.
+using WallKey = std::tuple<std::int32_t, int, std::ptrdiff_t, std::string>;
+WallKey wall_key(std::int32_t house, const WallTag& tag) {
+  constexpr std::array<std::string_view, 4> kRound{"front", "right", "rear", "left"};
+  return {house, tag.storey, std::ranges::find(kRound, tag.side) - kRound.begin(), tag.side};
+}
+
+/// Which way is out of the house at a wall, by its place round the house that has been turned.
+void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
+  const std::ptrdiff_t quarter = (place + 3 + quarter_turns) % 4;  // 0: +x, where the right wall of a house not turned is; then +y, −x, −y
+  wall.across = static_cast<std::size_t>(quarter % 2);
+  wall.outward = quarter < 2 ? 1.0 : -1.0;
+}
+
+/// An inner wall, or one of free blocks: across it is its shorter side. Out is away from the middle of what stands there; of an inner wall
+/// along the axis.
+void orient_by_box(Wall& wall, const Box& all) {
+  wall.across = wall.box.size(0) < wall.box.size(1) ? 0 : 1;
+  wall.outward = !wall.inner && wall.box.centre(wall.across) < all.centre(wall.across) ? -1.0 : 1.0;
+}
+
+/// Bricks of houses, and free blocks whose `part` is a wall.
+bool may_be_of_wall(const Elements& elements, const Building& b, std::size_t e) {
+  return elements.house[e] >= 0 || b.kind[e] == cases::PartKind::walling;
+}
+
+/// Walls with their boxes, house by house, storey by storey and round each; says of each brick which wall it is in.
+void find_walls(const Elements& elements, int quarter_turns, Building& b) {
+  std::set<std::int32_t> houses(elements.house.begin(), elements.house.end());
+  houses.erase(-1);  // blocks of their own
+  const bool several = houses.size() > 1;
+  std::map<WallKey, std::int32_t> numbers;
+  std::vector<WallTag> tags;
+  for (std::size_t e = 0; e < elements.tag.size(); ++e) {
+    tags.push_back(may_be_of_wall(elements, b, e) ? wall_tag(elements.tag[e]) : WallTag{});
+    if (!tags[e].side.empty() && !tags[e].gable) numbers.emplace(wall_key(elements.house[e], tags[e]), 0);
+  }
+  for (auto& [key, number] : numbers) {
+    number = static_cast<std::int32_t>(b.walls.size());
+    Wall& wall = b.walls.emplace_back();
+    wall.house = std::get<0>(key), wall.storey = std::get<1>(key);
+    wall.inner = wall.house >= 0 ? std::get<2>(key) == 4 : std::get<3>(key).starts_with("inner");
+    wall.box = Box::empty();
+  }
+  Box all = Box::empty();
+  for (std::size_t e = 0; e < elements.tag.size(); ++e) {
+    const auto found = tags[e].side.empty() ? numbers.end() : numbers.find(wall_key(elements.house[e], tags[e]));
+    if (found == numbers.end()) continue;
+    b.wall[e] = found->second;
+    if (tags[e].gable) continue;
+    Wall& wall = b.walls[static_cast<std::size_t>(found->second)];
+    wall.box.include(b.box[e]), all.include(b.box[e]);
+    wall.name = tags[e].side + " wall" + tags[e].storey_name + (several ? " of house " + std::to_string(wall.house) : "");
+  }
+  for (const auto& [key, number] : numbers) {
+    Wall& wall = b.walls[static_cast<std::size_t>(number)];
+    wall.inner || wall.house < 0 ? orient_by_box(wall, all) : orient(wall, std::get<2>(key), quarter_turns);
+  }
+}
+
+/// Lintels belong to the wall in whose box they lie.
+void find_lintels(const Elements& elements, Building& b) {
+  for (std::size_t e = 0; e < b.kind.size(); ++e) {
+    if (b.kind[e] != cases::PartKind::lintel) continue;
+    for (std::size_t w = 0; w < b.walls.size(); ++w) {
+      const Box& box = b.walls[w].box;
+      const auto inside = [&](std::size_t axis) { return b.box[e].centre(axis) > box.low[axis] && b.box[e].centre(axis) < box.high[axis]; };
+      if (b.walls[w].house == elements.house[e] && inside(0) && inside(1) && inside(2)) b.wall[e] = static_cast<std::int32_t>(w);
+    }
+  }
+}
+
+void find_courses(const Elements& elements, Building& b) {
+  for (Wall& w : b.walls) w.top.resize(static_cast<std::size_t>(std::max(1L, std::lround(w.length() / kPiece))));
+  for (std::size_t e = 0; e < b.wall.size(); ++e) {
+    if (b.wall[e] < 0 || wall_tag(elements.tag[e]).gable) continue;
+    Wall& w = b.walls[static_cast<std::size_t>(b.wall[e])];
+    if (b.box[e].low[2] < w.box.low[2] + kSameLevel) w.foot.push_back(e);
+    if (b.box[e].high[2] < w.box.high[2] - kSameLevel) continue;
+    const std::size_t along = 1 - w.across;
+    const double place = (b.box[e].centre(along) - w.box.low[along]) / w.length() * static_cast<double>(w.top.size());
+    w.top[std::min(w.top.size() - 1, static_cast<std::size_t>(place))].push_back(e);
+  }
+}
+
+/// The rectangle about the walls of a storey less the walls themselves.
+Room inside_of(const std::vector<const Wall*>& walls, const Box& outer, int storey) {
+  Room room{{outer.low[0], outer.low[1]}, {outer.high[0], outer.high[1]}, outer.low[2], outer.high[2], storey, true};
+  for (const Wall* w : walls) {
+    if (w->inner) continue;
+    double& low = room.low[w->across];
+    double& high = room.high[w->across];
+    w->outward < 0 ? low = std::max(low, w->box.high[w->across]) : high = std::min(high, w->box.low[w->across]);
+  }
+  return room;
+}
+
+/// What an inner wall leaves of the rooms that it goes through.
+std::vector<Room> parted(const std::vector<Room>& rooms, const Wall& wall) {
+  std::vector<Room> all;
+  for (const Room& room : rooms) {
+    const std::size_t k = wall.across;
+    Room before = room, behind = room;
+    before.high[k] = std::min(room.high[k], wall.box.low[k]), behind.low[k] = std::max(room.low[k], wall.box.high[k]);
+    for (const Room& part : {before, behind})
+      if (part.high[k] > part.low[k]) all.push_back(part);
+  }
+  return all;
+}
+
+void find_rooms(Building& b) {
+  std::map<std::pair<std::int32_t, int>, std::vector<const Wall*>> storeys;
+  for (const Wall& w : b.walls) storeys[{w.house, w.storey}].push_back(&w);
+  for (const auto& [key, walls] : storeys) {
+    Box outer = Box::empty();
+    for (const Wall* w : walls) outer.include(w->box);
+    const Room whole = inside_of(walls, outer, key.second);
+    if (whole.high[0] <= whole.low[0] || whole.high[1] <= whole.low[1]) continue;
+    std::vector<Room> rooms{whole};
+    for (const Wall* w : walls)
+      if (w->inner) rooms = parted(rooms, *w);
+    const bool top = !storeys.contains({key.first, key.second + 1});
+    for (Room& room : rooms) room.top = top, b.rooms.push_back(room);
+  }
+}
+
+/// Which storeys lie under each element of a floor or a roof.
+void find_covers(const Elements& elements, Building& b) {
+  for (std::size_t e = 0; e < b.kind.size(); ++e) {
+    if (b.is_roof(e)) b.covers[e] = Building::kAll;
+    if (b.kind[e] == cases::PartKind::floor_beam) std::sscanf(elements.tag[e].c_str(), "floor %d", &b.covers[e]);
+  }
+}
+
+}  // namespace
+
+Box Box::empty() noexcept {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+}
+
+void Box::include(const Box& other) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
+}
+
+std::string part_of(const std::string& tag) {
+  if (tag.find(", storey ") != std::string::npos) return tag;
+  const std::size_t end = tag.find_last_not_of("0123456789 ");
+  return end == std::string::npos ? tag : tag.substr(0, end + 1);
+}
+
+Building building_of(const Hdf5File& run) {
+  Building b;
+  b.base = case_number(run, "base", "z");
+  b.has_base = has_table(run, "base");
+  b.mass = run.read<double>("/model/element/mass");
+  const std::size_t n = b.mass.size();
+  const Elements elements{run.read_strings("/model/element/tag"), run.read<std::int32_t>("/model/element/house"),
+                          run.read<std::uint8_t>("/model/element/fixed")};
+  b.kind = kinds_of(run, elements.tag);
+  if (elements.tag.size() != n || elements.house.size() != n || elements.fixed.size() != n || b.kind.size() != n)
+    throw FileError(run.path(), "/model/element does not fit together");
+  for (std::size_t e = 0; e < n; ++e) {
+    if (elements.fixed[e] != 0) b.mass[e] = 0.0;  // no part of what may fall, as the solver has it
+  }
+  b.wall.assign(n, -1);
+  b.covers.assign(n, 0);
+  b.box = boxes_of(run, n);
+  find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
+  find_lintels(elements, b);
+  find_rooms(b);
+  find_covers(elements, b);
+  find_courses(elements, b);
+  const bool any_house = std::ranges::any_of(elements.house, [](std::int32_t h) { return h >= 0; });
+  b.footprint = Box::empty();
+  for (std::size_t e = 0; e < n; ++e)
+    if (any_house ? elements.house[e] >= 0 : elements.fixed[e] == 0) b.footprint.include(b.box[e]);
+  return b;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "cases/model.h"
+#include "io/input/files/hdf5_file.h"
+
+/// What measures of a collapse ask of the model of a run: which elements are a wall, where it stands, what room is between the walls.
+namespace voussoir::io {
+
+/// A box along the axes, m; `low` and `high` of x, y, z.
+struct Box {
+  std::array<double, 3> low, high;
+
+  /// Nothing in it yet.
+  static Box empty() noexcept;
+  void include(const Box& other) noexcept;
+  [[nodiscard]] double centre(std::size_t axis) const noexcept { return 0.5 * (low[axis] + high[axis]); }
+  [[nodiscard]] double size(std::size_t axis) const noexcept { return high[axis] - low[axis]; }
+};
+
+/// One side of a storey of a house, or an inner wall of it: its bricks, its lintels and the gable upon it.
+struct Wall {
+  std::string name;        // "front wall"; "front wall, storey 1"; with "of house 1" where there are several houses
+  std::int32_t house = 0;  // copy of the house; −1: of free blocks that name it as their part
+  int storey = 1;
+  bool inner = false;
+  Box box;                                    // of its bricks without the gable
+  std::size_t across = 0;                     // axis normal to its plane: 0 x, 1 y
+  double outward = 1.0;                       // 1: out of the house is along that axis, −1: against it
+  std::vector<std::size_t> foot;              // elements of its lowest course
+  std::vector<std::vector<std::size_t>> top;  // elements of its uppermost course without the gable, in pieces of about 1 m along the wall
+
+  [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
+  [[nodiscard]] double thickness() const noexcept { return box.size(across); }
+  [[nodiscard]] double height() const noexcept { return box.size(2); }
+  /// 1: the wall's axis runs to the right for somebody who looks at it from outside, −1: to the left.
+  [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
+};
+
+/// Along x (0), y (1) or z (2).
+inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// The space between walls of one storey, up to their height.
+struct Room {
+  std::array<double, 2> low, high;  // x and y, m
+  double floor = 0, ceiling = 0;    // z, m
+  int storey = 1;
+  bool top = true;  // no storey stands upon its own
+};
+
+struct Building {
+  static constexpr int kAll = std::numeric_limits<int>::max();  // in `covers`
+
+  double base = 0;  // height of the base, m; without one 0
+  bool has_base = false;
+  std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
+  std::vector<cases::PartKind> kind;
+  std::vector<std::int32_t> wall;  // into walls; −1: of no wall
+  std::vector<int> covers;         // storeys from 1 to this one lie under it (floor, roof); 0: it is neither
+  std::vector<Box> box;            // in the reference configuration
+  std::vector<Wall> walls;         // none without a house
+  std::vector<Room> rooms;         // of the houses whose walls leave one
+  Box footprint;                   // of the houses; without a house: of all elements that are not fixed
+
+  [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
+    return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
+  }
+  /// Timber that lies on walls, in their pockets or beside them: a rafter, a beam of a roof or floor, a ring beam, a column. A lintel is of
+  /// its wall.
+  [[nodiscard]] bool is_timber(std::size_t element) const noexcept {
+    using enum cases::PartKind;
+    return kind[element] == beam || kind[element] == floor_beam || kind[element] == ring_beam || kind[element] == column;
+  }
+  /// Whether timber meets a wall, the base or other timber between these elements: what opens there is its slip, and no crack of a wall.
+  /// \param b  -1: the base
+  [[nodiscard]] bool is_seat(std::int32_t a, std::int32_t b) const noexcept {
+    return is_timber(static_cast<std::size_t>(a)) || (b >= 0 && is_timber(static_cast<std::size_t>(b)));
+  }
+};
+
+/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam", "front wall, storey 1" of itself.
+std::string part_of(const std::string& tag);
+
+/// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
+Building building_of(const Hdf5File& run);
+
+}  // namespace voussoir::io

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/measures/capacity/capacity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "io/input/case_file/case_file.h"
+#include "io/input/files/hdf5_file.h"
+#include "io/output/measures/debris/bodies.h"
+#include "io/output/replay/collapse_parts.h"
+#include "io/output/replay/frame_reader.h"
+#include "solver/run/run.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr double kWindow = 0.1;        // of the pace: the load factor is a mean over it
+constexpr double kOnward = 0.9;        // of the way in such a window is onward
+constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
+constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
+constexpr double kLeastShear = 1e-3;   // of the loads: less is none, as where all that grows is moments
+constexpr double kItalianShare = 0.7;  // of the largest base shear: the elastic branch goes through it
+
+using Values = std::vector<double>;
+
+/// Where `y` first passes `level` between rows `from` and `to`, as a value of x; NaN: it does not.
+double crossing(const Values& x, const Values& y, std::size_t from, std::size_t to, double level) {
+  for (std::size_t i = std::max<std::size_t>(from, 1); i <= to && i < y.size(); ++i) {
+    const double a = y[i - 1] - level, b = y[i] - level;
+    if (a == 0.0) return x[i - 1];
+    if ((a < 0.0) != (b < 0.0)) return x[i - 1] + (x[i] - x[i - 1]) * a / (a - b);
+  }
+  return Bilinear::kNone;
+}
+
+/// ∫ y dx up to where x passes `end` for the first time after row `from`.
+double area(const Values& x, const Values& y, std::size_t from, double end) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (i > from && x[i] >= end) return sum + (end - x[i - 1]) * y[i - 1];
+    sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  }
+  return sum;
+}
+
+Bilinear finished(Bilinear b) {
+  b.ductility = b.ultimate / b.yield;
+  return b;
+}
+
+/// EN 1998-1, B.3: the plateau is the largest base shear, the areas up to its displacement are equal.
+Bilinear ec8_of(const Capacity& c, std::size_t peak) {
+  Bilinear b;
+  b.force = c.peak_shear;
+  b.yield = 2.0 * (c.peak_displacement - area(c.curve.displacement, c.curve.base_shear, peak, c.peak_displacement) / b.force);
+  b.stiffness = b.force / b.yield;
+  b.ultimate = c.ultimate_displacement;
+  return finished(b);
+}
+
+/// Circolare 7/2019, C7.8.1.6 (masonry): through the point at 0.7 of the largest base shear; equal areas up to the ultimate displacement.
+Bilinear ntc_of(const Capacity& c, std::size_t peak) {
+  Bilinear b;
+  const double at = crossing(c.curve.displacement, c.curve.base_shear, 0, peak, kItalianShare * c.peak_shear);
+  b.stiffness = kItalianShare * c.peak_shear / at;
+  b.ultimate = c.ultimate_displacement;
+  const double below = area(c.curve.displacement, c.curve.base_shear, peak, b.ultimate);
+  b.force = b.stiffness * (b.ultimate - std::sqrt(b.ultimate * b.ultimate - 2.0 * below / b.stiffness));
+  b.yield = b.force / b.stiffness;
+  return finished(b);
+}
+
+/// Over the rows from `from` to `to`: the mean load factor over the displacement that its forces work on, and what motion bore of it.
+struct Window {
+  double mean = 0.0, motion = 0.0;
+  [[nodiscard]] double at_rest() const { return mean - motion; }
+};
+/// Nothing of a window in which the structure swings to and fro: there is no virtual work along a path that turns back.
+std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size_t from, std::size_t to) {
+  double way = 0.0, sum = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const double on = r.moved[i] - r.moved[i - 1];
+    way += std::abs(on), sum += 0.5 * (r.factor[i] + r.factor[i - 1]) * on;
+  }
+  const double moved = r.moved[to] - r.moved[from];
+  if (moved <= 0.0 || moved < kOnward * way) return {};
+  const double motion = r.kinetic[to] - r.kinetic[from] + r.damping[to] - r.damping[from];
+  return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
+}
+
+/// The largest load factor that the structure itself has borne, (30) of THEORY.md.
+void look_at_motion(Capacity& c, double pace, double weight) {
+  const CapacityCurve& r = c.curve;
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
+  c.multiplier = r.factor[peak];
+  c.least_factor = *std::ranges::min_element(r.factor);
+  std::size_t from = 0, at = 0;
+  double most = -1.0;
+  for (std::size_t i = 1; i < r.time.size(); ++i) {
+    while (from + 1 < i && r.time[from] < r.time[i] - kWindow * pace) ++from;
+    const std::optional<Window> w = window_of(r, weight, from, i);
+    if (!w || w->at_rest() <= most) continue;
+    most = w->at_rest(), at = i;
+    c.multiplier_at_rest = w->at_rest(), c.motion_share = w->motion / w->mean;
+  }
+  c.multiplier_time = r.time[at], c.multiplier_displacement = r.displacement[at];
+  for (std::size_t i = 0; i <= at; ++i) {
+    const double put_in = r.input[i] - r.input.front();
+    if (r.factor[i] >= kLoaded * c.multiplier_at_rest && put_in > 0.0) c.kinetic_share = std::max(c.kinetic_share, r.kinetic[i] / put_in);
+  }
+}
+
+void look_at_shear(Capacity& c, double drop, double weight) {
+  const CapacityCurve& r = c.curve;
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.base_shear) - r.base_shear.begin());
+  c.peak_shear = r.base_shear[peak], c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
+  if (c.peak_shear <= kLeastShear * weight * c.multiplier) return;
+  c.first_stiffness = kFirstShare * c.peak_shear / crossing(r.displacement, r.base_shear, 0, peak, kFirstShare * c.peak_shear);
+  const double left = (1.0 - drop) * c.peak_shear;
+  c.ultimate_displacement = crossing(r.displacement, r.base_shear, peak + 1, r.time.size(), left);
+  c.ultimate_drift = crossing(r.drift, r.base_shear, peak + 1, r.time.size(), left);
+  c.ec8 = ec8_of(c, peak);
+  c.ntc = ntc_of(c, peak);
+}
+
+/// Work of the pattern's forces, and where all work went.
+void look_at_work(Capacity& c, double weight) {
+  const CapacityCurve& r = c.curve;
+  for (std::size_t i = 1; i < r.time.size(); ++i)
+    c.loop_area += 0.5 * weight * (r.factor[i] + r.factor[i - 1]) * (r.moved[i] - r.moved[i - 1]);
+  c.dissipated = r.losses.back() - r.losses.front();
+  c.stored = r.stored.back() - r.stored.front();
+}
+
+/// The last moment in which the structure did no more than follow its supports.
+void look_at_fall(Capacity& c, double quiet) {
+  const CapacityCurve& r = c.curve;
+  std::size_t i = r.time.size();
+  while (i > 0 && r.kinetic[i - 1] > quiet) --i;
+  if (i == 0 || i == r.time.size()) return;
+  c.collapse_movement = r.support_moved[i - 1], c.collapse_time = r.time[i - 1];
+}
+
+std::vector<std::string> names_of(const BodiesInFrame& found, const Building& building) {
+  std::vector<std::string> names;
+  const double mass = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
+  for (const Body& b : found.bodies) {
+    std::array<char, 120> size{};
+    std::snprintf(size.data(), size.size(), " (elements: %td, of the mass: %.1f %%, moved by %.1f mm)", std::ranges::count(found.id, b.id),
+                  100.0 * b.mass / mass, 1e3 * norm(b.displacement));
+    names.push_back(body_name(b, building) + size.data());
+  }
+  return names;
+}
+
+std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frames, const Building& building, std::uint64_t frame) {
+  BodyFinder finder(run, building, first_poses(frames));
+  return names_of(finder.find(frames.times()[frame], poses_of(frames, frame)), building);
+}
+
+/// Parts that move as one from the largest load factor on, and what they do then.
+std::vector<std::string> parts_from(const Hdf5File& run, const FrameReader& frames, const Building& building, double peak) {
+  CollapseParts found = collapse_parts(run, frames, building.mass, peak);
+  BodyFinder finder(run, building, found.from == 0 ? first_poses(frames) : poses_of(frames, found.from));
+  finder.take(std::move(found.part), frames.times()[found.from]);
+  return names_of(finder.find(frames.times()[found.to], poses_of(frames, found.to)), building);
+}
+
+/// The mechanism from the largest load factor on; and bodies at the end, where joints are open enough to tell them apart.
+void look_at_mechanism(const Hdf5File& run, Capacity& c) {
+  const FrameReader frames(run);
+  if (frames.frames() == 0) return;
+  const Building building = building_of(run);
+  const auto& times = frames.times();
+  const auto next = static_cast<std::uint64_t>(std::ranges::lower_bound(times, c.multiplier_time) - times.begin());
+  const std::uint64_t at = std::min(next, frames.frames() - 1);
+  c.mechanism = has_peak(c) ? parts_from(run, frames, building, c.multiplier_time) : bodies_at(run, frames, building, at);
+  c.mechanism_time = times[at];
+  c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
+}
+
+const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed) {
+  const CapacityCurve& r = c.curve;
+  if (r.over.back() == 0.0) return collapsed ? "collapse" : r.time.back() < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
+  if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
+  if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
+  return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
+}
+
+/// The mean over a period about each row, of rows at equal distances; less of it at the ends. A vibration is not in it, and it does not
+/// lag.
+Values smoothed(const Values& time, const Values& y, double period) {
+  Values out(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    std::size_t half = 0;
+    while (half < i && i + half + 1 < y.size() && time[i + half + 1] - time[i] <= 0.5 * period) ++half;
+    double sum = 0.0;
+    for (std::size_t k = i - half; k <= i + half; ++k) sum += y[k];
+    out[i] = sum / static_cast<double>(2 * half + 1);
+  }
+  return out;
+}
+
+/// Base shear along the push at the rows of /assessment, from those of /forces, which have the same times.
+Values base_shear(const Hdf5File& run, const Values& time, const std::array<double, 2>& direction, double period) {
+  const auto at = run.read<double>("/forces/time"), force = run.read<double>("/forces/base_shear");
+  const double length = std::hypot(direction[0], direction[1]);
+  Values out;
+  for (std::size_t k = 0; k < at.size() && out.size() < time.size(); ++k) {
+    if (at[k] < time[out.size()]) continue;
+    out.push_back(-(force[3 * k] * direction[0] + force[3 * k + 1] * direction[1]) / length);
+  }
+  return smoothed({time.begin(), time.begin() + static_cast<std::ptrdiff_t>(out.size())}, out, period);
+}
+
+/// Rows of /assessment; those of /energy and /forces at the same times, which all have from time zero on.
+CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period) {
+  const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
+  CapacityCurve c{of("time"),
+                  of("factor"),
+                  of("displacement"),
+                  of("drift"),
+                  of("moved"),
+                  of("base_shear"),
+                  of("support_moved"),
+                  of("over"),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
+  const auto time = run.read<double>("/energy/time");
+  const auto column = [&](const char* name) { return run.read<double>(std::string("/energy/") + name); };
+  const Values input = column("input"), kinetic = column("kinetic"), damping = column("damping"), dashpot = column("dashpot"),
+               friction = column("friction"), fracture = column("fracture"), strain = column("strain"), contact = column("contact"),
+               gravity = column("gravity"), residual = column("residual");
+  std::size_t k = 0, kept = 0;
+  for (; kept < c.time.size(); ++kept) {
+    while (k < time.size() && time[k] < c.time[kept]) ++k;
+    if (k == time.size() || !(residual[k] <= solver::kResidualLimit)) break;  // a row in which the run was lost
+    c.input.push_back(input[k]), c.kinetic.push_back(kinetic[k]), c.damping.push_back(damping[k]);
+    c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
+    c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
+  }
+  c.base_shear = base_shear(run, c.time, direction, period);
+  kept = std::min(kept, c.base_shear.size());
+  for (Values* v : {&c.time, &c.factor, &c.displacement, &c.drift, &c.moved, &c.base_shear, &c.support_moved, &c.over, &c.input, &c.kinetic,
+                    &c.damping, &c.losses, &c.stored})
+    v->resize(kept);
+  return c;
+}
+
+}  // namespace
+
+Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve) {
+  Capacity c;
+  c.kind = kind, c.drop = drop;
+  c.curve = std::move(curve);
+  if (kind == cases::AnalysisKind::settlement) {
+    look_at_fall(c, quiet);
+    return c;
+  }
+  look_at_motion(c, pace, weight);
+  look_at_work(c, weight);
+  if (kind == cases::AnalysisKind::cyclic)
+    c.loops = loops_of(c.curve, weight);
+  else
+    look_at_shear(c, drop, weight);
+  return c;
+}
+
+std::optional<Capacity> capacity_figures(const Hdf5File& run) {
+  if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
+  const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
+  const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
+  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"));
+  if (curve.time.empty()) return {};
+  Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
+  const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
+  c.ended = why_ended(c, a, collapsed);
+  return c;
+}
+
+std::optional<Capacity> capacity_of(const Hdf5File& run) {
+  std::optional<Capacity> c = capacity_figures(run);
+  if (c) look_at_mechanism(run, *c);
+  return c;
+}
+
+}  // namespace voussoir::io

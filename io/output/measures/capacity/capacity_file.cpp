@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/measures/capacity/capacity_file.h"
+
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "io/input/files/hdf5_file.h"
+
+namespace voussoir::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using cases::AnalysisKind;
+
+constexpr double kSlow = 0.01;  // share of the work that may go into motion before a result counts as one of its rate
+
+bool is_slow(const Capacity& c) { return std::abs(c.motion_share) <= kSlow && c.kinetic_share <= kSlow; }
+
+void add_bilinear(std::vector<Figure>& to, const std::array<const char*, 4>& names, const Bilinear& b) {
+  to.push_back({names[0], b.stiffness, "N/m (NaN: none)"});
+  to.push_back({names[1], b.force, "N (NaN: none)"});
+  to.push_back({names[2], b.yield, "m (NaN: none)"});
+  to.push_back({names[3], b.ductility, "1 (NaN: none)"});
+}
+
+__attribute__((format(printf, 2, 3))) std::string line(const char* name, const char* format, ...) {
+  std::array<char, 300> value{}, all{};
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(value.data(), value.size(), format, arguments);
+  va_end(arguments);
+  std::snprintf(all.data(), all.size(), "%-21s%.270s\n", name, value.data());
+  return all.data();
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& n : names) text += (text.empty() ? "" : "; ") + n;
+  return text.empty() ? "none" : text;
+}
+
+Json loops_json(const std::vector<Loop>& loops) {
+  Json out = Json::array();
+  for (const Loop& l : loops) {
+    out.push_back({{"begin", l.begin},
+                   {"end", l.end},
+                   {"most", l.most},
+                   {"least", l.least},
+                   {"most_factor", l.most_factor},
+                   {"least_factor", l.least_factor},
+                   {"first_factor", l.first_factor},
+                   {"last_factor", l.last_factor},
+                   {"area", l.area},
+                   {"dissipated", l.dissipated},
+                   {"stored", l.stored},
+                   {"other_work", l.other_work},
+                   {"viscous_damping", l.viscous_damping}});
+  }
+  return out;
+}
+
+std::string mechanisms(const Capacity& c) {
+  return "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
+}
+
+std::string loops_text(const std::vector<Loop>& loops) {
+  std::string text;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const Loop& l = loops[k];
+    text += line(std::string("loop ").append(std::to_string(k + 1)).c_str(),
+                 "%.3f to %.3f mm, factor %.4f to %.4f; area %.4g J, lost %.4g J, stored %.3g J, other loads %.3g J; damping %.1f %%",
+                 1e3 * l.least, 1e3 * l.most, l.least_factor, l.most_factor, l.area, l.dissipated, l.stored, l.other_work,
+                 100.0 * l.viscous_damping);
+  }
+  return text;
+}
+
+std::string bilinear_text(const char* name, const Bilinear& b) {
+  if (std::isnan(b.yield)) return line(name, "none");
+  return line(name, "%.1f kN from %.3f mm on (%.4g kN/mm), ductility %s", 1e-3 * b.force, 1e3 * b.yield, 1e-6 * b.stiffness,
+              std::isnan(b.ductility) ? "not reached" : std::to_string(b.ductility).substr(0, 5).c_str());
+}
+
+void write_loops(Hdf5File& file, const std::string& name, const std::vector<Loop>& loops) {
+  constexpr std::uint64_t kColumns = 13;
+  std::vector<double> rows;
+  for (const Loop& l : loops) {
+    rows.insert(rows.end(), {l.begin, l.end, l.most, l.least, l.most_factor, l.least_factor, l.first_factor, l.last_factor, l.area,
+                             l.dissipated, l.stored, l.other_work, l.viscous_damping});
+  }
+  file.write_dataset(name, Hdf5Type::f64, {loops.size(), kColumns}, rows.data(), {},
+                     {"s, s, m, m, 1, 1, 1, 1, J, J, J, J, 1",
+                      "whole cycles: begin, end, most, least, most_factor, least_factor, first_factor, last_factor, area, dissipated, "
+                      "stored, other_work, viscous_damping"});
+}
+
+}  // namespace
+
+const char* name_of(AnalysisKind kind) {
+  constexpr std::array names{"time-history", "pushover", "tilt", "settlement", "cyclic"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Figure> figures_of(const Capacity& c) {
+  std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
+  if (c.kind == AnalysisKind::settlement) {
+    f.push_back({"collapse_movement", c.collapse_movement, "m of a support (NaN: never)"});
+    f.push_back({"collapse_time", c.collapse_time, "s (NaN: never)"});
+    return f;
+  }
+  f.push_back({"multiplier", c.multiplier, "1"});
+  if (c.kind != AnalysisKind::cyclic) {  // a cycle turns within the stretch that this is a mean over
+    f.push_back({"multiplier_at_rest", c.multiplier_at_rest, "1"});
+    f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
+    f.push_back({"multiplier_time", c.multiplier_time, "s"});
+  }
+  f.push_back({"motion_share", c.motion_share, "1"});
+  f.push_back({"kinetic_share", c.kinetic_share, "1"});
+  f.push_back({"slow", std::int64_t{is_slow(c)}, "0: the result depends on the rate"});
+  f.push_back({"loop_area", c.loop_area, "J"});
+  f.push_back({"dissipated", c.dissipated, "J"});
+  f.push_back({"stored", c.stored, "J"});
+  if (c.kind == AnalysisKind::cyclic) {
+    f.push_back({"least_factor", c.least_factor, "1"});
+    return f;
+  }
+  f.push_back({"peak_shear", c.peak_shear, "N"});
+  f.push_back({"peak_displacement", c.peak_displacement, "m"});
+  f.push_back({"peak_time", c.peak_time, "s"});
+  f.push_back({"first_stiffness", c.first_stiffness, "N/m (NaN: none)"});
+  f.push_back({"ultimate_displacement", c.ultimate_displacement, "m (NaN: not reached)"});
+  f.push_back({"ultimate_drift", c.ultimate_drift, "1 (NaN: not reached)"});
+  add_bilinear(f, {"ec8_stiffness", "ec8_force", "ec8_yield", "ec8_ductility"}, c.ec8);
+  add_bilinear(f, {"ntc_stiffness", "ntc_force", "ntc_yield", "ntc_ductility"}, c.ntc);
+  return f;
+}
+
+std::string capacity_json(const Capacity& c, bool with_curve) {
+  Json out;
+  for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
+  if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
+  out["mechanism"] = c.mechanism;
+  out["mechanism_time"] = c.mechanism_time;
+  out["mechanism_at_end"] = c.mechanism_at_end;
+  if (with_curve) {
+    const CapacityCurve& r = c.curve;
+    out["curve"] = {{"time", r.time},   {"factor", r.factor},         {"displacement", r.displacement},  {"drift", r.drift},
+                    {"moved", r.moved}, {"base_shear", r.base_shear}, {"support_moved", r.support_moved}};
+  }
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string capacity_text(const Capacity& c) {
+  const bool on = c.ended == "not yet";
+  std::string text = on ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
+                        : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  if (c.kind == AnalysisKind::settlement) {
+    text += std::isnan(c.collapse_movement)
+                ? line("fell", "%s; supports moved by %.4f m", on ? "not so far" : "never", c.curve.support_moved.back())
+                : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
+    return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
+  }
+  const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
+  text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)
+                                         : line(name, "%.4f; borne at rest %.4f, at %.3f mm of the control point", c.multiplier,
+                                                c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
+  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share, c.kinetic_share,
+               is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
+  if (c.kind == AnalysisKind::cyclic) {
+    text += line("the other way", "%.4f", c.least_factor);
+    text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);
+    text += loops_text(c.loops);
+  } else {
+    if (std::isnan(c.first_stiffness)) return text + line("base shear", "none along the push: no capacity curve") + mechanisms(c);
+    text += line("largest base shear", "%.2f kN at %.3f mm; first stiffness %.4g kN/mm", 1e-3 * c.peak_shear, 1e3 * c.peak_displacement,
+                 1e-6 * c.first_stiffness);
+    text += std::isnan(c.ultimate_displacement)
+                ? line("ultimate", on ? "not reached so far" : "not reached")
+                : line("ultimate", "%.3f mm, drift %.3f %%", 1e3 * c.ultimate_displacement, 1e2 * c.ultimate_drift);
+    text += bilinear_text("bilinear, EC 8", c.ec8);
+    text += bilinear_text("bilinear, NTC 2018", c.ntc);
+  }
+  return text + mechanisms(c);
+}
+
+void write_capacity(Hdf5File& file, const Capacity& c) {
+  const std::string at = "/capacity";
+  file.make_group(at);
+  std::string units;
+  for (const Figure& f : figures_of(c)) {
+    std::visit([&](const auto& value) { file.set_attribute(at, f.name, value); }, f.value);
+    units.append(units.empty() ? "" : "; ").append(f.name).append(": ").append(f.unit);
+  }
+  file.set_attribute(at, "mechanism_time", c.mechanism_time);
+  file.set_attribute(at, "units", units + "; mechanism_time: s");
+  if (!c.loops.empty()) write_loops(file, at + "/loops", c.loops);
+  file.write_strings(at + "/mechanism", c.mechanism, {"1", "parts that move as one from the largest load factor on, and what they do"});
+  file.write_strings(at + "/mechanism_at_end", c.mechanism_at_end, {"1", "the same at the end"});
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/output/measures/measures.h"
+
+/// How measures are called, wherever they stand: in run.h5, in `voussoir summary`, on the report page.
+namespace voussoir::io {
+
+/// A measure that is one value: an attribute of /summary.
+struct Figure {
+  const char* name;
+  std::variant<std::int64_t, double, std::string> value;
+  const char* unit;
+};
+
+/// Those that no solver::Summary holds. Times below 0: never; NaN: there is no such thing.
+std::vector<Figure> figures_of(const Measures& m);
+
+/// A measure that every wall has: a dataset of /summary/wall.
+struct WallColumn {
+  const char* name;
+  double WallMeasures::*value;
+  const char* unit;
+  const char* description;
+};
+inline constexpr std::array kWallColumns{
+    WallColumn{"fallen_mass_fraction", &WallMeasures::fallen_mass_fraction, "1", "of the mass of the wall with its gable and lintels"},
+    WallColumn{"first_fallen_time", &WallMeasures::first_fallen_time, "s", "when its first element had fallen; below 0: none has"},
+    WallColumn{"quarter_fallen_time", &WallMeasures::quarter_fallen_time, "s", "when a quarter of its mass had fallen; below 0: never"},
+    WallColumn{"first_open_joint_time", &WallMeasures::first_open_joint_time, "s",
+               "when the first of its joints came open; below 0: never"},
+    WallColumn{"peak_drift", &WallMeasures::peak_drift, "1", "out-of-plane drift while it stood, outward positive; NaN: it never stood"},
+    WallColumn{"residual_drift", &WallMeasures::residual_drift, "1", "out-of-plane drift at the end; NaN: the wall does not stand"},
+    WallColumn{"peak_in_plane_drift", &WallMeasures::peak_in_plane_drift, "1",
+               "in-plane drift while it stood, along x or y positive; NaN: it never stood"},
+    WallColumn{"crack_extent", &WallMeasures::crack_extent, "1", "area of joints 1 mm open or more over the wall's horizontal section"},
+    WallColumn{"opened_extent", &WallMeasures::opened_extent, "1", "area of joints that came open since time zero over the section"},
+    WallColumn{"settling_crack_extent", &WallMeasures::settling_crack_extent, "1", "crack_extent when the shaking began"},
+    WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
+};
+
+/// Units of the figures, as the attribute `units` of /summary has them: "name, name: unit; ...".
+std::string figure_units();
+
+/// Figures, `grade_time`, `walls` and `points` as one JSON object; null for NaN.
+std::string measures_json(const Measures& m);
+
+/// Writes figures as attributes of /summary (which exists), /summary/wall, /summary/grade_time, and the group /measures. \throw FileError
+void write_measures(Hdf5File& file, const Measures& m);
+
+}  // namespace voussoir::io

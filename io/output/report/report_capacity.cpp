@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/report/report_capacity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "geometry/message.h"
+#include "io/input/files/errors.h"
+#include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/report/report_plots.h"
+
+namespace voussoir::io {
+namespace {
+
+using namespace page;
+using cases::AnalysisKind;
+using cases::LoadPattern;
+using Json = nlohmann::ordered_json;
+
+Axis over(const std::string& name, const std::string& unit, Values values) { return {name, unit, std::move(values)}; }
+
+/// Elastic up to yield, level up to the ultimate displacement, or as far as the curve goes.
+void add_bilinear(std::vector<Line>& lines, const std::string& name, const Bilinear& b, double end) {
+  if (std::isnan(b.yield) || std::isnan(b.force)) return;
+  const double until = std::max(b.yield, std::isnan(b.ultimate) ? end : b.ultimate);
+  lines.push_back({name, {0.0, 1e3 * b.yield, 1e3 * until}, {0.0, 1e-3 * b.force, 1e-3 * b.force}});
+}
+
+void add_point(std::vector<Point>& points, const std::string& name, double x, double y) {
+  if (!std::isnan(x) && !std::isnan(y)) points.push_back({name, x, y});
+}
+
+Plot base_shear_plot(const Capacity& c, double left) {
+  const CapacityCurve& r = c.curve;
+  const std::vector<std::size_t> rows = shown_rows(r.base_shear);
+  Plot p{"Base shear over displacement", "kN", picked(r.time, rows), {{"capacity curve", picked(r.base_shear, rows, 1e-3)}}};
+  p.x = over("control point", "mm", picked(r.displacement, rows, 1e3));
+  add_bilinear(p.lines, "bilinear, EC 8", c.ec8, c.peak_displacement);
+  add_bilinear(p.lines, "bilinear, NTC 2018", c.ntc, c.peak_displacement);
+  add_point(p.points, "peak", 1e3 * c.peak_displacement, 1e-3 * c.peak_shear);
+  add_point(p.points, "ultimate", 1e3 * c.ultimate_displacement, 1e-3 * left * c.peak_shear);
+  return p;
+}
+
+Plot factor_plot(const Capacity& c) {
+  const CapacityCurve& r = c.curve;
+  const std::vector<std::size_t> rows = shown_rows(r.factor);
+  Plot p{"Load factor over drift", "", picked(r.time, rows), {{"load factor", picked(r.factor, rows)}}};
+  p.x = over("drift of the control point", "%", picked(r.drift, rows, 100));
+  const auto at = static_cast<std::size_t>(std::ranges::lower_bound(r.time, c.multiplier_time) - r.time.begin());
+  if (at < r.drift.size()) add_point(p.points, "at rest", 100 * r.drift[at], c.multiplier_at_rest);
+  return p;
+}
+
+Plot loop_plot(const Capacity& c) {
+  const CapacityCurve& r = c.curve;
+  const std::vector<std::size_t> rows = shown_rows(r.factor);
+  Plot p{"Load factor over displacement", "", picked(r.time, rows), {{"loops", picked(r.factor, rows)}}};
+  p.x = over("displacement of the forces", "mm", picked(r.moved, rows, 1e3));
+  return p;
+}
+
+constexpr double kSameDirection = 1e-6;
+
+Json read(const std::string& path) {
+  std::ifstream file(path);
+  Json found = Json::parse(file, nullptr, false);
+  const bool whole = found.is_object() && found.contains("associated") && found.contains("coulomb") && found.contains("mortar_joints") &&
+                     found.contains("cone_error") && found.contains("converged") && found.contains("direction") && found.contains("title");
+  if (!whole) throw FileError(path, "is not what `voussoir limit CASE --format json` writes");
+  return found;
+}
+
+bool same_direction(const Json& limit, const cases::Analysis& a) {
+  const auto live = limit["direction"].get<std::array<double, 3>>();
+  const double length = std::hypot(a.direction[0], a.direction[1]);
+  return std::hypot(live[0] - a.direction[0] / length, live[1] - a.direction[1] / length) < kSameDirection;
+}
+
+std::string per_cent(double share) { return geometry::printed("%.2g %%", 100.0 * share); }
+
+/// What the two have not in common, the likely heaviest first.
+Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
+  Json all = Json::array();
+  if (const int mortar = limit["mortar_joints"].get<int>(); mortar > 0)
+    all.push_back("Mortar: the run counts the strength of " + std::to_string(mortar) + " joints, limit analysis takes them as dry.");
+  if (!c.ties.empty()) all.push_back("Ties: the run has them, limit analysis leaves them out.");
+  if (run.kind == AnalysisKind::pushover && c.analysis.pattern != LoadPattern::mass)
+    all.push_back("Pattern: the run's forces are not spread as the weights, those of limit analysis are.");
+  if (run.kind == AnalysisKind::pushover && !c.loads.empty() && c.analysis.pattern == LoadPattern::given)
+    all.push_back("Loads: limit analysis takes loads that grow as dead ones.");
+  if (run.ended != "drop" && run.ended != "collapse") all.push_back("The run ended before its peak was sure: " + run.ended + ".");
+  if (run.motion_share > 0.01 || run.kinetic_share > 0.01)
+    all.push_back("Rate: inertia bore a part of the run's load; repeat it with twice the analysis.pace.");
+  all.push_back("Slip: in associated flow it opens joints, in the run it does not. Coulomb's multiplier is the one to compare.");
+  all.push_back("Stiffness: the run's joints yield, so blocks lean before they turn, which shortens their levers.");
+  if (const double cone = limit["cone_error"].get<double>(); cone > 0.0)
+    all.push_back("Facets: friction of limit analysis is off by up to " + per_cent(cone) + ".");
+  return all;
+}
+
+/// A second opinion: what `voussoir limit CASE --format json` wrote into limit.json beside the run, as {"associated", "coulomb" (null: not
+/// asked for, or not converged), "reasons" (sentences)}. Null if there is no such file, or the run is no pushover or tilt. \throw FileError
+/// if it is no such file, or one of another case or direction
+Json second_opinion(const std::string& folder, const cases::Case& c, const Capacity& run) {
+  const std::string path = folder + "/limit.json";
+  std::error_code none;
+  if (!has_peak(run) || !std::filesystem::exists(path, none)) return {};
+  try {
+    const Json limit = read(path);
+    if (limit["title"] != c.title) throw FileError(path, "is of another case, \"" + limit["title"].get<std::string>() + "\"");
+    if (!same_direction(limit, c.analysis)) throw FileError(path, "is of another direction than the run");
+    Json out{{"associated", limit["associated"]["multiplier"]}, {"coulomb", nullptr}, {"reasons", reasons(limit, c, run)}};
+    if (!limit["coulomb"].is_null() && limit["converged"].get<bool>()) out["coulomb"] = limit["coulomb"]["multiplier"];
+    return out;
+  } catch (const Json::exception&) {
+    throw FileError(path, "is not what `voussoir limit CASE --format json` writes");
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> report_capacity(const Hdf5File& file, const cases::Case* of_run, std::vector<Plot>& plots) {
+  const std::optional<Capacity> c = capacity_of(file);
+  if (!c) return {};
+  const CapacityCurve& r = c->curve;
+  Json facts{{"capacity", Json::parse(capacity_json(*c, false))}, {"limit", nullptr}};
+  const std::string folder = std::filesystem::path(file.path()).parent_path().string();
+  if (of_run != nullptr) facts["limit"] = second_opinion(folder, *of_run, *c);
+  if (c->kind == AnalysisKind::cyclic) plots.push_back(loop_plot(*c));
+  if (has_peak(*c)) {
+    plots.push_back(base_shear_plot(*c, 1.0 - c->drop));
+    plots.push_back(factor_plot(*c));
+  }
+  const Values time = thinned(r.time);
+  if (c->kind != AnalysisKind::settlement) plots.push_back({"Load factor", "", time, columns(r.factor, {"load factor"})});
+  plots.push_back({"Base shear along the push", "kN", time, columns(r.base_shear, {"base shear"}, 1e-3)});
+  plots.push_back({"Control point, along the push", "mm", time, columns(r.displacement, {"displacement"}, 1000)});
+  return facts.dump();
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cases/case.h"
+#include "cases/motion.h"
+#include "io/input/files/hdf5_file.h"
+
+namespace voussoir::io {
+
+/// The case that a run was made of, from its results. \throw FileError
+cases::Case case_of_run(const Hdf5File& run);
+
+/// The acceleration of the base as it was applied: /motion of the run; of runs that have none, that of the case's records. \throw FileError
+cases::GroundMotion base_of_run(const Hdf5File& run, const cases::Case& c);
+
+}  // namespace voussoir::io

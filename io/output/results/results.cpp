@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/results/results.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "cases/ties.h"
+#include "io/input/files/errors.h"
+#include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/measures_file.h"
+
+namespace voussoir::io {
+namespace {
+
+// Of the run so far that a kill may cost. A day of running then makes some 140 parts beside those at checkpoints: every part makes run.h5
+// dearer to write (2 ms) and to read, and a reader has all parts of a dataset open at a time.
+constexpr double kShare = 0.05;
+
+void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
+  const std::string at = "/provenance";
+  file.make_group(at);
+  file.set_attribute(at, "version", p.version);
+  file.set_attribute(at, "compiler", p.compiler);
+  file.set_attribute(at, "flags", p.flags);
+  file.set_attribute(at, "cpu", p.cpu);
+  file.set_attribute(at, "cores", std::int64_t{p.cores});
+  file.set_attribute(at, "threads", std::int64_t{p.threads});
+  file.set_attribute(at, "started", p.started);
+  file.set_attribute(at, "ended", p.ended);
+  file.set_attribute(at, "wall_clock", wall_clock);
+  file.set_attribute(at, "units", std::string("wall_clock: s, of this process until this file was written; dates: UTC"));
+}
+
+std::string hexadecimal(std::uint64_t n) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(n));
+  return text.data();
+}
+
+void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary) {
+  const std::string at = "/summary";
+  if (!summary) return;
+  const solver::Summary& s = *summary;
+  file.set_attribute(at, "collapsed", std::int64_t{s.collapsed});
+  file.set_attribute(at, "settled", std::int64_t{s.settled});
+  file.set_attribute(at, "fallen_mass_fraction", s.fallen_mass_fraction);
+  file.set_attribute(at, "first_crack_time", s.first_crack_time);
+  file.set_attribute(at, "tension", s.tension);
+  file.set_attribute(at, "shear", s.shear);
+  file.set_attribute(at, "compression", s.compression);
+  file.set_attribute(at, "slipped", s.slipped);
+  file.set_attribute(at, "first_tension", s.first.tension);
+  file.set_attribute(at, "first_shear", s.first.shear);
+  file.set_attribute(at, "first_compression", s.first.compression);
+  file.set_attribute(at, "settling_tension", s.settling.tension);
+  file.set_attribute(at, "settling_shear", s.settling.shear);
+  file.set_attribute(at, "settling_compression", s.settling.compression);
+  file.set_attribute(at, "settling_slipped", s.settling.slipped);
+  file.set_attribute(at, "peak_base_shear", s.peak_base_shear);
+  file.set_attribute(at, "peak_speed", s.peak_speed);
+  file.set_attribute(at, "worst_residual", s.worst_residual);
+  file.set_attribute(at, "end_time", s.end_time);
+  file.set_attribute(at, "units",
+                     "first_crack_time (of the shaking; below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, "
+                     "first_shear, first_compression, settling_tension, settling_shear, settling_compression, settling_slipped: segment "
+                     "sides; "
+                     "peak_base_shear: N; peak_speed: m/s; " +
+                         figure_units() + "; the others: 1");
+}
+
+void write_drive(Hdf5File& file, const solver::Drive& d) {
+  const std::string at = "/assessment";
+  file.make_group(at);
+  file.set_attribute(at, "frequency", d.frequency);
+  file.set_attribute(at, "damping", d.damping);
+  file.set_attribute(at, "pace", d.pace);
+  file.set_attribute(at, "compliance", d.compliance);
+  file.set_attribute(at, "stiffness", d.stiffness);
+  file.set_attribute(at, "fastest", d.fastest);
+  file.set_attribute(at, "weight", d.weight);
+  file.set_attribute(at, "speed", d.speed);
+  file.set_attribute(at, "quiet", d.quiet);
+  file.set_attribute(
+      at, "units",
+      std::string("frequency: Hz, the first with all joints closed; damping: 1/s; pace: s; compliance: m at a load factor of "
+                  "1; stiffness: load factor per m; fastest: m/s, of the moving end; weight: N, of all forces at a load factor of 1; "
+                  "speed: of the histories "
+                  "of supports, 1; quiet: J, less than this a structure has that follows its supports"));
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml,
+                             std::span<const std::string> history_names, Provenance provenance, const ResultsOptions& options)
+    : folder_(std::move(folder)),
+      case_toml_(std::move(case_toml)),
+      elements_(model.blocks.size()),
+      histories_(history_names.size()),
+      ties_(cases::own_ties(model)),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size())),
+      model_(model_datasets(model)),
+      provenance_(std::move(provenance)),
+      options_(options) {
+  model_.insert(model_.end(), options_.motion.begin(), options_.motion.end());
+  for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t] = RowBuffer(schema_[t]);
+  if (options_.earlier)
+    continue_earlier();
+  else if (std::filesystem::exists(folder_ + "/run.h5") || std::filesystem::exists(folder_ + "/" + part_name(0)))
+    throw FileError(folder_, "holds the results of another run");
+  std::error_code error;
+  std::filesystem::create_directory(folder_ + "/parts", error);
+  if (error) throw FileError(folder_ + "/parts", "cannot make the folder: " + error.message());
+  write_run(false);
+  // Only now does run.h5 no longer refer to what is dropped.
+  remove_parts(folder_, parts_.size());
+  std::filesystem::create_directory(folder_ + "/parts", error);
+}
+
+ResultsWriter::~ResultsWriter() {
+  try {
+    if (!finished_) flush();
+  } catch (...) {  // nobody is left to tell
+  }
+}
+
+void ResultsWriter::continue_earlier() {
+  parts_ = keep_parts(folder_, schema_, *options_.earlier);
+  for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t].continue_after(last_time(folder_, static_cast<RowTable>(t), parts_));
+  for (const Part& p : parts_)
+    for (std::size_t t = 0; t < kRowTables; ++t)
+      for (const ColumnSpec& c : schema_[t]) bytes_on_disk_ += p.rows[t] * c.row_bytes();
+}
+
+void ResultsWriter::history(double time, std::span<const solver::HistorySample> samples) {
+  if (samples.size() != histories_) throw std::logic_error("a row of histories has another number of samples than there are names");
+  RowBuffer& to = table(RowTable::history);
+  if (!to.begin(time)) return;
+  std::size_t column = 1;
+  for (const solver::HistorySample& s : samples) {
+    to.put(column++, s.displacement);
+    to.put(column++, s.velocity);
+    to.put(column++, s.rotation);
+  }
+  if (!ties_.empty()) put_ties(to, column);
+  write_if_due();
+}
+
+void ResultsWriter::ties(double, std::span<const solver::TieSample> samples) {
+  if (samples.size() != ties_.size()) throw std::logic_error("a row of ties has another number of samples than the model");
+  std::ranges::copy(samples, ties_.begin());
+}
+
+void ResultsWriter::put_ties(RowBuffer& to, std::size_t column) {
+  for (const auto value : {&solver::TieSample::force, &solver::TieSample::elongation, &solver::TieSample::plastic}) {
+    for (const solver::TieSample& s : ties_) to.put(column, s.*value);
+    ++column;
+  }
+  for (const solver::TieSample& s : ties_) to.put(column, static_cast<std::uint8_t>(s.broken));
+}
+
+void ResultsWriter::energy(const solver::EnergyRow& row) {
+  RowBuffer& to = table(RowTable::energy);
+  if (!to.begin(row.time)) return;
+  std::size_t column = 1;
+  for (const double value :
+       {row.kinetic, row.strain, row.contact, row.gravity, row.input, row.dashpot, row.friction, row.fracture, row.damping, row.residual})
+    to.put(column++, value);
+  write_if_due();
+}
+
+void ResultsWriter::forces(const solver::ForcesRow& row) {
+  RowBuffer& to = table(RowTable::forces);
+  if (!to.begin(row.time)) return;
+  to.put(1, row.base_shear);
+  to.put(2, row.base_moment);
+  write_if_due();
+}
+
+void ResultsWriter::cuts(double time, std::span<const solver::CutSample> samples) {
+  if (samples.size() != options_.cuts.size()) throw std::logic_error("a row of cuts has another number of samples than there are names");
+  RowBuffer& to = table(RowTable::cuts);
+  if (!to.begin(time)) return;
+  std::size_t column = 1;
+  for (const solver::CutSample& s : samples) {
+    to.put(column++, s.force);
+    to.put(column++, s.moment);
+  }
+  write_if_due();
+}
+
+void ResultsWriter::damage(const solver::DamageRow& row) {
+  RowBuffer& to = table(RowTable::damage);
+  if (!to.begin(row.time)) return;
+  std::size_t column = 1;
+  for (const std::int64_t value :
+       {row.bonded, row.slipped, row.tension, row.shear, row.compression, row.first.tension, row.first.shear, row.first.compression})
+    to.put(column++, value);
+  write_if_due();
+}
+
+void ResultsWriter::cracks(std::span<const solver::CrackRow> rows) {
+  RowBuffer& to = table(RowTable::cracks);
+  for (const solver::CrackRow& row : rows) {
+    to.begin(row.time, true);
+    to.put(1, row.joint);
+    to.put(2, row.element_a);
+    to.put(3, row.element_b);
+    to.put(4, row.position);
+    to.put(5, row.normal);
+    to.put(6, row.area);
+    to.put(7, row.mode);
+    to.put(8, row.first_mode);
+    to.put(9, row.first_time);
+  }
+  if (!rows.empty()) write_if_due();
+}
+
+void ResultsWriter::frame(const solver::FrameView& frame) {
+  if (frame.position.size() != 3 * elements_ || frame.quaternion.size() != 4 * elements_ || frame.broken.size() != elements_)
+    throw std::logic_error("a frame has another number of elements than the model");
+  RowBuffer& to = table(RowTable::frames);
+  if (!to.begin(frame.time)) return;
+  to.put(1, frame.position.data(), frame.position.size_bytes());
+  to.put(2, frame.quaternion.data(), frame.quaternion.size_bytes());
+  to.put(3, frame.broken.data(), frame.broken.size_bytes());
+  write_if_due();
+}
+
+void ResultsWriter::assessment(const solver::AssessmentRow& row) {
+  RowBuffer& to = table(RowTable::assessment);
+  if (!to.begin(row.time)) return;
+  std::size_t column = 1;
+  for (const double value : {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over})
+    to.put(column++, value);
+  write_if_due();
+}
+
+void ResultsWriter::drive(const solver::Drive& d) {
+  drive_ = d;
+  stale_ = true;
+}
+
+void ResultsWriter::summary(const solver::Summary& s) {
+  summary_ = s;
+  stale_ = true;
+}
+
+void ResultsWriter::state_hash(std::uint64_t hash) {
+  state_hash_ = hash;
+  stale_ = true;
+}
+
+void ResultsWriter::failure(std::string why) {
+  failure_ = std::move(why);
+  stale_ = true;
+}
+
+void ResultsWriter::measure() {
+  flush();
+  const Hdf5File run = Hdf5File::open(folder_ + "/run.h5");
+  measures_ = io::measure(run);
+  capacity_ = capacity_of(run);
+  stale_ = true;
+}
+
+double ResultsWriter::wall_clock() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+void ResultsWriter::write_if_due() {
+  if (finished_) throw std::logic_error("a row of results comes after the end of the run");
+  std::size_t bytes = 0;
+  for (const RowBuffer& b : buffers_) bytes += b.bytes();
+  const auto now = Clock::now();
+  const double since = std::chrono::duration<double>(now - last_write_).count();
+  const double so_far = std::chrono::duration<double>(now - start_).count();
+  if (since >= std::max(options_.interval, kShare * so_far) ||
+      static_cast<double>(bytes) >= std::max(static_cast<double>(options_.bytes), kShare * static_cast<double>(bytes_on_disk_)))
+    flush();
+}
+
+void ResultsWriter::write_buffers() {
+  std::size_t bytes = 0;
+  for (const RowBuffer& b : buffers_) bytes += b.bytes();
+  if (bytes == 0) return;
+  parts_.push_back(write_part(folder_, part_name(parts_.size()), schema_, buffers_));
+  for (RowBuffer& b : buffers_) b.clear();
+  bytes_on_disk_ += bytes;
+  stale_ = true;
+}
+
+void ResultsWriter::flush() {
+  last_write_ = Clock::now();  // also of a failed one: the next row shall not try again at once
+  write_buffers();
+  if (stale_) write_run(false);
+  stale_ = false;
+}
+
+bool ResultsWriter::finish() {
+  write_buffers();
+  provenance_.ended = utc_now();
+  finished_ = true;
+  write_run(false);
+  if (!options_.merge || bytes_on_disk_ > options_.merge_limit) return false;
+  try {
+    write_run(true);
+  } catch (const FileError& e) {
+    if (e.path().starts_with(folder_ + "/parts/")) throw;  // no want of space, but rows that cannot be read any more
+    return false;
+  }
+  // A kill before this line leaves parts that nothing refers to.
+  remove_parts(folder_, 0);
+  return true;
+}
+
+void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
+  file.set_attribute("/", "parts", static_cast<std::int64_t>(merged ? 0 : parts_.size()));
+  file.make_group("/case");
+  file.set_attribute("/case", "toml", case_toml_);
+  write_provenance(file, provenance_, wall_clock());
+  file.make_group("/summary");
+  file.set_attribute("/summary", "finished", std::int64_t{finished_});
+  if (state_hash_) file.set_attribute("/summary", "state_hash", hexadecimal(*state_hash_));
+  if (failure_) file.set_attribute("/summary", "failure", *failure_);
+  write_summary(file, summary_);
+  if (drive_) write_drive(file, *drive_);
+  if (measures_) write_measures(file, *measures_);
+  if (capacity_) write_capacity(file, *capacity_);
+  write_datasets(file, model_);
+}
+
+void ResultsWriter::write_run(bool merged) {
+  write_file(folder_ + "/run.h5", [&](Hdf5File& file) {
+    write_facts(file, merged);
+    merged ? copy_rows(file, folder_, schema_, parts_) : link_rows(file, schema_, parts_);
+  });
+}
+
+RowCounts ResultsWriter::rows() const noexcept {
+  RowCounts sum = rows_of(parts_);
+  for (std::size_t t = 0; t < kRowTables; ++t) sum[t] += buffers_[t].rows();
+  return sum;
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/model.h"
+#include "io/output/measures/capacity/capacity.h"
+#include "io/output/measures/measures.h"
+#include "io/output/results/provenance.h"
+#include "io/output/results/results_model.h"
+#include "io/output/results/results_parts.h"
+#include "solver/run/recorder.h"
+
+/// Results of a run: `DIR/run.h5`, readable by any HDF5 reader at every moment of the run and after a kill.
+///
+/// Rows are buffered; from time to time they become a file parts/NNNN.h5 and run.h5 is replaced by one that refers to it too. A file under
+/// its final name is never written to. So run.h5 shows the rows up to the last part, and a kill costs those since.
+namespace voussoir::io {
+
+struct ResultsOptions {
+  double interval = 10;            // s of wall-clock between two parts; grows to a twentieth of the run so far, which bounds their number
+  std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
+  bool merge = true;               // finish() puts all rows into run.h5
+  std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
+  std::vector<StaticDataset> motion;      // of the base: motion_datasets
+  std::vector<std::string> cuts;          // names, one for each sample of cuts(), in order
+  /// Go on with the results in the folder. Absent: a new run.
+  std::optional<EarlierRows> earlier;
+};
+
+class ResultsWriter final : public solver::Recorder {
+ public:
+  /// Writes run.h5 with the model and no rows, so that readers have it from the start.
+  ///
+  /// \param folder         of the run, existing (see RunFolder)
+  /// \param case_toml      the resolved case
+  /// \param history_names  one for each sample of history(), in order
+  /// \throw FileError if the folder holds results already (and `earlier` is absent) or cannot be written to
+  /// \throw std::invalid_argument for a bad history name (see row_schema) or an element that is no cell (see model_datasets)
+  ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml, std::span<const std::string> history_names,
+                Provenance provenance, const ResultsOptions& options = {});
+  ResultsWriter(const ResultsWriter&) = delete;
+  ResultsWriter& operator=(const ResultsWriter&) = delete;
+  /// Writes what is buffered, and keeps silent if that fails: call flush() or finish() to know.
+  ~ResultsWriter() override;
+
+  /// Each of these may write a part. A second row at the time of the last one is left out (cracks apart).
+  /// \throw FileError if the part or run.h5 cannot be written; parts on disk stay as they are and the rows stay buffered
+  /// \throw std::logic_error if time runs backwards, or a sample or frame has another size than the model
+  void history(double time, std::span<const solver::HistorySample> samples) override;
+  void ties(double time, std::span<const solver::TieSample> samples) override;
+  void energy(const solver::EnergyRow& row) override;
+  void forces(const solver::ForcesRow& row) override;
+  void cuts(double time, std::span<const solver::CutSample> samples) override;
+  void damage(const solver::DamageRow& row) override;
+  void cracks(std::span<const solver::CrackRow> rows) override;
+  void frame(const solver::FrameView& frame) override;
+  void assessment(const solver::AssessmentRow& row) override;
+  /// Stands in run.h5 from the next part on, as attributes of /assessment.
+  void drive(const solver::Drive& d) override;
+  /// Stands in run.h5 from the next part on.
+  void summary(const solver::Summary& s) override;
+  /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
+  void state_hash(std::uint64_t hash);
+  /// Why a run ended before its end: stands in run.h5 beside the summary from the next part on.
+  void failure(std::string why);
+
+  /// Takes the measures of a collapse (measures.h) from all rows so far: they stand in run.h5 beside the summary from the next part on. For
+  /// the end of a run or a stop. \throw FileError
+  void measure();
+
+  /// What a quasi-static analysis has found, once measure() has looked.
+  [[nodiscard]] const std::optional<Capacity>& capacity() const noexcept { return capacity_; }
+
+  /// Writes buffered rows as a part and replaces run.h5. Call it before a checkpoint is written: then a resume finds all rows up to it.
+  /// \throw FileError
+  void flush();
+  /// The end of a run: flushes, says so in run.h5, and merges all rows into it if options allow. The writer takes no rows after this.
+  /// A kill at any moment of it loses nothing.
+  /// \return true if merged; false: the rows stay in parts, also when merging fails (say, for want of space)
+  /// \throw FileError if the last rows cannot be written, or earlier ones no longer be read
+  bool finish();
+
+  /// Rows so far, on disk or buffered.
+  [[nodiscard]] RowCounts rows() const noexcept;
+  /// Parts on disk.
+  [[nodiscard]] std::size_t parts() const noexcept { return parts_.size(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return buffers_[static_cast<std::size_t>(t)]; }
+  void put_ties(RowBuffer& to, std::size_t column);
+  [[nodiscard]] double wall_clock() const;
+  void continue_earlier();
+  void write_if_due();
+  void write_buffers();
+  void write_run(bool merged);
+  void write_facts(Hdf5File& file, bool merged) const;
+
+  std::string folder_, case_toml_;
+  std::size_t elements_, histories_;
+  std::vector<solver::TieSample> ties_;  // of the row to come
+  RowSchema schema_;
+  std::vector<StaticDataset> model_;
+  Provenance provenance_;
+  ResultsOptions options_;
+  std::array<RowBuffer, kRowTables> buffers_;
+  std::vector<Part> parts_;
+  std::optional<solver::Summary> summary_;
+  std::optional<solver::Drive> drive_;
+  std::optional<std::uint64_t> state_hash_;
+  std::optional<std::string> failure_;
+  std::optional<Measures> measures_;
+  std::optional<Capacity> capacity_;
+  bool stale_ = false;  // run.h5 does not say all there is to say
+  bool finished_ = false;
+  std::uint64_t bytes_on_disk_ = 0;
+  Clock::time_point start_ = Clock::now(), last_write_ = start_;
+};
+
+}  // namespace voussoir::io

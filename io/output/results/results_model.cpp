@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/results/results_model.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
+
+#include "io/output/replay/cells.h"
+
+namespace voussoir::io {
+namespace {
+
+template <class T>
+StaticDataset dataset(const char* name, const std::vector<T>& values, std::uint64_t width, const char* unit, const char* description) {
+  StaticDataset d;
+  d.name = name;
+  d.type = Hdf5TypeOf<T>::value;
+  d.shape = width == 1 ? Shape{values.size()} : Shape{values.size() / width, width};
+  d.bytes.resize(values.size() * sizeof(T));
+  if (!values.empty()) std::memcpy(d.bytes.data(), values.data(), d.bytes.size());
+  d.note = {unit, description};
+  return d;
+}
+
+StaticDataset texts(const char* name, std::vector<std::string> values, const char* description) {
+  StaticDataset d;
+  d.name = name;
+  d.shape = {values.size()};
+  d.texts = std::move(values);
+  d.is_text = true;
+  d.note = {"1", description};
+  return d;
+}
+
+void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
+
+/// One value for each item of a list.
+template <class T, class List, class Get>
+std::vector<T> each(const List& list, Get get) {
+  std::vector<T> values;
+  values.reserve(list.size());
+  for (const auto& item : list) values.push_back(static_cast<T>(std::invoke(get, item)));
+  return values;
+}
+
+template <class List, class Get>
+std::vector<double> each_vector(const List& list, Get get) {
+  std::vector<double> values;
+  values.reserve(3 * list.size());
+  for (const auto& item : list) append(values, std::invoke(get, item));
+  return values;
+}
+
+using Datasets = std::vector<StaticDataset>;
+
+/// "0 block, 1 brick, ..."
+std::string numbered_kinds() {
+  using enum cases::PartKind;
+  std::string text;
+  for (const cases::PartKind kind : {block, brick, lintel, beam, voussoir, column, ring_beam, floor_beam, walling, arch_stone})
+    text += (text.empty() ? "" : ", ") + std::to_string(static_cast<int>(kind)) + " " + cases::name(kind);
+  return text;
+}
+
+void add_elements(const cases::Model& model, Datasets& out) {
+  using cases::Block;
+  std::vector<double> mass, inertia, position, segment;
+  std::vector<std::int32_t> first_vertex, first_face;
+  std::vector<std::string> tags;
+  std::int32_t vertex = 0;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& b = model.blocks[i];
+    const geometry::Element& e = model.assembly.elements[i];
+    const double density = model.materials[static_cast<std::size_t>(b.material)].value.density;
+    mass.push_back(density * e.mass.volume);
+    append(inertia, density * e.mass.principal);
+    append(position, e.mass.centroid);
+    segment.push_back(b.segment_size);
+    tags.push_back(b.tag.empty() ? b.name : b.tag);
+    first_vertex.push_back(vertex);
+    first_face.push_back(e.first_face);
+    vertex += static_cast<std::int32_t>(b.shape.vertices.size());
+  }
+  out.push_back(dataset("/model/element/material", each<std::int32_t>(model.blocks, &Block::material), 1, "1", "row of /model/material"));
+  out.push_back(texts("/model/element/tag", std::move(tags), "which part of the building the element is, or its name"));
+  out.push_back(dataset("/model/element/kind", each<std::uint8_t>(model.blocks, &Block::kind), 1, "1",
+                        ("what the element is in a house: " + numbered_kinds()).c_str()));
+  out.push_back(dataset("/model/element/mass", mass, 1, "kg", "mass"));
+  out.push_back(dataset("/model/element/inertia", inertia, 3, "kg m2", "principal moments of inertia about the centroid, ascending"));
+  out.push_back(dataset("/model/element/position0", position, 3, "m", "centroid in the reference configuration; global axes"));
+  out.push_back(
+      dataset("/model/element/segment_size", segment, 1, "m", "longest edge of the segments that the element's faces are cut into"));
+  out.push_back(dataset("/model/element/fixed", each<std::uint8_t>(model.blocks, &Block::fixed), 1, "1", "1: the element is fixed"));
+  out.push_back(
+      dataset("/model/element/house", each<std::int32_t>(model.blocks, &Block::house), 1, "1", "copy of the house; -1: a free block"));
+  out.push_back(dataset("/model/element/first_vertex", first_vertex, 1, "1", "first of the element's rows of /model/vertex"));
+  out.push_back(dataset("/model/element/first_face", first_face, 1, "1", "first of the element's rows of /model/face"));
+}
+
+void add_shapes(const cases::Model& model, Datasets& out) {
+  std::vector<double> vertices;
+  for (const cases::Block& b : model.blocks)
+    for (const Vec3 v : b.shape.vertices) append(vertices, v);
+  const Cells cells = cells_of(model);
+  out.push_back(dataset("/model/vertex", vertices, 3, "m", "vertices of all elements in the reference configuration; global axes"));
+  out.push_back(dataset("/model/cells", cells.corners, 8, "1", "corners of cells in VTK's order, rows of /model/vertex; -1: none"));
+  out.push_back(dataset("/model/cell_type", cells.type, 1, "1", "VTK's cell type: 10 tetrahedron, 12 hexahedron, 13 wedge"));
+  out.push_back(dataset("/model/cell_element", cells.element, 1, "1", "element of the cell"));
+}
+
+void add_faces(const cases::Model& model, Datasets& out) {
+  using geometry::Face;
+  const auto& faces = model.assembly.faces;
+  std::vector<std::int32_t> element(faces.size());
+  for (std::size_t i = 0; i < model.assembly.elements.size(); ++i) {
+    const geometry::Element& e = model.assembly.elements[i];
+    for (std::int32_t f = 0; f < e.face_count; ++f) element[static_cast<std::size_t>(e.first_face + f)] = static_cast<std::int32_t>(i);
+  }
+  out.push_back(dataset("/model/face/element", element, 1, "1", "element of the face"));
+  out.push_back(
+      dataset("/model/face/normal", each_vector(faces, &Face::normal), 3, "1", "outward unit normal in the reference configuration"));
+  out.push_back(dataset("/model/face/distance", each<double>(faces, &Face::distance), 1, "m", "from the element's centroid to the face"));
+  std::vector<std::int32_t> first_corner, corners;
+  std::int32_t vertex = 0;
+  for (const cases::Block& b : model.blocks) {
+    for (const auto& loop : b.shape.faces) {
+      first_corner.push_back(static_cast<std::int32_t>(corners.size()));
+      for (const std::int32_t v : loop) corners.push_back(vertex + v);
+    }
+    vertex += static_cast<std::int32_t>(b.shape.vertices.size());
+  }
+  out.push_back(dataset("/model/face/first_corner", first_corner, 1, "1", "first of the face's entries of /model/face/corners"));
+  out.push_back(dataset("/model/face/corners", corners, 1, "1",
+                        "rows of /model/vertex, face by face, counter-clockwise seen from outside; a face's end where the next begins"));
+  out.push_back(dataset("/model/face/area", each<double>(faces, &Face::area), 1, "m2", "area of the face"));
+}
+
+void add_joints(const cases::Model& model, Datasets& out) {
+  using geometry::Joint;
+  const auto& joints = model.assembly.joints;
+  const auto add = [&](const char* name, auto member, const char* description) {
+    out.push_back(dataset(name, each<std::int32_t>(joints, member), 1, "1", description));
+  };
+  add("/model/joint/element_a", &Joint::element_a, "element whose face carries the joint's frame");
+  add("/model/joint/element_b", &Joint::element_b, "the other element; -1: the base");
+  add("/model/joint/face_a", &Joint::face_a, "face of element_a, counted from its first");
+  add("/model/joint/face_b", &Joint::face_b, "face of element_b, counted from its first; -1: the base");
+  out.push_back(dataset("/model/joint/law", model.joint_law, 1, "1", "row of /model/law"));
+  out.push_back(dataset("/model/joint/area", each<double>(joints, &Joint::area), 1, "m2", "area that the two faces share"));
+  const auto centre = [](const Joint& j) { return j.frame.centre; };
+  const auto normal = [](const Joint& j) { return j.frame.normal; };
+  out.push_back(dataset("/model/joint/centre", each_vector(joints, centre), 3, "m", "centre of the joint in the reference configuration"));
+  out.push_back(
+      dataset("/model/joint/normal", each_vector(joints, normal), 3, "1", "unit normal in the reference configuration, out of element_a"));
+}
+
+void add_materials(const cases::Model& model, Datasets& out) {
+  std::vector<std::string> names;
+  for (const auto& m : model.materials) names.push_back(m.name);
+  out.push_back(texts("/model/material/name", std::move(names), "name of the material"));
+  const auto material = [&](const char* name, double cases::Material::*member, const char* unit, const char* description) {
+    const auto get = [member](const cases::NamedMaterial& m) { return m.value.*member; };
+    out.push_back(dataset(name, each<double>(model.materials, get), 1, unit, description));
+  };
+  material("/model/material/density", &cases::Material::density, "kg/m3", "density");
+  material("/model/material/young", &cases::Material::young, "Pa", "Young's modulus");
+  material("/model/material/poisson", &cases::Material::poisson, "1", "Poisson's ratio");
+
+  std::vector<std::string> laws;
+  for (const auto& l : model.laws) laws.push_back(l.name);
+  out.push_back(texts("/model/law/name", std::move(laws), "name of the joint law; dry: no bond"));
+  const auto law = [&](const char* name, double cases::JointLaw::*member, const char* unit, const char* description) {
+    const auto get = [member](const cases::NamedLaw& l) { return l.value.*member; };
+    out.push_back(dataset(name, each<double>(model.laws, get), 1, unit, description));
+  };
+  law("/model/law/tension", &cases::JointLaw::tension, "Pa", "tensile strength");
+  law("/model/law/cohesion", &cases::JointLaw::cohesion, "Pa", "cohesion");
+  law("/model/law/friction", &cases::JointLaw::friction, "degree", "angle of friction while the bond holds");
+  law("/model/law/compression", &cases::JointLaw::compression, "Pa", "compressive strength");
+  law("/model/law/thickness", &cases::JointLaw::thickness, "m", "thickness of the mortar");
+  law("/model/law/young", &cases::JointLaw::young, "Pa", "Young's modulus of the mortar");
+  law("/model/law/poisson", &cases::JointLaw::poisson, "1", "Poisson's ratio of the mortar");
+  if (std::ranges::none_of(model.laws, [](const cases::NamedLaw& l) { return l.value.normal_stiffness.has_value(); })) return;
+  const auto own = [&](const char* name, std::optional<double> cases::JointLaw::*member, const char* unit, const char* description) {
+    const auto get = [member](const cases::NamedLaw& l) { return (l.value.*member).value_or(0.0); };
+    out.push_back(dataset(name, each<double>(model.laws, get), 1, unit, description));
+  };
+  own("/model/law/normal_stiffness", &cases::JointLaw::normal_stiffness, "Pa/m", "of the joint alone; 0: none of its own");
+  own("/model/law/shear_stiffness", &cases::JointLaw::shear_stiffness, "Pa/m", "of the joint alone, along it; 0: none of its own");
+  if (std::ranges::none_of(model.laws, [](const cases::NamedLaw& l) { return l.value.stiffens(); })) return;
+  own("/model/law/maximum_closure", &cases::JointLaw::maximum_closure, "m", "most that a dry joint closes; 0: its stiffness is one number");
+}
+
+/// Of those by themselves, not of meshes; none of a model without.
+void add_ties(const cases::Model& m, Datasets& out) {
+  std::vector<std::string> names;
+  std::vector<double> ends;
+  std::vector<std::int32_t> elements;
+  for (const cases::TieBar& bar : m.ties) {
+    if (bar.mesh >= 0) break;
+    names.push_back(bar.name);
+    for (const auto& end : bar.ends) {
+      Vec3 at;
+      for (const cases::TieHold& h : end) at += h.share * h.point;
+      append(ends, at);
+      elements.push_back(std::ranges::max_element(end, {}, &cases::TieHold::share)->element);
+    }
+  }
+  if (names.empty()) return;
+  out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
+  out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
+  out.push_back(dataset("/model/tie_element", elements, 2, "1", "what holds most of each end: an element, or -1, the base"));
+}
+
+}  // namespace
+
+std::vector<StaticDataset> model_datasets(const cases::Model& model) {
+  if (model.blocks.size() != model.assembly.elements.size() || model.joint_law.size() != model.assembly.joints.size())
+    throw std::invalid_argument("the model's assembly does not belong to its blocks");
+  std::vector<StaticDataset> out;
+  add_elements(model, out);
+  add_shapes(model, out);
+  add_faces(model, out);
+  add_joints(model, out);
+  add_materials(model, out);
+  add_ties(model, out);
+  return out;
+}
+
+void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) {
+  for (const StaticDataset& d : datasets) {
+    if (d.is_text)
+      file.write_strings(d.name, d.texts, d.note);
+    else
+      file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), checked_layout(d.bytes.size() / std::max<std::size_t>(1, d.shape[0])),
+                         d.note);
+  }
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/output/results/results_schema.h"
+
+/// Rows on disk: the files parts/NNNN.h5, each complete in itself, written once and never opened for writing again.
+namespace voussoir::io {
+
+/// A file of rows. It holds the datasets of tables that have rows, under the names of run.h5 (units stand there), and in attributes of its
+/// root: rows_<table>, time_first and time_last [s], schema_version.
+struct Part {
+  std::string file;  // relative to the folder of the run
+  RowCounts rows{};
+  double first_time = 0, last_time = 0;  // s, over all tables
+};
+
+/// "parts/0012.h5"
+[[nodiscard]] std::string part_name(std::size_t number);
+
+/// Rows of all of them.
+[[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
+
+/// Makes a file under a temporary name by `fill`, and gives it its name once it is complete and on disk (see replace_file).
+/// \param temporary  none: PATH.tmp, which is of one process alone in the folder of a run that it has locked
+/// \throw FileError, or what `fill` throws; then the file under this name is as it was
+void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
+
+/// Writes the buffered rows as the file `folder`/`part.file`. \throw FileError
+Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,
+                std::span<const RowBuffer, kRowTables> buffers);
+
+/// All rows of the parts, as virtual datasets that refer to them.
+void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> parts);
+/// The same rows, copied.
+void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schema, std::span<const Part> parts);
+
+/// What of an earlier run's rows stays.
+struct EarlierRows {
+  double until = 0.0;             // s; rows at or before this time stay, the later ones go
+  std::optional<RowCounts> rows;  // as many as must be there up to then; absent: whatever there is
+};
+
+/// The parts of an earlier run up to a time, with the later rows cut off, in files parts/0000.h5, 0001, ... without a gap.
+/// A merged run.h5 becomes the first part. Files of later parts are still there: see remove_parts.
+/// \throw FileError, also if the results are of another model, have other histories or fewer rows than they must; no row is lost then
+std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier);
+
+/// Removes the files of parts number `from` and later, temporary ones too, and the folder parts/ if it is empty then. Never throws:
+/// what stays is not referred to.
+void remove_parts(const std::string& folder, std::size_t from) noexcept;
+
+/// Time of the last row of a table, −infinity without one. \throw FileError
+double last_time(const std::string& folder, RowTable table, std::span<const Part> parts);
+
+}  // namespace voussoir::io

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/input/files/errors.h"
+#include "io/output/results/results_parts.h"
+
+/// Going on with the results of an earlier run: which parts stay, and up to which row.
+namespace voussoir::io {
+namespace {
+
+constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column that a check holds in memory at a time
+
+std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
+
+void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
+  for (const ColumnSpec& c : columns) {
+    Shape expected{rows};
+    expected.insert(expected.end(), c.row.begin(), c.row.end());
+    if (!file.exists(c.name)) throw FileError(file.path(), c.name + " is missing: the run had other histories");
+    if (file.shape(c.name) != expected || file.type(c.name) != c.type)
+      throw FileError(file.path(), c.name + " has another shape: the run had another model");
+  }
+}
+
+/// Checksums are looked at when rows are read: better now than at the end of a long run.
+void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
+  std::vector<std::byte> buffer;
+  for (const ColumnSpec& c : columns) {
+    const std::uint64_t piece = std::max<std::uint64_t>(1, kPieceBytes / std::max<std::uint64_t>(1, c.row_bytes()));
+    for (std::uint64_t first = 0; first < rows; first += piece) {
+      const std::uint64_t n = std::min(piece, rows - first);
+      buffer.resize(n * c.row_bytes());
+      file.read_rows(c.name, c.type, first, n, buffer.data());
+    }
+  }
+}
+
+Part read_part(const std::string& folder, const std::string& name, const RowSchema& schema) {
+  const Hdf5File file = Hdf5File::open(folder + "/" + name);
+  if (!file.has_attribute("/", "schema_version")) throw FileError(file.path(), "holds no results of voussoir");
+  if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema)
+    throw FileError(file.path(), "has version " + std::to_string(version) + " of the results' layout; this program goes on with version " +
+                                     std::to_string(kResultsSchema) + " only");
+  Part part;
+  part.file = name;
+  part.first_time = file.attribute_double("/", "time_first");
+  part.last_time = file.attribute_double("/", "time_last");
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    part.rows[t] = static_cast<std::uint64_t>(file.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
+    if (part.rows[t] == 0) continue;
+    check_columns(file, schema[t], part.rows[t]);
+    check_values(file, schema[t], part.rows[t]);
+  }
+  return part;
+}
+
+/// What of a part's rows is not later.
+Part part_until(const std::string& folder, Part part, double until) {
+  part.last_time = part.first_time;
+  const Hdf5File file = Hdf5File::open(folder + "/" + part.file);
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    if (part.rows[t] == 0) continue;
+    const std::vector<double> time = file.read<double>(time_column(t));
+    part.rows[t] = static_cast<std::uint64_t>(std::ranges::upper_bound(time, until) - time.begin());
+    if (part.rows[t] > 0) part.last_time = std::max(part.last_time, time[part.rows[t] - 1]);
+  }
+  return part;
+}
+
+/// Nothing has been written anew or dropped yet: whoever finds the part that is gone can put it back.
+void check_counts(const std::string& folder, const RowCounts& there, const RowCounts& wanted) {
+  for (std::size_t t = 0; t < kRowTables; ++t) {
+    if (there[t] == wanted[t]) continue;
+    throw FileError(folder + "/run.h5", "has " + std::to_string(there[t]) + " rows of " + table_name(static_cast<RowTable>(t)) +
+                                            " up to the checkpoint, which was written after " + std::to_string(wanted[t]) +
+                                            ": parts of the results are gone");
+  }
+}
+
+// A finished run has its rows in run.h5 itself. Parts that a kill left beside it hold the same rows once more.
+void take_merged(const std::string& folder) {
+  namespace fs = std::filesystem;
+  const std::string run = folder + "/run.h5";
+  if (!fs::exists(run)) return;
+  const Hdf5File file = Hdf5File::open(run);
+  if (!file.has_attribute("/", "parts") || file.attribute_int("/", "parts") != 0) return;
+  remove_parts(folder, 0);
+  fs::create_directory(folder + "/parts");
+  // A second name, not another one: after a kill before the new run.h5 is there, the old one still is.
+  std::error_code error;
+  const std::string part = folder + "/" + part_name(0);
+  fs::create_hard_link(run, part, error);
+  if (error) fs::copy_file(run, part, error);  // some file systems have no second names
+  if (error) throw FileError(run, "cannot become the first part: " + error.message());
+}
+
+}  // namespace
+
+std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier) {
+  take_merged(folder);
+  std::vector<Part> parts;
+  bool cut = false;
+  for (std::size_t i = 0; std::filesystem::exists(folder + "/" + part_name(i)); ++i) {
+    Part part = read_part(folder, part_name(i), schema);
+    if (part.first_time > earlier.until) break;
+    cut = part.last_time > earlier.until;
+    parts.push_back(cut ? part_until(folder, std::move(part), earlier.until) : std::move(part));
+    if (cut) break;
+  }
+  if (earlier.rows) check_counts(folder, rows_of(parts), *earlier.rows);
+  if (cut) {
+    write_file(folder + "/" + parts.back().file, [&](Hdf5File& out) { copy_rows(out, folder, schema, {&parts.back(), 1}); });
+  }
+  return parts;
+}
+
+}  // namespace voussoir::io

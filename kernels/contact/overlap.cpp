@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/contact/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::kernels {
+
+namespace {
+
+constexpr double kParallel = 1e-12;  // square of the sine between two edges whose normal is all round-off; a face stands for it
+
+/// The vertex that lies least far along an axis.
+struct Lowest {
+  double value = 1e300;
+  int vertex = 0;
+};
+Lowest lowest(std::span<const Vec3> vertices, Vec3 axis) noexcept {
+  Lowest r;
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
+    const double x = dot(vertices[static_cast<std::size_t>(i)], axis);
+    if (x < r.value) r = {x, i};
+  }
+  return r;
+}
+
+/// The best axis so far, in the axes of the first body, and the point where the two meet along it.
+struct Best {
+  double depth = 1e300;
+  Vec3 normal, point;
+  int edge_a = -1, edge_b = -1;  // of crossed edges
+};
+
+/// Both bodies in the axes of the first.
+struct PairOfShapes {
+  const ConvexShape &a, &b;
+  Mat3 turn;    // from the axes of b to those of a
+  Vec3 centre;  // of b
+  std::span<const Vec3> vertices_b;
+};
+
+void try_faces_of_a(const PairOfShapes& p, Best& best) noexcept {
+  for (const Face& f : p.a.faces) {
+    const Lowest low = lowest(p.vertices_b, f.normal);
+    const double depth = f.distance - low.value;
+    if (depth >= best.depth) continue;
+    best = {depth, f.normal, p.vertices_b[static_cast<std::size_t>(low.vertex)] + 0.5 * depth * f.normal, -1, -1};
+  }
+}
+
+void try_faces_of_b(const PairOfShapes& p, Best& best) noexcept {
+  for (const Face& f : p.b.faces) {
+    const Vec3 n = p.turn * f.normal;
+    const Lowest low = lowest(p.a.vertices, n);
+    const double depth = f.distance + dot(n, p.centre) - low.value;
+    if (depth >= best.depth) continue;
+    best = {depth, -n, p.a.vertices[static_cast<std::size_t>(low.vertex)] + 0.5 * depth * n, -1, -1};
+  }
+}
+
+void try_axis(const PairOfShapes& p, Vec3 n, int edge_a, int edge_b, Best& best) noexcept {
+  for (const double sign : {1.0, -1.0}) {
+    const Vec3 axis = sign * n;
+    const double depth = -lowest(p.a.vertices, -axis).value - lowest(p.vertices_b, axis).value;
+    if (depth < best.depth) best = {depth, axis, {}, edge_a, edge_b};
+  }
+}
+
+void try_crossed_edges(const PairOfShapes& p, double enough, Best& best) noexcept {
+  for (int i = 0; i < static_cast<int>(p.a.edges.size()); ++i) {
+    for (int j = 0; j < static_cast<int>(p.b.edges.size()); ++j) {
+      const Vec3 n = cross(p.a.edges[static_cast<std::size_t>(i)], p.turn * p.b.edges[static_cast<std::size_t>(j)]);
+      const double square = dot(n, n);
+      if (square < kParallel) continue;
+      try_axis(p, n / std::sqrt(square), i, j, best);
+      if (best.depth <= enough) return;
+    }
+  }
+}
+
+/// Between the two edges that cross along the axis, where they are nearest.
+Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
+  const Vec3 a = p.a.vertices[static_cast<std::size_t>(lowest(p.a.vertices, -best.normal).vertex)];
+  const Vec3 b = p.vertices_b[static_cast<std::size_t>(lowest(p.vertices_b, best.normal).vertex)];
+  const Vec3 ea = p.a.edges[static_cast<std::size_t>(best.edge_a)], eb = p.turn * p.b.edges[static_cast<std::size_t>(best.edge_b)];
+  const Vec3 from = b - a;
+  const double c = dot(ea, eb), along_a = dot(from, ea), along_b = dot(from, eb), sine2 = 1.0 - c * c;
+  const double s = (along_a - c * along_b) / sine2, t = (c * along_a - along_b) / sine2;
+  return 0.5 * ((a + s * ea) + (b + t * eb));
+}
+
+/// Room for the vertices of the largest shape that is small, unset: most shapes need little of it.
+union VertexRoom {
+  VertexRoom() noexcept {}  // NOLINT(modernize-use-equals-default): would set all of it
+  Vec3 at[kFewVertices];
+};
+
+Vec3 turned(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
+Vec3 turned_back(const Pose& p, Vec3 r) noexcept { return r + transposed(p.d) * r; }
+
+}  // namespace
+
+Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
+                   double enough) noexcept {
+  if (!is_small(a) || !is_small(b)) return overlap_of_many(a, pose_a, b, pose_b, from_a_to_b, enough);
+  VertexRoom room;
+  Vec3* const vertices = room.at;
+  const std::size_t count = b.vertices.size();
+  PairOfShapes p{a, b, transposed(Mat3{} + pose_a.d) * (Mat3{} + pose_b.d), turned_back(pose_a, from_a_to_b), {vertices, count}};
+  for (std::size_t i = 0; i < count; ++i) vertices[i] = p.centre + p.turn * b.vertices[i];
+  Best best;
+  try_faces_of_a(p, best);
+  if (best.depth > enough) try_faces_of_b(p, best);
+  if (best.depth > enough) try_crossed_edges(p, enough, best);
+  if (best.edge_a >= 0) best.point = point_of_crossed_edges(p, best);
+  Overlap r{best.depth, turned(pose_a, best.normal), turned(pose_a, best.point), {}};
+  r.arm_b = r.arm_a - from_a_to_b;
+  return r;
+}
+
+Overlap overlap_with_base(const ConvexShape& a, const Pose& pose_a, double height) noexcept {
+  const Lowest low = lowest(a.vertices, turned_back(pose_a, {0.0, 0.0, 1.0}));
+  const double depth = -(height + low.value);
+  Overlap r{depth, {0.0, 0.0, -1.0}, turned(pose_a, a.vertices[static_cast<std::size_t>(low.vertex)]) + Vec3{0.0, 0.0, 0.5 * depth}, {}};
+  r.arm_b = r.arm_a;
+  return r;
+}
+
+}  // namespace voussoir::kernels

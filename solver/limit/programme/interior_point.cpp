@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/limit/programme/interior_point.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace voussoir::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Columns = Eigen::SparseMatrix<double>;
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+constexpr int kMostIterations = 150;
+constexpr double kTolerance = 1e-8;  // of residuals and gap, relative
+constexpr double kStepBack = 0.995;  // of the way to the boundary at most
+constexpr double kPivot = 1e-13;     // of a diagonal entry: what keeps pivots of redundant equations off zero
+constexpr int kRefinements = 3;      // of a solution of the normal equations
+constexpr double kRefined = 1e-12;   // relative residual of the normal equations that is good enough
+
+/// A D Aᵀ with D diagonal and positive, for its inverse: the first column of A is kept apart, by Sherman and Morrison's formula.
+class NormalEquations {
+ public:
+  explicit NormalEquations(const Columns& a) : a_(a), rows_(a) {
+    pattern();
+    cholesky_.analyzePattern(lower_);
+  }
+
+  bool factorise(const VectorXd& d) {
+    d_ = d;
+    fill();
+    cholesky_.factorize(lower_);
+    if (cholesky_.info() != Eigen::Success) return false;
+    first_ = a_.col(0);
+    of_first_ = cholesky_.solve(first_);
+    border_ = 1.0 / d_(0) + first_.dot(of_first_);
+    return std::isfinite(border_) && border_ > 0.0;
+  }
+
+  [[nodiscard]] VectorXd solve(const VectorXd& right) const {
+    VectorXd y = once(right);
+    for (int i = 0; i < kRefinements; ++i) {
+      const VectorXd left = right - a_ * d_.cwiseProduct(a_.transpose() * y);
+      if (left.norm() <= kRefined * right.norm()) break;
+      y += once(left);
+    }
+    return y;
+  }
+
+ private:
+  [[nodiscard]] VectorXd once(const VectorXd& right) const {
+    const VectorXd y = cholesky_.solve(right);
+    return y - of_first_ * (first_.dot(y) / border_);
+  }
+  /// For each row, the rows below it that share a column other than the first.
+  template <class Take>
+  void for_each_product(Index row, const Take& take) const {
+    for (Rows::InnerIterator at(rows_, row); at; ++at) {
+      if (at.col() == 0) continue;
+      for (Columns::InnerIterator other(a_, at.col()); other; ++other)
+        if (other.row() >= row) take(other.row(), at.col(), at.value() * other.value());
+    }
+  }
+  void pattern() {
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Index> last(static_cast<std::size_t>(a_.rows()), -1);
+    for (Index row = 0; row < a_.rows(); ++row) {
+      last[static_cast<std::size_t>(row)] = row;
+      entries.emplace_back(row, row, 0.0);
+      for_each_product(row, [&](Index other, Index, double) {
+        if (std::exchange(last[static_cast<std::size_t>(other)], row) != row) entries.emplace_back(other, row, 0.0);
+      });
+    }
+    lower_.resize(a_.rows(), a_.rows());
+    lower_.setFromTriplets(entries.begin(), entries.end());
+  }
+  void fill() {
+    VectorXd sum = VectorXd::Zero(a_.rows());
+    for (Index row = 0; row < a_.rows(); ++row) {
+      for_each_product(row, [&](Index other, Index column, double product) { sum(other) += d_(column) * product; });
+      for (Columns::InnerIterator at(lower_, row); at; ++at) at.valueRef() = std::exchange(sum(at.row()), 0.0);
+      lower_.coeffRef(row, row) *= 1.0 + kPivot;
+    }
+    const double least = kPivot * lower_.diagonal().mean();
+    for (Index row = 0; row < a_.rows(); ++row) lower_.coeffRef(row, row) += least;
+  }
+
+  const Columns& a_;
+  Rows rows_;
+  Columns lower_;
+  Eigen::SimplicialLDLT<Columns> cholesky_;
+  VectorXd d_, first_, of_first_;
+  double border_ = 0.0;
+};
+
+/// The longest step that leaves all of v + step · change positive, 1 at most.
+double longest(const VectorXd& v, const VectorXd& change) {
+  double step = 1.0;
+  for (Index i = 0; i < v.size(); ++i)
+    if (change(i) < 0.0) step = std::min(step, -v(i) / change(i));
+  return step;
+}
+
+struct Programme {
+  Columns matrix;
+  VectorXd right, costs;
+};
+
+VectorXd vector_of(const std::vector<double>& v) { return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())); }
+
+Programme programme_of(const InteriorProgramme& p) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(p.entries.size());
+  for (std::size_t c = 0; c + 1 < p.starts.size(); ++c)
+    for (std::size_t k = p.starts[c]; k < p.starts[c + 1]; ++k)
+      entries.emplace_back(static_cast<Index>(p.rows[k]), static_cast<Index>(c), p.entries[k]);
+  Programme out{Columns(static_cast<Index>(p.right.size()), static_cast<Index>(p.costs.size())), vector_of(p.right), vector_of(p.costs)};
+  out.matrix.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+class Method {
+ public:
+  explicit Method(const Programme& p) : p_(p), normal_(p.matrix) {}
+
+  std::optional<InteriorPoint> run() {
+    if (!start()) return {};
+    for (int i = 0; i < kMostIterations; ++i) {
+      find_residuals();
+      if (is_done()) return InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i};
+      if (!normal_.factorise(x_.cwiseQuotient(z_)) || !step()) return {};
+    }
+    return {};
+  }
+
+ private:
+  /// Mehrotra's: least squares, shifted until all is positive.
+  bool start() {
+    const Index n = p_.matrix.cols();
+    if (!normal_.factorise(VectorXd::Ones(n))) return false;
+    x_ = p_.matrix.transpose() * normal_.solve(p_.right);
+    y_ = normal_.solve(p_.matrix * p_.costs);
+    z_ = p_.costs - p_.matrix.transpose() * y_;
+    x_.array() += std::max(0.0, -1.5 * x_.minCoeff());
+    z_.array() += std::max(0.0, -1.5 * z_.minCoeff());
+    const double product = x_.dot(z_), sum_x = x_.sum(), sum_z = z_.sum();
+    x_.array() += sum_z > 0.0 ? std::max(0.5 * product / sum_z, 1e-3) : 1.0;
+    z_.array() += sum_x > 0.0 ? std::max(0.5 * product / sum_x, 1e-3) : 1.0;
+    return x_.allFinite() && z_.allFinite();
+  }
+  void find_residuals() {
+    primal_ = p_.right - p_.matrix * x_;
+    dual_ = p_.costs - p_.matrix.transpose() * y_ - z_;
+    mean_ = x_.dot(z_) / static_cast<double>(x_.size());
+  }
+  [[nodiscard]] bool is_done() const {
+    const double cost = p_.costs.dot(x_), gap = std::abs(cost - p_.right.dot(y_));
+    return primal_.norm() <= kTolerance * (1.0 + p_.right.norm()) && dual_.norm() <= kTolerance * (1.0 + p_.costs.norm()) &&
+           gap <= kTolerance * (1.0 + std::abs(cost));
+  }
+  struct Change {
+    VectorXd x, y, z;
+  };
+  /// Newton's step towards x z = products.
+  [[nodiscard]] Change newton(const VectorXd& products) const {
+    Change c;
+    const VectorXd d = x_.cwiseQuotient(z_), centring = products.cwiseQuotient(z_);
+    c.y = normal_.solve(primal_ + p_.matrix * (d.cwiseProduct(dual_) - centring));
+    c.z = dual_ - p_.matrix.transpose() * c.y;
+    c.x = centring - d.cwiseProduct(c.z);
+    return c;
+  }
+  /// Predictor, then corrector.
+  bool step() {
+    const VectorXd now = x_.cwiseProduct(z_);
+    const Change predicted = newton(-now);
+    const double reach_x = longest(x_, predicted.x), reach_z = longest(z_, predicted.z);
+    const double would_be = (x_ + reach_x * predicted.x).dot(z_ + reach_z * predicted.z) / static_cast<double>(x_.size());
+    const double centre = std::pow(would_be / mean_, 3);
+    const VectorXd target = (-now - predicted.x.cwiseProduct(predicted.z)).array() + centre * mean_;
+    const Change c = newton(target);
+    const double step_x = std::min(1.0, kStepBack * longest(x_, c.x)), step_z = std::min(1.0, kStepBack * longest(z_, c.z));
+    x_ += step_x * c.x;
+    y_ += step_z * c.y, z_ += step_z * c.z;
+    return x_.allFinite() && y_.allFinite() && z_.allFinite() && std::max(step_x, step_z) > 1e-10;
+  }
+
+  const Programme& p_;
+  NormalEquations normal_;
+  VectorXd x_, y_, z_, primal_, dual_;
+  double mean_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme) {
+  const Programme p = programme_of(programme);
+  return Method(p).run();
+}
+
+}  // namespace voussoir::solver

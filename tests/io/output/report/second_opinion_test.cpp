@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "io/input/case_file/case_file.h"
+#include "io/input/files/errors.h"
+#include "io/input/files/text_file.h"
+#include "io/output/report/report_capacity.h"
+#include "tests/io/results_fixture.h"
+
+namespace voussoir::io {
+
+using namespace test;
+
+namespace {
+
+/// A pushover of the two cubes: the load grows for two seconds, and falls. \return why the page does not take `limit`, or what it makes of
+/// it
+std::string opinion_on(const std::string& limit) {
+  const TempFolder folder;
+  ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n",
+                       kNames, {}, by_hand());
+  solver::Drive drive;
+  drive.frequency = 10.0, drive.pace = 2.0, drive.weight = 100.0;
+  writer.drive(drive);
+  record(writer, 0);
+  for (int i = 0; i <= 40; ++i) {
+    const double t = 0.1 * i, factor = i < 20 ? 0.05 * i : 2.0 - 0.05 * i;
+    solver::EnergyRow energy;
+    energy.time = t, energy.input = 0.01 * i;
+    writer.energy(energy);
+    writer.forces({t, {0.0, -100.0 * factor, 0.0}, {}});
+    writer.assessment({t, factor, 0.001 * i, 0.002 * i, 0.001 * i, 100.0 * factor, 0.0, 0.0});
+  }
+  writer.finish();
+  if (!limit.empty()) write_text_file(folder.file("limit.json"), limit, true);
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  const LoadedCase c = read_case({"case.toml", run.attribute_text("/case", "toml")});
+  std::vector<page::Plot> plots;
+  try {
+    return report_capacity(run, &c.value, plots).value_or("");
+  } catch (const FileError& e) {
+    return std::string("refused: ") + e.what();
+  }
+}
+
+std::string limit_of(const std::string& title, const std::string& direction, int mortar) {
+  return "{\"title\": \"" + title + "\", \"direction\": " + direction + R"(, "cone_error": 0.076, "converged": true, "mortar_joints": )" +
+         std::to_string(mortar) + R"(, "associated": {"multiplier": 0.21}, "coulomb": {"multiplier": 0.19}})";
+}
+
+}  // namespace
+
+TEST_CASE("limit analysis stands beside a pushover as a second opinion, with the reasons why they may differ") {
+  const std::string title = "two cubes", y = "[0.0, 1.0, 0.0]", with = opinion_on(limit_of(title, y, 7));
+  CHECK(with.find("\"limit\":{\"associated\":0.21,\"coulomb\":0.19,") != std::string::npos);
+  CHECK(with.find("strength of 7 joints") != std::string::npos);
+  CHECK(with.find("off by up to 7.6 %") != std::string::npos);
+  CHECK(opinion_on(limit_of(title, y, 0)).find("Mortar") == std::string::npos);
+  CHECK(opinion_on("").find("\"limit\":null") != std::string::npos);
+  CHECK(opinion_on(limit_of(title, "[1.0, 0.0, 0.0]", 7)).find("limit.json: is of another direction than the run") != std::string::npos);
+  CHECK(opinion_on(limit_of("a wall", y, 7)).find("limit.json: is of another case, \"a wall\"") != std::string::npos);
+  for (const char* text : {"{", "[1, 2]", R"({"title": "two cubes"})"})
+    CHECK(opinion_on(text).find("limit.json: is not what `voussoir limit CASE --format json` writes") != std::string::npos);
+}
+
+}  // namespace voussoir::io

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/output/results/base_motion.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "io/input/files/hdf5_file.h"
+#include "io/input/motion/synthetic/bam_like.h"
+#include "tests/io/results_fixture.h"
+
+using namespace voussoir;
+using namespace voussoir::io::test;
+using io::base_motion;
+using io::BaseMotion;
+
+TEST_CASE("base motion: integrals of a ramp, between the samples too, and rest or drift after the end") {
+  cases::GroundMotion m;
+  m.axis[1] = {"y", 0.5, {0.0, 1.0, 2.0}};  // a = 2 t up to 1 s, then zero
+  const BaseMotion b = base_motion(m, 0.05, 2, 30);
+  REQUIRE(b.time.size() == 16);
+  for (std::size_t i = 0; i < b.time.size(); ++i) {
+    const double t = b.time[i], in = std::min(t, 1.0);
+    CAPTURE(t);
+    CHECK(t == doctest::Approx(0.1 * static_cast<double>(i)));
+    CHECK(b.acceleration[i].y == doctest::Approx(t < 1.0 + 1e-9 ? 2.0 * t : 0.0));
+    CHECK(b.velocity[i].y == doctest::Approx(in * in).epsilon(1e-12));
+    CHECK(b.displacement[i].y == doctest::Approx(in * in * in / 3.0 + (t - in) * 1.0).epsilon(1e-12));
+    CHECK(b.velocity[i].x == 0.0);
+    CHECK(b.displacement[i].z == 0.0);
+  }
+}
+
+TEST_CASE("base motion: the velocity of a record is the integral of what the solver takes") {
+  cases::GroundMotion m;
+  m.axis[0] = io::bam_like_1()[0];
+  const BaseMotion b = base_motion(m, 1e-4, 10, 100000);
+  double velocity = 0.0;
+  for (std::size_t i = 1; i < b.time.size(); ++i) {
+    for (int k = 0; k < 10; ++k) {  // ten steps of the midpoint rule, exact where the motion is linear over each
+      velocity += 1e-4 * cases::acceleration_at(m.axis[0], (static_cast<double>(i - 1) * 10.0 + k + 0.5) * 1e-4);
+    }
+    REQUIRE(std::abs(b.velocity[i].x - velocity) < 1e-9);
+  }
+}
+
+TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a case without motion has none") {
+  const TempFolder folder;
+  cases::Case c;
+  CHECK(io::motion_datasets(c, {}, 1e-3, 1).empty());
+  c.motion.emplace();
+  c.motion->treatment.from = 2.0;
+  c.time.duration = 0.5;
+  cases::GroundMotion m;
+  m.axis[2] = {"z", 0.5, {1.0, 1.0}};
+  io::ResultsOptions options = by_hand();
+  options.motion = io::motion_datasets(c, m, 5e-4, 1);
+  const io::ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);
+  const io::Hdf5File run = io::Hdf5File::open(folder.file("run.h5"));
+  CHECK(run.shape("/motion/time") == io::Shape{501});
+  CHECK(run.shape("/motion/velocity") == io::Shape{501, 3});
+  CHECK(run.read<double>("/motion/velocity")[3 * 400 + 2] == doctest::Approx(0.4));
+  CHECK(run.read<double>("/motion/displacement")[3 * 500 + 2] == doctest::Approx(0.125));
+  CHECK(run.attribute_text("/motion/acceleration", "description").find("from 2 s on") != std::string::npos);
+  CHECK(run.attribute_text("/motion/acceleration", "unit") == "m/s2");
+  CHECK(!run.exists("/motion/factor"));
+  c.analysis.kind = cases::AnalysisKind::pushover;  // leaves the motion out
+  CHECK(io::motion_datasets(c, {}, 5e-4, 1).empty());
+}
+
+TEST_CASE("base motion: of a case that states an intensity the factor stands in run.h5, and in words") {
+  const TempFolder folder;
+  cases::Case c;
+  c.motion.emplace();
+  c.motion->intensity = {cases::IntensityMeasure::pga, 3.0, {}};
+  c.time.duration = 0.5;
+  cases::GroundMotion m;
+  m.axis[0] = {"x", 0.5, {3.0, 1.0}};
+  m.factor = 0.25;
+  io::ResultsOptions options = by_hand();
+  options.motion = io::motion_datasets(c, m, 5e-4, 1);
+  const io::ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);
+  const io::Hdf5File run = io::Hdf5File::open(folder.file("run.h5"));
+  CHECK(run.read<double>("/motion/factor") == std::vector{0.25});
+  CHECK(run.attribute_text("/motion/acceleration", "description").find("multiplied by 0.25 to reach PGA = 3 m/s2") != std::string::npos);
+}
+
+TEST_CASE("base motion: rows are whole cycles of multi-rate stepping apart, as those of /history are") {
+  cases::Case c;
+  c.motion.emplace();
+  c.time.duration = 0.02;
+  cases::GroundMotion m;
+  m.axis[0] = {"x", 0.01, {0.0, 1.0, 0.0}};
+  const std::vector<io::StaticDataset> sets = io::motion_datasets(c, m, 5e-5, 8);  // 1 ms: 20 steps, three cycles
+  CHECK(sets.at(0).shape == io::Shape{17});                                        // to step 384 of 400
+  std::vector<double> time(17);
+  std::memcpy(time.data(), sets.at(0).bytes.data(), sizeof(double) * time.size());
+  CHECK(time[1] == doctest::Approx(1.2e-3));
+}
