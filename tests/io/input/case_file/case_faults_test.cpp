@@ -351,7 +351,7 @@ TEST_CASE("hostile nesting neither overflows the stack nor passes") {
 TEST_CASE("random garbage never gets through as anything but a refusal or a case") {
   std::mt19937 random(2026);
   const std::string every_key = [] {
-    std::ifstream in(VOUSSOIR_SOURCE_DIR "/tests/io/case_file/data/every_key.toml");
+    std::ifstream in(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml");
     return std::string(std::istreambuf_iterator<char>(in), {});
   }();
   REQUIRE(every_key.size() > 1000);

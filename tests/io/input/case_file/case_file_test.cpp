@@ -17,7 +17,7 @@ using io::read_case;
 
 namespace {
 
-const std::string kEveryKey = VOUSSOIR_SOURCE_DIR "/tests/io/case_file/data/every_key.toml";
+const std::string kEveryKey = VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml";
 
 cases::Case read(const std::string& text) { return read_case({"test.toml", text}).value; }
 
@@ -47,7 +47,7 @@ TEST_CASE("case file: every key of the analysis is read") {
   const cases::Case c = load_case(kEveryKey).value;
   CHECK(c.title == "Every key");
   CHECK(c.source == "made up");
-  CHECK(c.folder == VOUSSOIR_SOURCE_DIR "/tests/io/case_file/data");
+  CHECK(c.folder == VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data");
   CHECK(c.gravity.acceleration == Vec3{0.5, -0.25, -9.81});
   CHECK(!c.gravity.settle);
   CHECK(c.gravity.ramp == 0.75);
@@ -251,7 +251,7 @@ TEST_CASE("case file: every key of stones is read") {
 }
 
 TEST_CASE("case file: the example of the manual is read") {
-  const cases::Case c = load_case(VOUSSOIR_SOURCE_DIR "/tests/io/case_file/data/two_bricks.toml").value;
+  const cases::Case c = load_case(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/two_bricks.toml").value;
   CHECK(c.title == "Two bricks on a base");
   CHECK(c.gravity.ramp == 1.0);
   CHECK(c.motion->record == "bam-like");

@@ -50,7 +50,7 @@ void check_bar(const std::string& at, const std::string& whole) {
 }  // namespace
 
 TEST_CASE("case file: every key of ties is read") {
-  const cases::Case c = io::load_case(VOUSSOIR_SOURCE_DIR "/tests/io/case_file/data/every_key.toml").value;
+  const cases::Case c = io::load_case(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml").value;
   REQUIRE(c.ties.size() == 1);
   const cases::Tie& t = c.ties[0];
   CHECK(t.name == "rod");
