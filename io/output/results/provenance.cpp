@@ -10,11 +10,8 @@
 
 #include "solver/state/saved_state.h"
 
-#ifndef VOUSSOIR_VERSION
-#define VOUSSOIR_VERSION "unknown"
-#endif
-#ifndef VOUSSOIR_FLAGS
-#define VOUSSOIR_FLAGS ""
+#if !defined(VOUSSOIR_VERSION) || !defined(VOUSSOIR_FLAGS)
+#error "io/output/CMakeLists.txt defines these for this source"
 #endif
 
 namespace voussoir::io {
