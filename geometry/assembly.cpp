@@ -22,7 +22,7 @@ void check_part(const Part& part, int subject) {
   validate(*part.shape, subject);
 }
 
-/// Its mass, its faces and their grids. \pre first_face and face_count are known
+/// Computes the mass, the faces and their grids of one element. \pre first_face and face_count are set
 void fill_element(const Part& part, int subject, Element& element, std::vector<Face>& faces, std::vector<FaceGrid>& grids) {
   const Polyhedron& shape = *part.shape;
   element.mass = mass_properties(shape);
@@ -54,7 +54,7 @@ std::vector<FaceGrid> make_elements(std::span<const Part> parts, int threads, As
   return grids;
 }
 
-/// Every block stands on the base or an anchored one, if only by way of others.
+/// Throws unless every block is connected by contacts to the base or to an anchored block.
 void check_held(std::span<const Part> parts, const std::vector<Contact>& contacts) {
   const std::size_t ground = parts.size();
   DisjointSets groups(parts.size() + 1);

@@ -12,7 +12,7 @@
 #include "geometry/segments/segment_rule.h"
 #include "geometry/segments/segment_store.h"
 
-/// From shapes to faces, segments and joints (paper 2.1, Fig. 1c; choices in the theory manual).
+/// Faces, segments and joints of an assembly of convex blocks (paper 2.1, Fig. 1c; choices of the method: kernels/THEORY.md).
 namespace voussoir::geometry {
 
 /// Element index that stands for the base, the fixed half-space below z = base_z.
@@ -37,8 +37,9 @@ struct Joint {
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
-/// Under SegmentRule::rim what is free is cut into convex polygons, each with its area and points that keep a hundredth of the segment size
-/// inside its edges: in a wall that stands neighbours' faces are flush, and a point on the edge would be in and out by round-off.
+/// Under SegmentRule::rim the free part of a face is cut into convex polygons, each with its area and points that keep a hundredth of the
+/// segment size inside its edges: neighbouring faces of a standing wall are flush, so round-off would decide whether a point on an edge is
+/// in contact.
 struct FreePatch {
   std::int32_t element = 0, face = 0;
   Frame frame;
@@ -54,7 +55,7 @@ struct Face {
 };
 
 struct Element {
-  std::int32_t first_face = 0, face_count = 0;  // into Assembly::faces
+  std::int32_t first_face = 0, face_count = 0;  // range in Assembly::faces
   MassProperties mass;                          // for unit density
 };
 
@@ -63,37 +64,37 @@ struct Assembly {
   std::vector<Face> faces;    // by element, in the polyhedron's face order
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
   std::vector<FreePatch> patches;                // sorted by (element, face)
-  std::shared_ptr<const SegmentStore> segments;  // of joints and patches, which are valid as long as it
+  std::shared_ptr<const SegmentStore> segments;  // owner of the segments of joints and patches, which stay valid as long as the store lives
   SegmentRule rule = SegmentRule::centres;
 };
 
 struct Part {
   const Polyhedron* shape = nullptr;
   double segment_size = 0.0;  // m, > 0
-  bool anchored = false;      // fixed, or allowed to float: holds itself
+  bool anchored = false;      // fixed or allowed to float: needs no support
   bool ground = false;  // a part of the base: has no points of its own, and no joints with the base or other ground; after all that is none
 };
 
-/// Validates every shape, finds overlaps, touching faces and what they share.
+/// Validates every shape, refuses overlaps, finds the faces that touch and cuts them into segments.
 ///
-/// A face has a grid of n = max(1, round(edge/size)) cells a direction over its bounding rectangle; a joint takes
-/// cell ∩ overlap as a segment, pieces under 1 % of a cell go to their largest neighbour in the same joint, the rest of a cell is free
-/// (dropped where under 1 % of the cell).
+/// Under SegmentRule::centres a face has a grid of n = max(1, round(edge/size)) cells a direction over its bounding rectangle; a joint
+/// takes cell ∩ overlap as a segment, pieces under 1 % of a cell go to their largest neighbour in the same joint, the rest of a cell is
+/// free (dropped where under 1 % of the cell).
 ///
 /// Faces touch where their outward normals are opposite (1e-6), their planes closer than 1e-6 m and their overlap larger than 1e-8 m2; a
-/// face with the normal −z at base_z touches the base all over. Segments stand row by row in the grid of the face that masters them; (s, t)
-/// are multiples of 2^-40 m, so that equal patches are equal bit by bit.
+/// face with the normal −z at base_z touches the base all over. Segments are listed row by row in the grid of the face that masters them;
+/// (s, t) are multiples of 2^-40 m, so that equal patches are equal bit by bit.
 ///
-/// That is SegmentRule::centres. Under SegmentRule::rim the points of a joint are those of append_rim_points
-/// (geometry/segments/rim_points.h) over the overlap, with the smaller segment size of the two elements, and every joint between two
-/// elements is merged.
+/// Under SegmentRule::rim the points of a joint are those of append_rim_points (geometry/segments/rim_points.h) over the overlap, with the
+/// smaller segment size of the two elements, and every joint between two elements is merged.
 ///
-/// Joints with ground have the other element's points alone, as those with the base, and are merged; faces of ground have no patches.
+/// Joints with ground have only the points of the other element, as joints with the base have, and are merged; faces of ground have no
+/// patches.
 ///
 /// \param base_z  height of the base plane [m]; absent: no base.
-/// \param threads  that work on it; the assembly is the same bit by bit for any number
+/// \param threads  number of threads; the assembly has the same bits for any number
 /// \throw ModelError naming: a bad shape (see validate) or segment size, two blocks that overlap by more than 1e-6 m, a block below the
-/// base, a block that is held by neither the base nor an anchored one, if only by way of others. what() starts with "block <index>: ".
+/// base, a block that no chain of joints connects to the base or to an anchored block. what() starts with "block <index>: ".
 /// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer.
 Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule = SegmentRule::centres, int threads = 1);
 

@@ -9,12 +9,13 @@
 
 namespace voussoir::geometry {
 
-/// Numbers 0 to n − 1 in sets that can be joined: what holds together. The smallest number of a set stands for it, whatever the order of the joins.
+/// Disjoint sets of the numbers 0 to n − 1, as for connected components. The smallest number of a set represents the set, whatever the
+/// order of the unions.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
 
-  /// The smallest number of the set that i is in. Paths are halved on the way.
+  /// The smallest number of the set that contains i. Halves paths on the way.
   std::size_t of(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;

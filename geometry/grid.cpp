@@ -11,18 +11,18 @@ namespace voussoir::geometry {
 
 namespace {
 
-/// A box over more cells than this goes to the list of large ones: a beam among bricks stays far below.
+/// Number of cells above which a box goes to the list of large boxes; a beam among bricks overlaps far fewer.
 constexpr double kMostCells = 512.0;
 
-/// Cell edge over the median extent of a box. Measured on walls of 4 000 and 70 000 bricks: 1.25 to 2 are alike, 0.6 takes three times as
-/// long.
+/// Ratio of the cell edge to the median extent of the boxes. Measured on walls of 4 000 and 70 000 bricks: 1.25 to 2 take the same time,
+/// 0.6 three times as long.
 constexpr double kCellFactor = 1.25;
 
-/// So many boxes more a bucket has room for once boxes move from cell to cell.
+/// Spare places that each bucket gets once boxes move from cell to cell.
 constexpr std::int32_t kRoom = 4;
 
-/// A box whose cells have no room goes to the list of large ones. The grid is filled again once the list has grown by this number, or by
-/// one box in kBoxesToSpill if that is more: to fill it costs a look at every box, and each query looks at every box of the list.
+/// Growth of the list of large boxes (kLeastSpilt boxes, or one box in kBoxesToSpill if that is more) after which the grid is filled again.
+/// Filling costs a pass over all boxes; each query tests every box of the list.
 constexpr std::size_t kLeastSpilt = 16, kBoxesToSpill = 4096;
 
 bool intersect(const Box3& a, const Box3& b) {
@@ -34,7 +34,7 @@ bool is_ordered(const Box3& b) { return b.low.x <= b.high.x && b.low.y <= b.high
 
 double extent(const Box3& b) { return std::max({b.high.x - b.low.x, b.high.y - b.low.y, b.high.z - b.low.z}); }
 
-/// As a double: the product of three counts may pass any integer.
+/// Number of cells as a double, since the product of three counts may overflow any integer.
 template <class Range>
 double cell_count(const Range& r) {
   return (static_cast<double>(r.high.x) - r.low.x + 1.0) * (static_cast<double>(r.high.y) - r.low.y + 1.0) *
@@ -51,7 +51,7 @@ void for_each_cell(const Range& r, Visit visit) {
 }
 
 std::int32_t cell_coordinate(double scaled) {
-  // Beyond the clamp all share the last cell: slower there, but floor and clamp are monotone, so nothing is missed.
+  // All coordinates beyond the clamp share the last cell: slow there, but floor and clamp are monotone, so nothing is missed.
   constexpr double kLimit = 1e9;
   return static_cast<std::int32_t>(std::clamp(std::floor(scaled), -kLimit, kLimit));
 }
@@ -103,7 +103,8 @@ void UniformGrid::build(std::span<const Box3> boxes) {
   fill();
 }
 
-/// Counting sort. A box counts in a bucket once for each of its cells there, and stands there once: what is left is room for others.
+/// Fills the buckets by counting sort. A box counts once for each of its cells in a bucket but is stored once: the rest is room for other
+/// boxes.
 void UniformGrid::fill() {
   large_.clear();
   const std::size_t buckets = std::size_t{mask_} + 1;
@@ -121,7 +122,7 @@ void UniformGrid::fill() {
   most_large_ = large_.size() + std::max(kLeastSpilt, boxes_.size() / kBoxesToSpill);
 }
 
-/// To the buckets of its cells. \return false if one of them has no room
+/// Adds a box to the buckets of its cells. \return false if a bucket has no room
 bool UniformGrid::add(std::int32_t index) {
   bool room = true;
   for_each_cell(cells_[static_cast<std::size_t>(index)], [&](Cell c) {
@@ -160,13 +161,13 @@ void UniformGrid::move(std::int32_t index, const Box3& box) {
   const bool was_large = std::exchange(place_[i], place) == Place::large;
   if (was_large) return refill();
   if (place == Place::nowhere || (place == Place::cells && add(index))) return;
-  if (place == Place::cells) take_out(index);  // of those that had room
+  if (place == Place::cells) take_out(index);  // out of the buckets that had room
   place_[i] = Place::large;
   large_.push_back(index);
   if (large_.size() > most_large_) refill();
 }
 
-/// With some room in each bucket, since boxes move.
+/// Fills the grid again, with spare places in each bucket, since boxes move.
 void UniformGrid::refill() {
   room_ = kRoom;
   for (std::size_t i = 0; i < boxes_.size(); ++i) place_[i] = place_of(boxes_[i], cells_[i]);
@@ -178,7 +179,7 @@ void UniformGrid::query_cell(Cell cell, Cell query_low, const Box3& query, std::
   for (std::int32_t k = start_[bucket]; k < end_[bucket]; ++k) {
     const std::int32_t item = items_[static_cast<std::size_t>(k)];
     if (!intersect(query, boxes_[static_cast<std::size_t>(item)])) continue;
-    // Reported only from the first cell that query and box share: no doubles, and no marks that threads would fight over.
+    // A box is reported only from the first cell that it shares with the query: no duplicates, and no marks shared between threads.
     const Cell low = cells_[static_cast<std::size_t>(item)].low;
     const Cell first{std::max(low.x, query_low.x), std::max(low.y, query_low.y), std::max(low.z, query_low.z)};
     if (first == cell) out.push_back(item);

@@ -10,21 +10,21 @@
 
 namespace voussoir::geometry {
 
-/// A uniform grid over axis-aligned boxes: which boxes may touch a given box. Cells follow the median box, so a usual box lies in few
-/// cells; a box that would fill hundreds of them is kept in a list of its own. Memory is O(number of boxes): cells are hashed, so a brick
-/// thrown 1 km away costs nothing.
+/// A uniform grid over axis-aligned boxes: finds the boxes that may touch a given box. The cell size follows the median box, so a usual box
+/// lies in few cells; a box that would fill hundreds of cells is kept in a separate list. Memory is O(number of boxes): cells are hashed,
+/// so a brick thrown 1 km away costs nothing.
 class UniformGrid {
  public:
-  /// Re-fills the grid. Boxes are copied; their indices are their order. A box with a NaN, or with low > high, is never found.
-  /// Allocates only when there are more boxes, or more cells filled, than ever before.
+  /// Builds the grid anew over copies of the boxes; the index of a box is its position in `boxes`. A box with a NaN, or with low > high, is
+  /// never found. Allocates only when there are more boxes, or more cells filled, than ever before.
   void build(std::span<const Box3> boxes);
 
-  /// Moves one box. Cheap where it stays in its cells; where cells had no room left for many boxes it fills the grid again.
+  /// Moves one box. Cheap where the box stays in its cells; fills the whole grid again once cells have run out of room for many boxes.
   /// \pre 0 <= index < number of boxes
   void move(std::int32_t index, const Box3& box);
 
   /// Appends to `out`, in ascending order and without doubles, all boxes that intersect `query` (closed intersection).
-  /// Touches no state: any number of threads may query at once.
+  /// Changes no state: any number of threads may query at once.
   void query(const Box3& query, std::vector<std::int32_t>& out) const;
 
  private:
@@ -49,17 +49,17 @@ class UniformGrid {
   void query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const;
 
   std::vector<Box3> boxes_;
-  std::vector<CellRange> cells_;     // by box: those it touches
-  std::vector<Place> place_;         // by box: where it stands
-  std::vector<std::int32_t> large_;  // boxes that are in no cell, or found no room in theirs: tried by every query
-  std::size_t most_large_ = 0;       // of these, before the grid is filled again
+  std::vector<CellRange> cells_;     // by box: cells that the box overlaps
+  std::vector<Place> place_;         // by box: whether it is stored in cells, in large_ or nowhere
+  std::vector<std::int32_t> large_;  // boxes that overlap too many cells, or whose cells had no room: tested by every query
+  std::size_t most_large_ = 0;       // length of large_ at which the grid is filled again
   double per_cell_ = 1.0;            // 1/m
-  std::vector<std::int32_t> start_;  // by hash bucket, into items_: room for its boxes, and for some more
-  std::vector<std::int32_t> end_;    // by hash bucket, where its boxes end
-  std::vector<std::int32_t> items_;  // box indices, each once in a bucket
-  std::vector<double> extents_;      // m, scratch of build
+  std::vector<std::int32_t> start_;  // by hash bucket, index of its first box in items_
+  std::vector<std::int32_t> end_;    // by hash bucket, end of its boxes in items_; between it and the next start_ there is room for more
+  std::vector<std::int32_t> items_;  // box indices, each at most once in a bucket
+  std::vector<double> extents_;      // m, scratch memory of build
   std::uint32_t mask_ = 0;
-  std::int32_t room_ = 0;  // boxes that a bucket has room for beyond those that it began with
+  std::int32_t room_ = 0;  // spare places of a bucket beyond its number of boxes when the grid was filled
 };
 
 }  // namespace voussoir::geometry

@@ -17,7 +17,7 @@ struct Moments {
   Mat3 second = Mat3::zero();
 };
 
-/// The divergence theorem, as a sum over the tetrahedra between `origin` and the triangles of every face.
+/// Moments by the divergence theorem, as a sum over the tetrahedra between `origin` and the triangles of every face.
 Moments moments(const Polyhedron& p, Vec3 origin) {
   Moments m;
   for (const auto& loop : p.faces) {
@@ -42,7 +42,7 @@ Vec3 mean_vertex(const Polyhedron& p) {
   return first + sum / static_cast<double>(p.vertices.size());
 }
 
-/// tr(S) − S, with off-diagonal round-off set to zero, so that boxes stay exactly diagonal.
+/// Inertia tr(S) − S, with off-diagonal round-off set to zero, so that boxes stay exactly diagonal.
 Mat3 inertia_of(const Mat3& second) {
   const double xx = second.r0.x, yy = second.r1.y, zz = second.r2.z;
   const double least = 1e-14 * std::max({yy + zz, xx + zz, xx + yy});
@@ -68,7 +68,7 @@ void diagonal_axes(MassProperties& m) {
   m.axes.r2 = cross(m.axes.r0, m.axes.r1);
 }
 
-/// The eigenvector's sign is free: its largest component is made positive.
+/// Fixes the sign of an eigenvector, which is arbitrary: its largest component is made positive.
 Vec3 with_fixed_sign(Vec3 v) {
   double largest = v.x;
   if (std::abs(v.y) > std::abs(largest)) largest = v.y;
@@ -100,7 +100,7 @@ MassProperties mass_properties(const Polyhedron& p) {
   const Moments rough = moments(p, near);
   MassProperties m;
   m.centroid = near + rough.first / rough.volume;
-  // Once more about the centroid itself: the parallel-axis theorem would cancel digits.
+  // A second pass about the centroid itself, since the parallel-axis theorem would cancel digits.
   const Moments exact = moments(p, m.centroid);
   m.volume = exact.volume;
   m.inertia = inertia_of(exact.second);

@@ -7,10 +7,10 @@
 
 namespace voussoir::geometry {
 
-/// "block 7: " for a known subject, else nothing.
+/// "block 7: " for a known subject (>= 0), else an empty string.
 inline std::string block_prefix(int subject) { return subject < 0 ? std::string() : "block " + std::to_string(subject) + ": "; }
 
-/// What printf prints of `values`.
+/// The text that printf would print of `values`.
 template <class... Values>
 std::string printed(const char* format, Values... values) {
   const int length = std::snprintf(nullptr, 0, format, values...);
@@ -19,12 +19,12 @@ std::string printed(const char* format, Values... values) {
   return text;
 }
 
-/// A figure for a message: six significant digits, general format.
+/// A number for a message: six significant digits, general format.
 inline std::string figure(double value) { return printed("%.6g", value); }
-/// A figure that needs no more than four digits.
+/// A number for a message: four significant digits, general format.
 inline std::string short_figure(double value) { return printed("%.4g", value); }
 
-/// A length of stones that differ by little: "0.12 mm".
+/// A length in millimetres, three significant digits: "0.12 mm".
 inline std::string millimetres(double metres) { return printed("%.3g mm", 1e3 * metres); }
 
 }  // namespace voussoir::geometry

@@ -13,7 +13,7 @@ struct Interval {
   double low, high;
 };
 
-/// Counted from `origin`, so that elements far from the global origin keep their digits.
+/// Interval of the vertices along an axis, counted from `origin`, so that elements far from the global origin keep their digits.
 Interval project(const Polyhedron& p, Vec3 axis, Vec3 origin) {
   Interval r{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Vec3& v : p.vertices) {
@@ -23,7 +23,7 @@ Interval project(const Polyhedron& p, Vec3 axis, Vec3 origin) {
   return r;
 }
 
-/// Least depth of `other` behind the faces of `element`.
+/// Least depth of `other` behind a face of `element` [m]. Stops at the first depth of at most `enough`.
 double depth_behind_faces(const Scene& scene, std::int32_t element, std::int32_t other, double enough) {
   const Element& e = scene.elements[static_cast<std::size_t>(element)];
   const Polyhedron& shape = *scene.parts[static_cast<std::size_t>(other)].shape;

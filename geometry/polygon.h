@@ -21,27 +21,28 @@ struct Rectangle {
   Point2 low, high;
 };
 
-/// Area [m2] and its centroid [m].
+/// Area [m2] and centroid [m] of a polygon.
 struct Region {
   double area = 0.0;
   Point2 centroid;
 };
 
-/// Counted about the first corner, so a small polygon far from the origin keeps its digits. Fewer than 3 corners: area 0.
+/// Area and centroid, computed relative to the first corner, so a small polygon far from the origin keeps its digits. Fewer than 3 corners:
+/// area 0.
 Region region(std::span<const Point2> polygon);
 
-/// \pre the polygon is not empty.
+/// Bounding rectangle [m]. \pre the polygon is not empty
 Rectangle bounds(std::span<const Point2> polygon);
 
-/// The rectangle that the polygon is, exactly (four corners, sides along s and t), else nothing.
+/// The rectangle that equals the polygon exactly (four corners, sides along s and t), else nothing.
 std::optional<Rectangle> as_rectangle(std::span<const Point2> polygon);
 
 Polygon to_polygon(const Rectangle& r);
 
-/// Keeps the part with normal · p <= offset. `scratch` is overwritten.
+/// Keeps the part of the polygon with normal · p <= offset. `scratch` is overwritten.
 void clip(Polygon& polygon, Point2 normal, double offset, Polygon& scratch);
 
-/// What two convex polygons share; empty where they share no area. Rectangles give a rectangle without round-off.
+/// Intersection of two convex polygons; empty where they share no area. Rectangles give a rectangle without round-off.
 Polygon intersection(const Polygon& a, const Polygon& b);
 
 }  // namespace voussoir::geometry

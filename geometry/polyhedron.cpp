@@ -93,7 +93,7 @@ Polyhedron make_prism(std::span<const std::array<double, 2>> polygon_yz, double 
 Polyhedron rotated(const Polyhedron& p, Vec3 axis, double angle, Vec3 about) {
   const Vec3 e = normalised(axis);
   double c = std::cos(angle), s = std::sin(angle);
-  // cos(π/2) is 6e-17 in floating point: a quarter turn of a box should give a box.
+  // cos(π/2) is 6e-17 in floating point; set to zero, so that a quarter turn of a box gives a box.
   if (std::abs(c) < 1e-15) c = 0.0, s = std::copysign(1.0, s);
   if (std::abs(s) < 1e-15) s = 0.0, c = std::copysign(1.0, c);
   Polyhedron out = p;
@@ -112,7 +112,7 @@ Polyhedron moved(const Polyhedron& p, Vec3 by) {
 
 Polyhedron mirrored(const Polyhedron& p, Vec3 n, Vec3 at) {
   const std::size_t count = p.vertices.size();
-  // A mirrored cell with its vertices in the old order would be inside out for VTK: bottom and top ring change places.
+  // A mirrored cell with its vertices in the old order would be inside out for VTK, so bottom and top ring are exchanged.
   const std::size_t shift = count % 2 == 0 ? count / 2 : 0;
   Polyhedron out = p;
   for (std::size_t i = 0; i < count; ++i) {

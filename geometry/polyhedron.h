@@ -14,8 +14,8 @@
 
 namespace voussoir::geometry {
 
-/// A fault of the shapes themselves. `subject` is the index of the polyhedron at fault (−1: not known),
-/// `other` a second one (an overlap) or −1.
+/// A fault of the shapes in the input. `subject` is the index of the polyhedron at fault (−1: not known), `other` that of a second one (an
+/// overlap) or −1.
 class ModelError : public std::runtime_error {
  public:
   ModelError(std::string what, int subject, int other = -1) : std::runtime_error(std::move(what)), subject_(subject), other_(other) {}
@@ -43,8 +43,9 @@ Polyhedron make_box(Vec3 low, Vec3 high);
 Polyhedron make_hexahedron(std::span<const Vec3, 8> vertices);
 
 /// Prism: a convex polygon (3 or more corners, either winding) in the y-z plane extruded from x0 to x1 (x0 < x1).
-/// Vertices: the polygon at x0 counter-clockwise seen from +x and from its first corner, then the same at x1. Four corners give a
-/// hexahedron (faces as in make_hexahedron); else the sides in the order of the polygon's edges, then the faces at x0 and x1.
+/// Vertices: the polygon at x0 counter-clockwise seen from +x and from its first corner, then the same corners at x1. Four corners give a
+/// hexahedron (faces as in make_hexahedron); other numbers give faces in the order: sides in the order of the polygon's edges, faces at x0
+/// and x1.
 /// Convexity is left to validate().
 ///
 /// \throw ModelError if the polygon is degenerate or x0 >= x1.
@@ -53,13 +54,15 @@ Polyhedron make_prism(std::span<const std::array<double, 2>> polygon_yz, double 
 /// Rotates about an axis (any length but zero) through `about` by `angle` [rad] (right-hand rule). Quarter turns are exact.
 Polyhedron rotated(const Polyhedron& p, Vec3 axis, double angle, Vec3 about);
 Polyhedron moved(const Polyhedron& p, Vec3 by);
-/// Mirror at the plane through `at` with unit normal n. Faces keep their order; loops are turned so they stay counter-clockwise from
-/// outside, and the two halves of an even number of vertices change places, so that boxes, hexahedra and prisms stay valid cells.
+/// Mirror image at the plane through `at` with unit normal n. Faces keep their order; loops are reversed so that they stay
+/// counter-clockwise seen from outside, and the first and second half of an even number of vertices are exchanged, so that boxes, hexahedra
+/// and prisms stay valid cells.
 Polyhedron mirrored(const Polyhedron& p, Vec3 n, Vec3 at);
 
-/// Tolerance: 1e-9 of the diagonal of the bounding box (and the round-off of coordinates far from the origin).
-/// \throw ModelError "not convex", "inside out", "a face is not plane", "zero volume", "a vertex is used by no face" ...,
-/// with the offending figures in the message, after "block <subject>: " where the subject is known.
+/// Checks that a polyhedron is closed, convex and outward, with plane faces and a volume. Tolerance: 1e-9 of the diagonal of the bounding
+/// box, plus the round-off of coordinates far from the origin.
+/// \throw ModelError "not convex", "inside out", "a face is not plane", "zero volume", "a vertex is used by no face" ..., with the
+/// offending figures in the message, after "block <subject>: " where the subject is known.
 void validate(const Polyhedron& p, int subject = -1);
 
 /// Volume [m3], centroid [m], inertia tensor about the centroid for unit density [m5] in global axes, and its
@@ -82,7 +85,7 @@ struct FacePlane {
 };
 FacePlane face_plane(const Polyhedron& p, int face);
 
-/// The least distance [m] between a face and the vertex farthest behind it: of a box its shortest edge.
+/// The least distance [m] between a face and the vertex farthest behind that face: the shortest edge of a box.
 double least_width(const Polyhedron& p);
 
 struct Box3 {

@@ -14,7 +14,8 @@ namespace {
 
 using Loop = std::vector<std::int32_t>;
 
-/// The vertex over each corner of the bottom: along the edge that leaves the bottom. Nothing unless the shape is a prism over it.
+/// For each corner of the bottom, the vertex above: the far end of the edge that leaves the bottom there. Nothing unless the shape is a
+/// prism over `bottom`.
 std::optional<Loop> tops(const Polyhedron& p, std::size_t bottom) {
   const Loop& ring = p.faces[bottom];
   const std::size_t k = ring.size();
@@ -46,7 +47,7 @@ Vec3 middle(const Polyhedron& p, const Loop& loop) {
   return sum / static_cast<double>(loop.size());
 }
 
-/// The faces of make_prism or make_hexahedron for k corners.
+/// The faces of make_prism or make_hexahedron over k corners.
 std::vector<Loop> prism_faces(std::int32_t k) {
   if (k == 4) return {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 3, 2, 1}, {4, 5, 6, 7}};
   std::vector<Loop> faces;
@@ -74,7 +75,7 @@ bool is_prism(const Polyhedron& p) noexcept {
     } else if (size != 4 || below != 2) {
       return false;
     } else {
-      // Sides only of corners i, i + 1 and those above them.
+      // Sides may have only corners i, i + 1 and the vertices above these two.
       for (const std::int32_t v : face) {
         if (v < k && std::find(face.begin(), face.end(), v + k) == face.end()) return false;
       }
@@ -90,7 +91,7 @@ Polyhedron in_prism_order(const Polyhedron& p) {
     if (!bottom || middle(p, p.faces[f]).z < middle(p, p.faces[*bottom]).z) bottom = f;
   }
   if (!bottom) return p;
-  // Seen from above (from within) the ring runs the other way.
+  // The bottom face is counter-clockwise seen from below; its ring must be counter-clockwise seen from above.
   Loop ring = p.faces[*bottom], top = *tops(p, *bottom);
   std::reverse(ring.begin(), ring.end());
   std::reverse(top.begin(), top.end());

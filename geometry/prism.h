@@ -6,14 +6,14 @@
 
 namespace voussoir::geometry {
 
-/// Whether a polyhedron is a prism in the order that Polyhedron promises: all bottom vertices, then all top vertices, corner i below corner
-/// i + k; two faces of k corners, and k sides of four. Boxes and hexahedra are prisms over four corners.
+/// Whether a polyhedron is a prism in the vertex order that Polyhedron promises: all bottom vertices, then all top vertices, corner i below
+/// corner i + k; two faces of k corners, and k sides of four. Boxes and hexahedra are prisms over four corners.
 bool is_prism(const Polyhedron& p) noexcept;
 
-/// The same polyhedron with vertices and faces in the order of make_hexahedron or make_prism, if it is a prism in any order of vertices and
-/// faces (its sides need not be parallel: a voussoir is a prism, too); else as it is. Of several pairs of ends the lowest (by the z of its
-/// centroid), then the first, is the bottom; the first vertex of the bottom is the one with the least (z, y, x).
-/// \pre closed, outward
+/// A copy with vertices and faces in the order of make_hexahedron or make_prism, if `p` is a prism in any order of vertices and faces
+/// (sides need not be parallel: a voussoir is a prism, too); otherwise `p` unchanged. The bottom is the lowest (by the z of its centroid),
+/// then the first, of several possible pairs of ends; its first vertex is the one with the least (z, y, x).
+/// \pre closed, faces outward
 Polyhedron in_prism_order(const Polyhedron& p);
 
 }  // namespace voussoir::geometry

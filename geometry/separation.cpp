@@ -11,7 +11,7 @@ namespace voussoir::geometry {
 namespace {
 
 constexpr double kOnFace = 1e-7;    // of the size of a body: how far a vertex of a face may lie off its plane
-constexpr double kParallel = 1e-9;  // sine between directions of which one is enough
+constexpr double kParallel = 1e-9;  // sine of the angle below which directions count as parallel
 
 double size_of(std::span<const Vec3> vertices) {
   double most = 0.0;
@@ -39,14 +39,14 @@ void add_direction(std::vector<Vec3>& directions, Vec3 edge) {
   if (std::ranges::none_of(directions, [&](Vec3 o) { return norm(cross(o, d)) < kParallel; })) directions.push_back(d);
 }
 
-/// Of all vertices along an axis, the least value. The greatest is that of the opposite axis, with the other sign.
+/// The least coordinate of the vertices along an axis [m]. The greatest is minus that along the opposite axis.
 double lowest(std::span<const Vec3> vertices, Vec3 axis) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& v : vertices) least = std::min(least, dot(v, axis));
   return least;
 }
 
-/// The best axis so far; true as soon as it is enough.
+/// The axis of least depth so far. take() returns true once the depth is at most `enough`.
 class LeastOverlap {
  public:
   explicit LeastOverlap(double enough) : enough_(enough) {}
@@ -65,7 +65,7 @@ bool try_edges(const ConvexBody& a, const ConvexBody& b, LeastOverlap& least) {
   for (const Vec3& ea : a.directions) {
     for (const Vec3& eb : b.directions) {
       const Vec3 product = cross(ea, eb);
-      if (norm(product) < kParallel) continue;  // all round-off; the normal of a face stands for it
+      if (norm(product) < kParallel) continue;  // nearly parallel edges: the product is round-off, and a face normal covers the axis
       const Vec3 axis = normalised(product);
       const double low_a = lowest(a.vertices, axis), high_a = -lowest(a.vertices, -axis);
       const double low_b = lowest(b.vertices, axis), high_b = -lowest(b.vertices, -axis);
@@ -75,7 +75,7 @@ bool try_edges(const ConvexBody& a, const ConvexBody& b, LeastOverlap& least) {
   return false;
 }
 
-/// Squares, m2.
+/// Squared distance from a point to a face [m2].
 double from_point_to_face(Vec3 p, const ConvexBody& b, const HalfSpace& face, double allowed) {
   const double height = dot(face.normal, p) - face.offset;
   const Vec3 foot = p - height * face.normal;
@@ -92,7 +92,7 @@ double from_vertices_to_faces(const ConvexBody& a, const ConvexBody& b) {
   return least;
 }
 
-/// Between two segments p + s u and q + t v, 0 <= s, t <= 1: either of the lines, or of an end to the other segment.
+/// Squared distance between two segments p + s u and q + t v, 0 <= s, t <= 1 [m2]: between the lines, or from an end to the other segment.
 double between_segments(Vec3 p, Vec3 u, Vec3 q, Vec3 v) {
   const auto end_to = [](Vec3 end, Vec3 from, Vec3 along) {
     const double t = std::clamp(dot(end - from, along) / dot(along, along), 0.0, 1.0);

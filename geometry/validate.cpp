@@ -25,7 +25,7 @@ void check_vertices(const Polyhedron& p, int subject) {
   }
 }
 
-/// Two corners in one place let a surface run round twice, closed and convex.
+/// Throws if two corners coincide: a surface could then run round twice and still be closed and convex.
 void check_apart(const Polyhedron& p, double allowed, int subject) {
   for (std::size_t i = 0; i < p.vertices.size(); ++i) {
     for (std::size_t k = i + 1; k < p.vertices.size(); ++k) {
@@ -58,7 +58,7 @@ void check_loops(const Polyhedron& p, int subject) {
   if (unused != used.end()) fail(subject, "a vertex is used by no face: vertex " + std::to_string(unused - used.begin()));
 }
 
-/// Every edge must be met once in each direction.
+/// Throws unless every edge is used once in each direction.
 void check_closed(const Polyhedron& p, int subject) {
   std::vector<std::array<std::int32_t, 2>> edges, turned;
   for (const auto& loop : p.faces) {
@@ -114,10 +114,10 @@ void validate(const Polyhedron& p, int subject) {
   const Box3 box = bounds(p);
   const double size = norm(box.high - box.low);
   const double volume = signed_volume(p);
-  // The sign of the volume first: seen from a shape turned inside out, every vertex lies outside every face.
+  // The sign of the volume is checked first: if the shape is inside out, every vertex lies outside every face.
   if (!(std::abs(volume) > kVolumeTolerance * size * size * size)) fail(subject, "zero volume: " + figure(volume) + " m3");
   if (volume < 0.0) fail(subject, "inside out: the volume is " + figure(volume) + " m3");
-  // Far away the coordinates themselves are coarser than a small block's tolerance.
+  // Coordinates far from the origin are coarser than the tolerance of a small block.
   const double allowed = kTolerance * size + kRoundOff * (norm(box.low) + norm(box.high));
   check_apart(p, allowed, subject);
   check_planes(p, size, allowed, subject);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-/// Small vector maths, shared by every layer. Plain doubles, no units of its own.
+/// Small vector maths, shared by every layer. Plain doubles; units are those of the caller.
 namespace voussoir {
 
 /// A vector of three components in the unit of its context (m unless said).
@@ -69,7 +69,7 @@ struct Quaternion {
   friend constexpr bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-/// R(q) − I without cancellation: exact to round-off also for rotations of 1e-12 rad, where R itself has lost them.
+/// R(q) − I without cancellation: exact to round-off also for rotations of 1e-12 rad, whose digits are lost in R.
 constexpr Mat3 rotation_minus_identity(Quaternion q) noexcept {
   const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   const double xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;

@@ -15,7 +15,7 @@ void for_ranges(std::size_t count, int threads, const std::function<void(std::si
   std::mutex lock;
   std::size_t failed = ranges;  // the lowest range that threw
   std::exception_ptr error;
-  // Ranges are taken in ascending order, so all below one that throws have begun, and come to their end.
+  // Ranges are taken in ascending order, so all ranges below one that throws have begun, and are completed.
   const auto take_ranges = [&] {
     for (std::size_t r = next++; r < ranges; r = next++) {
       try {

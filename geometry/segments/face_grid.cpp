@@ -12,8 +12,8 @@ namespace voussoir::geometry {
 
 namespace {
 
-/// The line before column (or row) i of n, on the same raster as the corners, so that an edge on a line is on it exactly. The outermost
-/// cells are open: nothing that sticks out by round-off is lost.
+/// Grid line before column (or row) i of n, on the raster of the corners, so that an edge on a line is on it exactly. The outermost cells
+/// are unbounded, so parts that stick out by round-off are not lost.
 double line(std::int32_t i, std::int32_t n, double step, double quantum) {
   if (i <= 0) return -std::numeric_limits<double>::infinity();
   if (i >= n) return std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ struct IndexRange {
   std::int32_t first, last;
 };
 
-/// Cells that an interval may touch; a little wider, since the lines are rounded.
+/// Cells that an interval may touch. The interval is widened by 1e-6 of a cell, since the lines are rounded.
 IndexRange cells_between(double low, double high, double step, std::int32_t n) {
   const auto index = [&](double x) { return static_cast<std::int32_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(n - 1))); };
   return {index(low / step - 1e-6), index(high / step + 1e-6)};
@@ -42,7 +42,7 @@ CellCounts count_cells(const Rectangle& box, double size, int subject, int face)
                    subject);
 }
 
-/// The first of the longest edges, ties within 1e-9: opposite edges differ by round-off, which must not turn the grid.
+/// The first of the longest edges. Lengths within 1e-9 count as equal: opposite edges differ by round-off, which must not turn the grid.
 Vec3 longest_edge(const std::vector<Vec3>& corners) {
   double longest = 0.0;
   const auto edge = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
@@ -54,14 +54,14 @@ Vec3 longest_edge(const std::vector<Vec3>& corners) {
 }
 
 /// A length without its round-off: to twelve decimals for cells of some centimetres. Lengths are drawn in decimals, and 7 cells of 0.1 must
-/// end where 0.7 was meant; on the binary raster they would drift by a unit, and slivers arise.
+/// end at 0.7; on the binary raster they would drift by a unit and leave slivers.
 double as_drawn(double length, double cell) {
   const double digits = std::clamp(10.0 - std::floor(std::log10(1.001 * cell)), 0.0, 22.0);
   const double scale = std::pow(10.0, digits);
   return std::round(length * scale) / scale;
 }
 
-/// A whole cell takes its nominal area and centre, not those from rounded lines: equal cells then have equal bits.
+/// A whole cell with its nominal area and centre instead of those from rounded lines, so that equal cells have equal bits.
 Piece whole_cell(const FaceGrid& g, std::int32_t i, std::int32_t j) {
   return {j * g.columns + i, g.cell_area(), {(i + 0.5) * g.cell_width, (j + 0.5) * g.cell_height}};
 }
@@ -90,7 +90,7 @@ FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int 
   g.columns = counts.columns, g.rows = counts.rows;
 
   const double cell = std::min((rough.high.s - rough.low.s) / g.columns, (rough.high.t - rough.low.t) / g.rows);
-  g.quantum = std::ldexp(1.0, std::min(-40, std::ilogb(1.001 * cell) - 35));  // 1.001: round-off below a power of two changes nothing
+  g.quantum = std::ldexp(1.0, std::min(-40, std::ilogb(1.001 * cell) - 35));  // 1.001: round-off at a power of two changes nothing
   for (Point2& q : g.polygon) q = {snapped(q.s - rough.low.s, g.quantum), snapped(q.t - rough.low.t, g.quantum)};
   const Rectangle box = bounds(g.polygon);
   g.width = box.high.s, g.height = box.high.t;

@@ -10,12 +10,12 @@
 namespace voussoir::geometry {
 
 /// The cells of one face. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs along the longest edge
-/// (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than any wall is built, so that faces
-/// that are equal but for round-off have equal bits.
+/// (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than building tolerances, so that
+/// faces equal up to round-off have equal bits.
 struct FaceGrid {
   Vec3 origin;  // m, the corner of the rectangle, global axes
   Vec3 axis_s, axis_t, normal;
-  Polygon polygon;                             // the face itself
+  Polygon polygon;                             // the face
   double width = 0.0, height = 0.0;            // m, of the rectangle
   std::int32_t columns = 1, rows = 1;          // n = max(1, round(edge / size))
   double cell_width = 0.0, cell_height = 0.0;  // m
@@ -28,21 +28,22 @@ struct FaceGrid {
 /// Rounds to a multiple of `quantum`, a power of two.
 double snapped(double value, double quantum) noexcept;
 
-/// n = max(1, the whole number nearest to extent / size, halves up within 1e-9): of two faces alike, one must not have a cell more by
-/// round-off.
+/// Number of cells n = max(1, the whole number nearest to extent / size, halves up within 1e-9), so that round-off does not give one of two
+/// equal faces one cell more.
 double cells_along(double extent, double size) noexcept;
 
-/// \pre p is valid, segment_size > 0. \throw ModelError if the face would have more than 1e8 cells.
+/// The grid of a face, with cells of about segment_size [m]. \pre p is valid, segment_size > 0. \throw ModelError if the face would have
+/// more than 1e8 cells.
 FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject = -1);
 
-/// What a cell and a polygon share: area [m2] and its centroid [m] in the coordinates of the face.
+/// Intersection of a cell and a polygon: area [m2] and centroid [m] in the coordinates of the face.
 struct Piece {
   std::int32_t cell = 0;  // column + row × columns
   double area = 0.0;
   Point2 centroid;
 };
 
-/// Cuts convex polygons of a face into the face's cells. Keeps its scratch memory: one for many cuts.
+/// Cuts convex polygons of a face into the face's cells. Keeps scratch memory between cuts.
 class Cutter {
  public:
   /// Overwrites `out` with the pieces, row by row. Their areas sum to the polygon's (1e-10 relative).
@@ -55,10 +56,10 @@ class Cutter {
   Polygon strip_, piece_, scratch_;
 };
 
-/// Adds every piece under 1 % of a cell to its largest neighbour (of eight); one that has no neighbour stays.
+/// Adds every piece under 1 % of a cell to its largest neighbour (of eight); a piece without a neighbour stays.
 void merge_small(const FaceGrid& grid, std::vector<Piece>& pieces);
 
-/// The share of a cell below which a piece is no segment of its own.
+/// Share of a cell below which a piece is not made a segment.
 inline constexpr double kSmallPiece = 0.01;
 
 }  // namespace voussoir::geometry

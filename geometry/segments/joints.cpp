@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kAreaTolerance = 1e-9;   // relative
 constexpr double kPointTolerance = 1e-9;  // m
-constexpr double kRaster = 0x1p-40;       // m, of the segments' coordinates: equal patches get equal bits
-constexpr double kInset = 0.01;           // of a segment, by which free points keep inside the rim: see FreePatch
+constexpr double kRaster = 0x1p-40;       // m, raster of the segments' coordinates: equal patches get equal bits
+constexpr double kInset = 0.01;           // of a segment, distance of free points from the rim: see FreePatch
 
-/// One side of one contact, listed under the face that masters it.
+/// One side of one contact, listed under the face that masters the side.
 struct Side {
   std::int32_t contact = 0;
   bool is_b = false;
@@ -55,8 +55,8 @@ SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
   return out;
 }
 
-/// Moves the segments, given from the corner of the face, to their area centroid, and onto the raster; `others` by as much. Returns the
-/// frame there.
+/// Moves segments, given relative to the corner of the face, to coordinates about their area centroid on the raster, and `others` by the
+/// same shift. Returns the frame there.
 Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<Segment>& others) {
   double area = 0.0, s = 0.0, t = 0.0;
   for (const Segment& x : segments) area += x.area, s += x.area * x.s, t += x.area * x.t;
@@ -79,10 +79,10 @@ void check_sum(const Contact& c, const std::vector<Segment>& side, const char* n
 
 bool is_ground(const Scene& scene, std::int32_t element) { return scene.parts[static_cast<std::size_t>(element)].ground; }
 
-/// Finds out whether the grids of both sides coincide.
+/// Determines whether the segments of both sides of a joint coincide.
 class Matcher {
  public:
-  /// Coordinates of both sides from the corner of face a, whose grid is `g`.
+  /// Whether both sides have the same points and areas; coordinates are relative to the corner of face a, whose grid is `g`.
   bool coincide(const FaceGrid& g, const std::vector<Segment>& side_a, const std::vector<Segment>& side_b) {
     if (side_a.size() != side_b.size()) return false;
     const auto cells = static_cast<std::size_t>(g.cell_count());
@@ -110,15 +110,15 @@ class Matcher {
   std::vector<std::int32_t> by_cell_;  // segment of a, or −1
 };
 
-/// Segments of a joint from the corner of its face a.
+/// Segments of a joint, relative to the corner of its face a.
 struct Draft {
   std::vector<Segment> side_a, side_b;
 };
 
-/// Joints between two faces of which one has been cut so far. Any number of threads may call it at once.
+/// Joints between two faces of which only one has been cut. Safe to call from any number of threads at once.
 class HalfJoints {
  public:
-  /// Keeps the side of a joint that is cut first, and hands it out when the second one is cut.
+  /// Keeps the first side of a joint; called for the second side, returns the first.
   std::optional<std::vector<Segment>> meet(std::int32_t contact, std::vector<Segment>& side) {
     const std::scoped_lock hold(lock_);
     const auto [first, is_new] = sides_.try_emplace(contact);
@@ -138,10 +138,10 @@ class HalfJoints {
   std::unordered_map<std::int32_t, std::vector<Segment>> sides_;  // by contact
 };
 
-/// Cuts faces into the segments of their joints and what is left. Scratch memory lives as long as it.
+/// Cuts faces into the segments of their joints and of the free patches. Keeps scratch memory between faces.
 class FaceCutter {
  public:
-  /// \param joints  in the order of the contacts; it fills a joint when it has cut its only side, or the second of its two
+  /// \param joints  in the order of the contacts; a joint is filled when its only side, or the second of its two, has been cut
   FaceCutter(const Scene& scene, std::span<const Contact> contacts, SegmentRule rule, SegmentStore& store, HalfJoints& halves,
              std::vector<Joint>& joints)
       : scene_(scene), contacts_(contacts), rule_(rule), store_(store), halves_(halves), joints_(joints) {}
@@ -163,13 +163,14 @@ class FaceCutter {
     add_patch(element, face, g);
   }
 
-  /// Those of all faces that were cut.
+  /// Free patches of all faces cut so far.
   [[nodiscard]] std::vector<FreePatch> take_patches() { return std::move(patches_); }
 
  private:
   [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
 
-  /// SegmentRule::rim: points of each joint that the face is a of, and of convex polygons that make up what no joint takes.
+  /// Cuts a face under SegmentRule::rim: points of each joint in which the face is face_a, and of convex polygons that make up its free
+  /// part.
   void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
     const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
     free_.assign(1, g.polygon);
@@ -198,7 +199,7 @@ class FaceCutter {
     add_patch(element, face, g);
   }
 
-  /// What the face shares with another, in its own coordinates.
+  /// The overlap of the face and another, in coordinates of the face.
   const Polygon& overlap_on(const Side& side) {
     const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
     if (!side.is_b) return c.overlap;
@@ -229,14 +230,14 @@ class FaceCutter {
     }
   }
 
-  /// All of its sides have been cut.
+  /// Stores a joint all of whose sides have been cut.
   void finish_joint(std::int32_t contact, Draft draft) {
     const Contact& c = contacts_[static_cast<std::size_t>(contact)];
     const FaceGrid& g = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
     Joint& joint = joints_[static_cast<std::size_t>(contact)];
     check_sum(c, draft.side_a, "a");
     if (rule_ == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
-      joint.merged = c.element_b != kBase;  // both elements share the points of the one
+      joint.merged = c.element_b != kBase;  // both elements share the points of side a
     } else if (c.element_b != kBase) {
       check_sum(c, draft.side_b, "b");
       joint.merged = matcher_.coincide(g, draft.side_a, draft.side_b);
@@ -246,8 +247,8 @@ class FaceCutter {
     joint.side_a = store_.keep(draft.side_a), joint.side_b = store_.keep(draft.side_b);
   }
 
-  /// Leaves in pieces_ (the whole cells of the face) what no joint took. The rest of a convex cell need not be convex, so only its area and
-  /// first moment are kept.
+  /// Reduces pieces_ (the whole cells of the face) to the parts that no joint took. The rest of a convex cell need not be convex, so only
+  /// its area and first moment are kept.
   void subtract_taken(const FaceGrid& g) {
     const double least = kSmallPiece * g.cell_area();
     for (Piece& p : pieces_) {
@@ -264,7 +265,7 @@ class FaceCutter {
     std::erase_if(pieces_, [](const Piece& p) { return p.area == 0.0; });
   }
 
-  /// A patch of segments_, if there are any.
+  /// Adds a patch of segments_, if there are any.
   void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
     if (segments_.empty()) return;
     std::vector<Segment> none;
@@ -282,8 +283,8 @@ class FaceCutter {
   Matcher matcher_;
   Cutter cutter_;
   std::vector<Piece> pieces_;
-  std::vector<Segment> taken_;     // by cell: area and first moments [m2, m3] that joints took
-  std::vector<Segment> segments_;  // free ones of the face
+  std::vector<Segment> taken_;     // by cell: area [m2] and first moments [m3] that joints took
+  std::vector<Segment> segments_;  // free segments of the face
   std::vector<Polygon> free_, cut_;
   Polygon mapped_;
 };

@@ -6,7 +6,7 @@
 
 namespace voussoir::geometry {
 
-/// Fills joints and patches of `out` from the contacts (in their order), by the rule that it says.
+/// Fills joints and patches of `out` from the contacts (in their order), by the segment rule of `out`.
 /// \throw std::logic_error if the segments of a side do not sum to the overlap (1e-9 relative): a fault of this layer, not of the model.
 void make_joints(const Scene& scene, std::span<const Contact> contacts, Assembly& out);
 

@@ -14,13 +14,13 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kSame = 1e-11;  // m, above the raster of coordinates, far below any edge
+constexpr double kSame = 1e-11;  // m, distance below which points are equal: above the raster of coordinates, far below any edge
 
 Point2 operator-(Point2 a, Point2 b) { return {a.s - b.s, a.t - b.t}; }
 double cross(Point2 a, Point2 b) { return a.s * b.t - a.t * b.s; }
 double length(Point2 a) { return std::hypot(a.s, a.t); }
 
-/// Without corners that are none.
+/// The polygon without corners that coincide with, or lie in line with, their neighbours.
 Polygon cleaned(const Polygon& p) {
   Polygon out;
   for (const Point2 q : p) {
@@ -45,12 +45,12 @@ struct LineRule {
   std::vector<double> x, w;
 };
 
-/// Gauss-Lobatto on panels. Rules of 3 and 4 points a panel are exact to the third and the fifth degree.
+/// Gauss-Lobatto rule on panels; rules of 3 and 4 points a panel are exact to the third and the fifth degree.
 LineRule line_rule(int cells) {
   const bool three = cells < 4 || cells == 5;
   const int panels = three ? (cells == 5 ? 2 : 1) : (2 * cells + 1) / 6;  // round((cells − 1) / 3)
   const double at = 0.5 * (1.0 - std::sqrt(0.2));
-  const std::vector<double> x = three ? std::vector{0.0, 0.5} : std::vector{0.0, at, 1.0 - at};  // and 1
+  const std::vector<double> x = three ? std::vector{0.0, 0.5} : std::vector{0.0, at, 1.0 - at};  // without the last, 1
   const std::vector<double> w = three ? std::vector{1.0 / 6.0, 4.0 / 6.0} : std::vector{1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0};
   LineRule r;
   for (int k = 0; k < panels; ++k) {
@@ -61,7 +61,7 @@ LineRule line_rule(int cells) {
   }
   r.x.push_back(1.0);
   r.w.push_back(w[0] / panels);
-  for (std::size_t i = 0; i < r.x.size() / 2; ++i) r.x[r.x.size() - 1 - i] = 1.0 - r.x[i];  // mirror images, bit by bit
+  for (std::size_t i = 0; i < r.x.size() / 2; ++i) r.x[r.x.size() - 1 - i] = 1.0 - r.x[i];  // exact mirror images, bit by bit
   return r;
 }
 
@@ -75,7 +75,8 @@ void append_rectangle(const Rectangle& box, double size, std::vector<Segment>& o
   }
 }
 
-/// The map x = bilinear in (ξ, η) has a Jacobian of first degree in each, so x² times it is of third.
+/// Points of a convex quadrilateral. The map x = bilinear in (ξ, η) has a Jacobian of first degree in each, so x² times the Jacobian is of
+/// third degree.
 void append_quadrilateral(const Polygon& p, double size, std::vector<Segment>& out) {
   const Point2 bottom = p[1] - p[0], top = p[2] - p[3], left = p[3] - p[0], right = p[2] - p[1];
   const LineRule s = line_rule(whole_cells_along(std::max(length(bottom), length(top)), size));
@@ -91,14 +92,14 @@ void append_quadrilateral(const Polygon& p, double size, std::vector<Segment>& o
   }
 }
 
-/// Points of triangles with one corner in common, the apex. Coincident ones become one; they are known by number, since the same point of
-/// two triangles need not have the same bits.
+/// Points of triangles with one common corner, the apex. Coincident points become one; they are identified by number, since the same point
+/// computed in two triangles need not have the same bits.
 class TriangleFan {
  public:
-  /// \param parts  of each edge; a triangle is cut into as many by as many
+  /// \param parts  into which each edge is cut; a triangle becomes parts × parts triangles
   TriangleFan(Point2 apex, int parts, std::vector<Segment>& out) : apex_(apex), parts_(parts), out_(out) {}
 
-  /// The triangle from the apex to corner number `k` and the next, `l`.
+  /// Adds the triangle from the apex to corner number `k` and the next corner, `l`.
   void add(Point2 to_k, int k, Point2 to_l, int l) {
     b_ = to_k - apex_, c_ = to_l - apex_;
     k_ = k, l_ = l;
@@ -111,14 +112,16 @@ class TriangleFan {
   }
 
  private:
-  /// Degree 3: corners 1/20, middles of edges 2/15, centroid 9/20. Corner (i, j) in half parts; `up` −1: the triangle upside down.
+  /// Adds a rule of degree 3: corners 1/20, middles of edges 2/15, centroid 9/20. Corner (i, j) in half parts; `up` −1: the triangle is
+  /// upside down.
   void add_seven(int i, int j, int up) {
     for (const auto& [x, y] : {std::pair(i, j), {i + 2 * up, j}, {i, j + 2 * up}}) add_point(x, y, 0.05);
     for (const auto& [x, y] : {std::pair(i + up, j), {i, j + up}, {i + up, j + up}}) add_point(x, y, 2.0 / 15.0);
     const Point2 centroid = at(i + 2.0 * up / 3.0, j + 2.0 * up / 3.0);
     out_.push_back({centroid.s, centroid.t, 0.45 * part_area()});
   }
-  /// i half parts along the edge to corner k, j along that to corner l: one of these edges may be another triangle's too.
+  /// Adds a point i half parts along the edge to corner k and j along the edge to corner l; either edge may also belong to another
+  /// triangle.
   void add_point(int i, int j, double weight) {
     using Number = std::array<int, 3>;
     const Number number = i == 0 && j == 0 ? Number{-1, 0, 0} : j == 0 ? Number{k_, i, 0} : i == 0 ? Number{l_, j, 0} : Number{k_, i, j};
@@ -152,7 +155,7 @@ void append_triangles(const Polygon& p, double size, std::vector<Segment>& out) 
   }
 }
 
-/// Outward, not of length 1.
+/// Outward normal of an edge, not normalised.
 Point2 outward(Point2 from, Point2 to) { return {to.t - from.t, from.s - to.s}; }
 
 }  // namespace
@@ -168,7 +171,7 @@ void append_rim_points(const Polygon& polygon, double size, std::vector<Segment>
   p.size() == 4 ? append_quadrilateral(p, size, out) : append_triangles(p, size, out);
   double sum = 0.0;
   for (std::size_t i = first; i < out.size(); ++i) sum += out[i].area;
-  const double scale = region(polygon).area / sum;  // what corners that are none took
+  const double scale = region(polygon).area / sum;  // restores the area of corners that cleaned() dropped
   for (std::size_t i = first; i < out.size(); ++i) out[i].area *= scale;
 }
 

@@ -9,7 +9,7 @@ namespace voussoir::geometry {
 /// Where the contact points of a face lie.
 enum class SegmentRule : std::uint8_t {
   centres,  // at the centroids of equal cells, as in the paper
-  rim       // up to the rim of what two faces share, with weights that give its area, first and second moments exactly
+  rim       // at points up to the rim of the common area of two faces, with weights that give its area, first and second moments exactly
 };
 
 }  // namespace voussoir::geometry

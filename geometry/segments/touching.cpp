@@ -17,7 +17,7 @@ namespace voussoir::geometry {
 namespace {
 
 constexpr double kNormalTolerance = 1e-6;  // of n_a + n_b
-constexpr double kGapTolerance = 1e-6;     // m, between planes; deeper is an overlap of two blocks
+constexpr double kGapTolerance = 1e-6;     // m, between planes; anything deeper counts as blocks that overlap
 constexpr double kLeastArea = 1e-8;        // m2
 constexpr double kLeastWidth = 2e-6;       // m, of the overlap: corners a micrometre apart share no joint
 
@@ -27,10 +27,10 @@ double gap_at(const FaceGrid& a, const FaceGrid& b, Point2 at) {
   return std::abs(dot(point, b.normal));
 }
 
-/// The reach of a face from its origin [m].
+/// Upper bound of the distance of the corners of a face from its origin [m].
 double reach(const FaceGrid& g) { return g.width + g.height; }
 
-/// Between any two corners, m.
+/// Greatest distance between two corners [m].
 double longest(const Polygon& p) {
   double most = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -53,7 +53,7 @@ std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
   for (auto p = b.polygon.rbegin(); p != b.polygon.rend(); ++p) other.push_back(contact.map.to_a(*p));
   contact.overlap = intersection(a.polygon, other);
   if (contact.overlap.empty()) return std::nullopt;
-  // Back on the raster, where clipping moved corners off it by round-off: so a rectangle is known as one again.
+  // Corners go back on the raster, from which clipping moved them by round-off, so that a rectangle is recognised as one again.
   const double quantum = std::min(a.quantum, b.quantum);
   for (Point2& p : contact.overlap) p = {snapped(p.s, quantum), snapped(p.t, quantum)};
   const Region shared = region(contact.overlap);
@@ -81,7 +81,7 @@ void touch_elements(const Scene& scene, std::int32_t i, std::int32_t j, std::vec
   }
 }
 
-/// Two elements in each other.
+/// Two elements that overlap.
 struct Overlap {
   std::int32_t a, b;
   double depth;  // m
@@ -92,7 +92,7 @@ void find_overlap(const Scene& scene, std::int32_t i, std::int32_t j, std::vecto
   if (depth > kGapTolerance) out.push_back({i, j, depth});
 }
 
-/// \throw ModelError for the deepest, if there is any
+/// Reports the deepest overlap. \throw ModelError if there is any
 void refuse_overlaps(const Scene& scene, const std::vector<Overlap>& all) {
   if (all.empty()) return;
   const Overlap& o = *std::max_element(all.begin(), all.end(), [](const Overlap& a, const Overlap& b) { return a.depth < b.depth; });
@@ -128,7 +128,7 @@ bool in_order(const Contact& x, const Contact& y) {
   return key(x) < key(y);
 }
 
-/// Element i with the base and those after it. \param near  scratch
+/// Finds contacts of element i with the base and with elements of higher index. \param near  scratch memory
 void meet_neighbours(const Scene& scene, std::optional<double> base_z, const UniformGrid& grid, std::int32_t i,
                      std::vector<std::int32_t>& near, std::vector<Contact>& out, std::vector<Overlap>& overlaps) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());

@@ -11,8 +11,8 @@
 
 namespace voussoir::geometry {
 
-/// From the plane coordinates of a face B to those of the face A that it touches. The outward normals are opposite, so this is a
-/// reflection: p_A = shift + (c  s; s −c) p_B. Lengths and areas are kept to round-off; for aligned bricks every step is exact.
+/// Map from the plane coordinates of a face B to those of the face A that B touches. The outward normals are opposite, so the map is a
+/// reflection: p_A = shift + (c s; s −c) p_B. Lengths and areas are kept to round-off; for aligned bricks every step is exact.
 struct PlaneMap {
   double c = 1.0, s = 0.0;
   Point2 shift;  // m
@@ -36,22 +36,22 @@ struct Contact {
   double area = 0.0;  // m2, of the overlap
 };
 
-/// All elements with their faces, and what was derived from them once.
+/// All elements with their faces, and data derived from them once.
 struct Scene {
   std::span<const Part> parts;
   std::span<const Element> elements;
   std::span<const FaceGrid> grids;  // of the faces, by element
   std::span<const Box3> boxes;      // by element
-  int threads = 1;                  // that work on it
+  int threads = 1;                  // number of threads to work with
 };
 
-/// How deep the interiors of two elements are in one another [m]: the least overlap along any face normal or product of two edges.
-/// Zero or less: they are apart. Stops early below `enough`: then any number not above it.
+/// How deep the interiors of two elements are in each other [m]: the least overlap along any face normal or product of two edges.
+/// Zero or less: the elements are apart. Stops as soon as a value of at most `enough` is found, and returns that value.
 double penetration(const Scene& scene, std::int32_t a, std::int32_t b, double enough);
 
-/// Pairs of faces that touch: opposite normals within 1e-6, planes within 1e-6 m, overlap above 1e-8 m2 and wider than
-/// 2e-6 m. Sorted by (element_a, face_a, element_b, face_b), element_a < element_b, the base first.
-/// \throw ModelError if two elements overlap by more than 1e-6 m, or one reaches more than that below the base.
+/// Finds the pairs of faces that touch: opposite normals within 1e-6, planes within 1e-6 m, overlap above 1e-8 m2 and wider than 2e-6 m.
+/// Sorted by (element_a, face_a, element_b, face_b), element_a < element_b, the base first.
+/// \throw ModelError if two elements overlap by more than 1e-6 m, or one reaches more than 1e-6 m below the base.
 std::vector<Contact> find_contacts(const Scene& scene, std::optional<double> base_z);
 
 }  // namespace voussoir::geometry

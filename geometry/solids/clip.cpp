@@ -11,7 +11,7 @@ namespace voussoir::geometry {
 
 namespace {
 
-/// Two unit vectors across a third.
+/// Two unit vectors perpendicular to n and to each other.
 std::pair<Vec3, Vec3> across(Vec3 n) {
   const Vec3 aside = std::abs(n.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 u = normalised(cross(aside, n));
@@ -41,7 +41,7 @@ class Clip {
     return h > tolerance_ ? 1 : h < -tolerance_ ? -1 : 0;
   }
 
-  /// The point where an edge passes the plane, the same for both faces that have it.
+  /// The point where an edge crosses the plane, shared by both faces at the edge.
   std::int32_t crossing(std::int32_t a, std::int32_t b) {
     if (a > b) std::swap(a, b);
     const auto [known, is_new] = crossings_.try_emplace({a, b}, static_cast<std::int32_t>(out_.vertices.size()));
@@ -62,11 +62,11 @@ class Clip {
       if (side(a) <= 0) kept.push_back(a);
       if (side(a) * side(b) < 0) kept.push_back(crossing(a, b));
     }
-    if (!below || kept.size() < 3) return;  // a face that only touches the plane is not of this side
+    if (!below || kept.size() < 3) return;  // a face that only touches the plane is dropped
     out_.faces.push_back(std::move(kept));
   }
 
-  /// The face that the cut makes: all points on the plane, round their middle.
+  /// Adds the face made by the cut: all points on the plane, in order around their centre.
   void add_cap() {
     std::vector<std::int32_t> rim;
     for (std::size_t v = 0; v < shape_.vertices.size(); ++v) {
@@ -103,7 +103,7 @@ class Clip {
   const Polyhedron& shape_;
   const HalfSpace& plane_;
   double tolerance_;
-  std::vector<double> height_;  // m, of the vertices over the plane
+  std::vector<double> height_;  // m, of the vertices above the plane
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> crossings_;
   Polyhedron out_;
 };

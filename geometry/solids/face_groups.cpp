@@ -12,10 +12,10 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kExact = 5e-7;      // m and rad, half of what find_contacts takes as touching
+constexpr double kExact = 5e-7;      // m and rad, half of the tolerances of find_contacts
 constexpr double kLeastArea = 1e-8;  // m2, as find_contacts
 
-/// Two faces within reach of each other.
+/// Two faces in contact or across a bed.
 struct Pair {
   std::size_t a, b;
   bool exact;
@@ -72,7 +72,7 @@ class Finder {
   const RoughFaces& faces_;
 };
 
-/// Faces with the normal −z within snap of the base. \return 0: not, 1: near, 2: on it
+/// Position of a face with the normal −z relative to the base. \return 0: not within snap, 1: near, 2: on the base
 int on_base(const RoughSolid& solid, const FlatFace& f, double base_z) {
   if (norm(f.plane.normal + Vec3{0, 0, 1}) > 0.05) return 0;
   double most = 0.0;

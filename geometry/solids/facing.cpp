@@ -21,7 +21,7 @@ bool is_convex_polygon(const Polygon& p) {
   return true;
 }
 
-/// Andrew's monotone chain, counter-clockwise.
+/// Convex hull by Andrew's monotone chain, counter-clockwise.
 Polygon hull(Polygon points) {
   std::sort(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.s < b.s || (a.s == b.s && a.t < b.t); });
   Polygon out;
@@ -37,7 +37,7 @@ Polygon hull(Polygon points) {
   return out;
 }
 
-/// The corners of b in the plane of a, turned round: b is seen from behind.
+/// The corners of b in the plane of a, in reverse order, since b is seen from behind.
 Polygon seen_from(const FlatFace& a, const FlatFace& b) {
   Polygon out;
   for (auto p = b.polygon.rbegin(); p != b.polygon.rend(); ++p) {
@@ -47,7 +47,7 @@ Polygon seen_from(const FlatFace& a, const FlatFace& b) {
   return out;
 }
 
-/// `subject` need not be convex. \pre `cutter` is
+/// The part of `subject` within `cutter`. `subject` need not be convex. \pre `cutter` is convex
 Polygon cut_by(Polygon subject, const Polygon& cutter) {
   Polygon scratch;
   for (std::size_t i = 0; i < cutter.size() && !subject.empty(); ++i) {
@@ -94,7 +94,7 @@ std::optional<Facing> facing(const FlatFace& a, const FlatFace& b, double most) 
   f.low = 1e300, f.high = -1e300;
   double longest = 0.0;
   for (std::size_t i = 0; i < shared.size(); ++i) {
-    const Vec3 point = shared[i].s * a.axis_s + shared[i].t * a.axis_t;  // from the centre of a
+    const Vec3 point = shared[i].s * a.axis_s + shared[i].t * a.axis_t;  // relative to the centre of a
     const double apart = dot(between - point, b.plane.normal) / dot(a.plane.normal, b.plane.normal);
     f.low = std::min(f.low, apart), f.high = std::max(f.high, apart);
     for (std::size_t k = 0; k < i; ++k) longest = std::max(longest, std::hypot(shared[i].s - shared[k].s, shared[i].t - shared[k].t));

@@ -15,20 +15,20 @@ struct FlatFace {
   Vec3 axis_s, axis_t;
   Polygon polygon;  // about plane.centre
   bool convex = true;
-  double reach = 0.0;  // m, of the farthest corner from the centre
+  double reach = 0.0;  // m, distance of the farthest corner from the centre
 };
 FlatFace flat_face(const Mesh& m, std::size_t face);
 
-/// Two faces that look at each other: how far apart they are over what they share.
+/// Two faces that look at each other: gap and extent of their common area.
 struct Facing {
-  double low = 0.0, high = 0.0;  // m; below 0: the planes are inside each other
+  double low = 0.0, high = 0.0;  // m, least and greatest gap over the common area; negative: overlap
   double tilt = 0.0;             // rad
-  double area = 0.0;             // m2, shared
-  double width = 0.0;            // m, shared area over its greatest length
+  double area = 0.0;             // m2, common area
+  double width = 0.0;            // m, common area over its greatest length
 };
 
-/// How two faces look at each other. std::nullopt if they are not antiparallel within 0.05 rad, share no area, or are farther apart than
-/// `most` [m]. Where neither face is convex, the hull of the second is taken.
+/// Measures how two faces look at each other. std::nullopt if they are not antiparallel within 0.05 rad, share no area, are farther apart
+/// than `most` [m], or overlap by more than `most`. Where neither face is convex, the convex hull of the second is taken.
 std::optional<Facing> facing(const FlatFace& a, const FlatFace& b, double most);
 
 }  // namespace voussoir::geometry

@@ -13,15 +13,15 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kPlane = 9e-10;                     // of the size: validate() takes 1e-9
-constexpr double kConverged = 1e-13;                 // of the size
-constexpr int kMostRounds = 2000, kMostMore = 3000;  // with the planes of contacts as they are, and let go
-constexpr double kSlack = 3e-7;                      // m, by which a contact may be off its plane: find_contacts takes 1e-6
+constexpr double kPlane = 9e-10;                     // of the size, below the 1e-9 of validate()
+constexpr double kConverged = 1e-13;                 // of the size, remaining distance at which iteration stops
+constexpr int kMostRounds = 2000, kMostMore = 3000;  // iterations with the planes of contacts fixed, and released
+constexpr double kSlack = 3e-7;                      // m, allowed distance of a contact from its plane: find_contacts allows 1e-6
 
-/// A plane by a point of it, so that stones far from the origin keep their digits.
+/// A plane by one of its points and its normal, so that stones far from the origin keep their digits.
 struct Plane {
   Vec3 normal, point;
-  bool fixed = false;  // it belongs to others, too
+  bool fixed = false;  // shared with faces of other solids
 };
 
 /// The common plane of a group: the mean of its two sides.
@@ -43,9 +43,9 @@ Plane plane_of(const FaceGroup& group, const RoughFaces& faces, std::optional<do
   return {normal, first.centre + mean * normal, true};
 }
 
-/// The least move that brings a point onto planes, as far as they meet in a point, a line or at all.
+/// The least-squares shortest step that brings a point onto all planes, as far as the planes meet.
 Vec3 step_onto(Vec3 x, const std::vector<const Plane*>& planes) {
-  constexpr double kParallel = 1e-6;  // of the largest eigenvalue: such planes are one
+  constexpr double kParallel = 1e-6;  // of the largest eigenvalue: smaller ones mean parallel planes
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   for (const Plane* p : planes) {
@@ -76,7 +76,7 @@ class Solid {
     round_off_ = 4e-16 * norm(mesh.vertices.front());
   }
 
-  /// \return the largest distance of a vertex from a plane of its own that is left [m]
+  /// Iterates to the intersections of the planes. \return the largest remaining distance of a vertex from one of its planes [m]
   double settle() {
     const double enough = kConverged * size_ + round_off_;
     double left = 0.0;
@@ -97,7 +97,8 @@ class Solid {
   }
 
  private:
-  /// \param all  those of contacts, too, which are met but for a hair: more planes at a corner than can meet there
+  /// Refits planes to their vertices. \param all  also planes of contacts, once they are met within kSlack: for corners with more planes
+  /// than can meet there
   void fit_planes(bool all) {
     for (std::size_t f = 0; f < planes_.size(); ++f) {
       if (planes_[f].fixed && !all) continue;
@@ -129,7 +130,7 @@ class Solid {
   double size_, round_off_;
 };
 
-/// The worst warp of a solid, checked.
+/// The greatest warp of the faces of a solid [m]. \throw ModelError if above its snap
 double checked_warp(const RoughSolid& s, int subject) {
   double most = 0.0;
   for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
@@ -146,7 +147,7 @@ double checked_warp(const RoughSolid& s, int subject) {
   return most;
 }
 
-/// What each face of all solids is to lie in; own planes where nothing says otherwise.
+/// Target plane of each face of all solids: that of its group, else its own.
 std::vector<Plane> planes_of(const RoughFaces& faces, const std::vector<FaceGroup>& groups, std::optional<double> base_z) {
   std::vector<Plane> planes;
   for (const FlatFace& f : faces.face) planes.push_back({f.plane.normal, f.plane.centre, false});

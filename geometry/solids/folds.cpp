@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFlat = 1e-9;          // rad
 constexpr double kNear = 1e-3;          // of the size
-constexpr double kExactlyPlane = 1e-9;  // of the size: corners in the plane
+constexpr double kExactlyPlane = 1e-9;  // of the size: distance of corners that lie in the plane
 
 Vec3 corner(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size_t>(v)]; }
 

@@ -16,7 +16,7 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kNoVolume = 1e-9;  // of the diagonal cubed
+constexpr double kNoVolume = 1e-9;  // of the diagonal cubed: solids of less volume are refused
 
 using Edge = std::array<std::int32_t, 2>;
 
@@ -29,7 +29,7 @@ Vec3 at(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size
 
 std::string edge_text(const Mesh& m, Edge e) { return "from " + place_text(at(m, e[0])) + " to " + place_text(at(m, e[1])) + " m"; }
 
-/// The mesh without vertices that no face uses; the others keep their order.
+/// A copy without vertices that no face uses; the other vertices keep their order.
 Mesh compacted(const Mesh& m) {
   std::vector<std::int32_t> number(m.vertices.size(), -1);
   for (const auto& loop : m.faces) {
@@ -48,7 +48,7 @@ Mesh compacted(const Mesh& m) {
   return out;
 }
 
-/// For each vertex the first one within the tolerance of it.
+/// For each vertex, the first vertex within the tolerance of it.
 std::vector<std::int32_t> first_of_equals(const Mesh& m, double tolerance) {
   std::vector<std::int32_t> order(m.vertices.size()), first(m.vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -69,7 +69,7 @@ std::vector<std::int32_t> first_of_equals(const Mesh& m, double tolerance) {
   return first;
 }
 
-/// Sorted, with the face of each.
+/// All directed edges, sorted, with the face of each.
 std::vector<std::pair<Edge, std::int32_t>> edges_of(const Mesh& m) {
   std::vector<std::pair<Edge, std::int32_t>> edges;
   for (std::size_t f = 0; f < m.faces.size(); ++f) {
@@ -79,7 +79,7 @@ std::vector<std::pair<Edge, std::int32_t>> edges_of(const Mesh& m) {
   return edges;
 }
 
-/// The face that has an edge, or -1. \param edges  of edges_of
+/// The face that has a directed edge, or −1. \param edges  result of edges_of
 std::int32_t face_with(const std::vector<std::pair<Edge, std::int32_t>>& edges, Edge e) {
   const auto found = std::lower_bound(edges.begin(), edges.end(), std::pair(e, std::int32_t{-1}));
   return found != edges.end() && found->first == e ? found->second : -1;
@@ -94,7 +94,7 @@ class Regions {
     least_area_ = 1e-12 * diagonal(m) * diagonal(m);
   }
 
-  /// By face, the number of its region.
+  /// The number of the region of each face.
   const std::vector<std::int32_t>& grow() {
     for (const std::int32_t seed : largest_first()) {
       if (of_[static_cast<std::size_t>(seed)] < 0) grow_from(seed);
@@ -103,7 +103,7 @@ class Regions {
   }
 
  private:
-  /// Faces by area. Those that are as large but for round-off keep their order, so that it is the same on every machine.
+  /// Faces by descending area. Areas equal up to round-off keep their order, so that the order is the same on every machine.
   [[nodiscard]] std::vector<std::int32_t> largest_first() const {
     std::vector<std::int32_t> faces(mesh_.faces.size());
     std::iota(faces.begin(), faces.end(), 0);
@@ -145,7 +145,7 @@ class Regions {
   std::vector<std::int32_t> of_;
 };
 
-/// The rim of a region as one loop; empty if it is not one simple loop.
+/// The boundary of a region as one loop; empty if it is not one simple loop.
 std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& faces) {
   std::vector<Edge> edges;
   for (const std::int32_t f : faces) for_each_edge(m.faces[static_cast<std::size_t>(f)], [&](Edge e) { edges.push_back(e); });
@@ -160,7 +160,7 @@ std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& fa
   std::vector<std::int32_t> loop;
   if (outer.empty()) return loop;
   std::int32_t v =
-      m.faces[static_cast<std::size_t>(faces.front())].front();  // begin where the first face does, if its corner is on the rim
+      m.faces[static_cast<std::size_t>(faces.front())].front();  // start with the first corner of the first face, if on the boundary
   if (!std::binary_search(outer.begin(), outer.end(), Edge{v, -1}, [](Edge a, Edge b) { return a[0] < b[0]; })) v = outer.front()[0];
   const std::int32_t first = v;
   do {
@@ -172,7 +172,7 @@ std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& fa
   return loop.size() == outer.size() ? loop : std::vector<std::int32_t>{};
 }
 
-/// Takes vertices that only two faces have out of both: they lie within an edge.
+/// Removes vertices that only two faces have from both: they lie within an edge.
 void drop_vertices_within_edges(Mesh& m) {
   std::vector<int> faces(m.vertices.size(), 0);
   for (const auto& loop : m.faces) {

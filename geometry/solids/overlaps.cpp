@@ -16,10 +16,10 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kTouching = 0.9e-6;  // m; find_contacts takes 1e-6 as touching
-constexpr double kOnPlane = 1e-9;     // of the size, as validate() takes a face as plane
-constexpr double kApart = 2e-6;       // m, so far apart nothing touches
-constexpr double kMostLost = 0.5;     // of a piece's volume: more is no correction
+constexpr double kTouching = 0.9e-6;  // m; below the 1e-6 that find_contacts takes as touching
+constexpr double kOnPlane = 1e-9;     // of the size, the tolerance of validate() for plane faces
+constexpr double kApart = 2e-6;       // m, distance beyond which nothing touches
+constexpr double kMostLost = 0.5;     // of a piece's volume: greater losses are refused as no mere correction
 
 double size_of(const Polyhedron& p) {
   const Box3 box = bounds(p);
@@ -44,7 +44,7 @@ HalfSpace deeper(HalfSpace h) {
   return h;
 }
 
-/// How wide the strip is that two pieces share on a plane, m; 0: they share none.
+/// Width of the strip that two pieces share on a plane [m]; 0: they share none.
 double width_of_strip(const Polyhedron& a, const Polyhedron& b) {
   const Mesh first{a.vertices, a.faces}, second{b.vertices, b.faces};
   double widest = 0.0;
@@ -57,7 +57,7 @@ double width_of_strip(const Polyhedron& a, const Polyhedron& b) {
   return widest;
 }
 
-/// What of a piece is kept; nothing if what is left is no solid.
+/// The part of a piece in a half-space; nothing if that part is no solid, or less than half of the piece.
 std::optional<Polyhedron> kept(const Polyhedron& p, const HalfSpace& h) {
   Polyhedron out = clipped(p, h, kOnPlane * size_of(p));
   if (out.faces.empty()) return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<Polyhedron> kept(const Polyhedron& p, const HalfSpace& h) {
   return out;
 }
 
-/// A way to part two pieces: the half-spaces that they are to stay in.
+/// A way to separate two pieces: the half-spaces that the pieces are cut to.
 struct Cut {
   std::optional<HalfSpace> first, second;
   double depth = 0.0;  // m, of the overlap along the cut's normal
@@ -119,7 +119,7 @@ class Parting {
     }
   }
 
-  /// The shallowest first.
+  /// Cuts along the faces of either piece, the shallowest first.
   [[nodiscard]] std::vector<Cut> along_faces(std::size_t i, std::size_t j, double snap) const {
     std::vector<Cut> cuts;
     for (const HalfSpace& f : body_[i].faces) {
@@ -134,13 +134,13 @@ class Parting {
     return cuts;
   }
 
-  /// Halfway, across the axis. \pre moving the second piece along it parts them
+  /// Cut of both pieces at half the depth, across the axis. \pre moving the second piece along the axis separates the two
   [[nodiscard]] Cut between_edges(std::size_t i, const Penetration& p) const {
     const double top = -lowest(pieces_[i].shape, -p.axis), middle = top - 0.5 * p.depth;
     return {HalfSpace{p.axis, middle}, HalfSpace{-p.axis, -middle}, p.depth, 0};
   }
 
-  /// Third pieces that lie against faces which a cut of piece i takes away whole.
+  /// Number of third pieces that touch faces which a cut of piece i would remove entirely.
   [[nodiscard]] int contacts_lost(std::size_t i, std::size_t other, const HalfSpace& cut) const {
     int lost = 0;
     for (std::size_t f = 0; f < pieces_[i].shape.faces.size(); ++f) {
@@ -186,7 +186,7 @@ class Parting {
     return true;
   }
 
-  /// Whether a piece lies against something else than the other one.
+  /// Whether a piece touches any piece other than `other`.
   [[nodiscard]] bool is_held(std::size_t i, std::size_t other) const {
     for (std::size_t f = 0; f < body_[i].faces.size(); ++f) {
       if (against(i, f, other) > 0 || is_on_base(body_[i].faces[f])) return true;
@@ -210,7 +210,7 @@ class Parting {
   std::span<DrawnPiece> pieces_;
   std::optional<double> base_z_;
   std::vector<ConvexBody> body_;
-  std::vector<Box3> box_;  // as drawn; cut pieces lie within
+  std::vector<Box3> box_;  // bounding boxes as drawn; cut pieces lie within
   std::vector<double> depth_;
   UniformGrid grid_;
 };

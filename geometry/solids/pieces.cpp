@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t kMostPieces = 500;
 constexpr std::size_t kMostCuts = 20 * kMostPieces;
-constexpr double kFills = 1.0;                    // tolerances of the size: relative, of volumes
-constexpr double kMild = std::numbers::pi / 4.0;  // rad; faces that turn by less are not extended: slivers
-constexpr int kPerEdge = 1000;                    // what speaks for a plane, for each reflex edge that it takes
-constexpr int kSecondChoice = kPerEdge / 2;       // what speaks against a cut between two faces that turn by more
-constexpr int kLastChoice = 1'000'000;            // and against the face of a mild edge, however many edges it takes
-constexpr double kNearMiss = 1e-3;                // of the size: a plane so near a corner, and not through it, cuts off slivers
-constexpr double kSameCorner = 10.0;              // tolerances
-constexpr int kMissesCorner = 2 * kPerEdge;       // what speaks against it
+constexpr double kFills = 1.0;                    // relative error of the total volume, in tolerances of the size
+constexpr double kMild = std::numbers::pi / 4.0;  // rad; cuts along faces that turn by less would leave slivers
+constexpr int kPerEdge = 1000;                    // score of a plane for each reflex edge that lies in it
+constexpr int kSecondChoice = kPerEdge / 2;       // penalty of a cut between two faces that turn by kMild or more
+constexpr int kLastChoice = 1'000'000;            // penalty of a cut along a face that turns by less than kMild
+constexpr double kNearMiss = 1e-3;                // of the size: a plane this near to a corner, but not through it, cuts off slivers
+constexpr double kSameCorner = 10.0;              // tolerances: distance at which two corners are one
+constexpr int kMissesCorner = 2 * kPerEdge;       // penalty of a plane that just misses a corner
 
 /// A flat part of the surface within a cell.
 struct Patch {
@@ -34,7 +34,7 @@ struct Patch {
   std::int32_t plane = 0;
 };
 
-/// A reflex edge, and the planes that may cut along it, with what speaks against each.
+/// A reflex edge, and the planes that may cut along it, with the penalty of each.
 struct ReflexEdge {
   Vec3 from, to;
   struct Cut {
@@ -44,7 +44,7 @@ struct ReflexEdge {
   std::array<Cut, 3> cuts;
 };
 
-/// A convex cell, and what of the surface is in it.
+/// A convex cell, and the parts of the surface within it.
 struct Cell {
   Polyhedron shape;
   std::vector<Patch> surface;
@@ -80,7 +80,7 @@ class Cutting {
   }
 
  private:
-  /// Faces in one plane share the first one's.
+  /// The number of the plane of a face: that of the first face in the same plane.
   [[nodiscard]] std::int32_t number_of_plane(std::size_t f) const {
     for (std::size_t g = 0; g < f; ++g) {
       if (dot(plane_[g].normal, plane_[f].normal) > 1.0 - 1e-12 && std::abs(plane_[g].offset - plane_[f].offset) <= tolerance_)
@@ -115,7 +115,7 @@ class Cutting {
     return std::abs(dot(h.normal, e.from) - h.offset) <= tolerance_ && std::abs(dot(h.normal, e.to) - h.offset) <= tolerance_;
   }
 
-  /// Sides of a patch over a plane: the lowest and the highest corner, m.
+  /// Least and greatest height of the corners of a patch above a plane [m].
   static std::pair<double, double> span_over(const Patch& p, const HalfSpace& h) {
     double low = 1e300, high = -1e300;
     for (const Vec3& v : p.corners) {
@@ -125,7 +125,7 @@ class Cutting {
     return {low, high};
   }
 
-  /// The plane of a patch that has others beyond it; nothing: the solid is convex within the cell.
+  /// The plane of a patch that has other patches beyond it; nothing: the solid is convex within the cell.
   [[nodiscard]] const HalfSpace* violated(const Cell& cell) const {
     for (const Patch& p : cell.surface) {
       const HalfSpace& h = plane_[static_cast<std::size_t>(p.plane)];
@@ -146,7 +146,7 @@ class Cutting {
     return false;
   }
 
-  /// Whether a plane leaves something of the cell on both sides.
+  /// Whether a plane leaves parts of the cell on both sides.
   [[nodiscard]] bool splits(const Cell& cell, const HalfSpace& h) const {
     double low = 0.0, high = 0.0;
     for (const Vec3& v : cell.shape.vertices) {
@@ -156,7 +156,7 @@ class Cutting {
     return low < -tolerance_ && high > tolerance_;
   }
 
-  /// Where to cut; nothing if no plane leaves something on both sides: what sticks out is no more than the tolerance.
+  /// The best plane to cut along; nothing if no plane leaves parts on both sides, so nothing sticks out by more than the tolerance.
   [[nodiscard]] std::optional<HalfSpace> choose(const Cell& cell, const HalfSpace& otherwise) const {
     std::vector<const ReflexEdge*> in;
     for (const ReflexEdge& e : edges_) {
@@ -206,7 +206,7 @@ class Cutting {
 
   void share_out(const Patch& p, const HalfSpace& h, Cell& below, Cell& above) const {
     const auto [low, high] = span_over(p, h);
-    if (low >= -tolerance_ && high <= tolerance_) {  // on the cut: it bounds the side that is behind it
+    if (low >= -tolerance_ && high <= tolerance_) {  // in the cut: the patch bounds the side behind it
       (dot(plane_[static_cast<std::size_t>(p.plane)].normal, h.normal) > 0.0 ? below : above).surface.push_back(p);
       return;
     }
@@ -214,7 +214,7 @@ class Cutting {
     if (high > tolerance_) above.surface.push_back(low < -tolerance_ ? part(p, h, -1.0) : p);
   }
 
-  /// What of a patch lies on one side.
+  /// The part of a patch on one side of a plane.
   [[nodiscard]] Patch part(const Patch& p, const HalfSpace& h, double sign) const {
     Patch out{{}, p.plane};
     for (std::size_t i = 0; i < p.corners.size(); ++i) {
@@ -227,7 +227,8 @@ class Cutting {
     return out;
   }
 
-  /// Corners of a piece that are corners of the solid, as those: where four planes meet, planes that are nearly one give several points.
+  /// Replaces corners of a piece that lie at corners of the solid by the latter: where four nearly coincident planes meet, clipping gives
+  /// several points.
   [[nodiscard]] Polyhedron with_own_corners(Polyhedron shape) const {
     for (Vec3& v : shape.vertices) {
       const Vec3* nearest = nullptr;
@@ -244,7 +245,7 @@ class Cutting {
 
   void keep(Polyhedron shape) {
     shape = with_own_corners(std::move(shape));
-    if (shape.faces.size() < 4) return;  // a sliver that closed when its corners were joined
+    if (shape.faces.size() < 4) return;  // a sliver that vanished when its corners were joined
     if (signed_volume(shape) > 1e-12 * size_ * size_ * size_) pieces_.push_back(std::move(shape));
   }
 

@@ -47,7 +47,7 @@ class Shells {
   }
 
  private:
-  /// From the edge into the face, in its plane.
+  /// Unit direction from the edge into the face, in the plane of the face.
   [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const {
     return cross(normal_[u.face], u.forward ? along : -along);
   }
@@ -66,7 +66,7 @@ class Shells {
         if (other.forward == u.forward) continue;
         const Vec3 to = inward(other, along);
         double angle = std::atan2(dot(to, behind), dot(to, from));
-        if (angle < 1e-6) angle += 2.0 * std::numbers::pi;  // the same place is a neighbour's face against this one
+        if (angle < 1e-6) angle += 2.0 * std::numbers::pi;  // a coincident face of a neighbour counts as a full turn away
         if (angle < least) least = angle, next = &other;
       }
       if (next != nullptr) shells_.join(u.face, next->face);
@@ -76,7 +76,7 @@ class Shells {
   std::vector<Mesh> meshes() {
     std::vector<std::int32_t> number(mesh_.faces.size(), -1);
     std::vector<Mesh> out;
-    std::vector<std::vector<std::int32_t>> place;  // of the vertices of each, by the whole's number, sorted
+    std::vector<std::vector<std::int32_t>> place;  // by shell: sorted numbers of its vertices in the whole mesh
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       std::int32_t& n = number[shells_.of(f)];
       if (n < 0) {

@@ -9,8 +9,8 @@
 namespace voussoir::geometry {
 
 /// The closed surfaces that a mesh consists of, in the order of their first faces. Faces hang together across edges; where more than two
-/// faces meet at an edge (stones side by side in one heap of triangles), each goes with the one that comes next on its inner side. So two
-/// boxes with a common face, edge or corner are two shells. What is open hangs together as far as it goes.
+/// faces meet at an edge (stones side by side in one heap of triangles), each is connected to the face that comes next on its inner side.
+/// Two boxes with a common face, edge or corner are therefore two shells. Each connected part of an open surface is one shell.
 std::vector<Mesh> shells(const Mesh& m);
 
 }  // namespace voussoir::geometry

@@ -10,17 +10,17 @@ namespace voussoir::geometry {
 
 namespace {
 
-/// Twice the area of a triangle as seen against a normal.
+/// Twice the signed area of a triangle seen against a normal [m2].
 double turn(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - a), normal); }
 
-/// Whether a point is in the ear a, b, c, or on its diagonal from c to a but for its ends: an ear cut off there would fold what is left.
+/// Whether a point is in the ear a, b, c, or on its diagonal from c to a except at its ends: cutting off such an ear would fold the rest.
 bool is_in(Vec3 p, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
-  constexpr double kOnDiagonal = 1e-9;  // of its length
+  constexpr double kOnDiagonal = 1e-9;  // of the diagonal's length
   if (p == a || p == b || p == c) return false;
   return turn(a, b, p, normal) > 0.0 && turn(b, c, p, normal) > 0.0 && turn(c, a, p, normal) > -kOnDiagonal * dot(a - c, a - c);
 }
 
-/// The corner that makes the fattest ear.
+/// The corner whose ear is the best-shaped triangle.
 std::size_t best_ear(const std::vector<Vec3>& loop, Vec3 normal) {
   std::size_t best = 0;
   double most = -1e300;
@@ -35,7 +35,7 @@ std::size_t best_ear(const std::vector<Vec3>& loop, Vec3 normal) {
   return best;
 }
 
-/// An ear that may be cut off: it turns inward, and no other corner is in it.
+/// Whether the ear at corner i may be cut off: it turns inward, and contains no other corner.
 bool is_ear(const Mesh& m, const std::vector<std::int32_t>& loop, std::size_t i, Vec3 normal) {
   const auto at = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(loop[k % loop.size()])]; };
   const Vec3 a = at(i + loop.size() - 1), b = at(i), c = at(i + 1);
@@ -46,7 +46,8 @@ bool is_ear(const Mesh& m, const std::vector<std::int32_t>& loop, std::size_t i,
   return true;
 }
 
-/// The corner whose ear has the shortest diagonal; of those that are as long to `tie`, the first along a direction that no drawing has.
+/// The corner whose ear has the shortest diagonal. Among diagonals equal within `tie`, the lowest along a skew direction wins, so that the
+/// choice does not depend on the order of corners.
 std::size_t shortest_ear(const Mesh& m, const std::vector<std::int32_t>& loop, Vec3 normal, double tie) {
   constexpr Vec3 kAskew{0.5377, 0.3188, 0.7806};
   std::vector<std::pair<double, std::size_t>> ears;  // length, corner
