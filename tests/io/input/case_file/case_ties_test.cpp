@@ -103,7 +103,7 @@ TEST_CASE("ready parts strengthen a ready house, from any folder") {
   folder.write("parts/corner-ties.toml", "title = \"my own\"\n");
   CHECK(io::load_case(folder.write("own.toml", "include = [\"flat20n\", \"parts/corner-ties.toml\"]\n")).value.title == "my own");
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(VOUSSOIR_SOURCE_DIR "/scripts/study/strengthening")) {
+  for (const auto& entry : std::filesystem::directory_iterator(VOUSSOIR_SOURCE_DIR "/cases/catalogue/studies/strengthening/houses")) {
     const std::string name = entry.path().stem();
     CAPTURE(name);
     const cases::Case strengthened = io::load_case(entry.path()).value;
@@ -117,7 +117,8 @@ TEST_CASE("ready parts strengthen a ready house, from any folder") {
   }
   CHECK(files == 7);
   files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(VOUSSOIR_SOURCE_DIR "/scripts/study/strengthening-two-storeys")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(VOUSSOIR_SOURCE_DIR "/cases/catalogue/studies/strengthening-two-storeys/houses")) {
     const std::string name = entry.path().stem();
     CAPTURE(name);
     const cases::Case strengthened = io::load_case(entry.path()).value;
