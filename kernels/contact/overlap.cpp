@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/contact/overlap_point.h"
+
 namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kParallel = 1e-12;  // square of the sine between two edges whose normal is all round-off; a face stands for it
+constexpr double kParallel = 1e-20;  // square of the sine between two edges whose normal is all round-off; a face stands for it
 
 /// The vertex that lies least far along an axis.
 struct Lowest {
@@ -25,10 +27,12 @@ Lowest lowest(std::span<const Vec3> vertices, Vec3 axis) noexcept {
   return r;
 }
 
-/// The best axis so far, in the axes of the first body, and the point where the two meet along it.
+/// The best axis so far, in the axes of the first body, and what meets along it.
+enum class Meets : std::uint8_t { face_of_a, face_of_b, edges };
 struct Best {
   double depth = 1e300;
-  Vec3 normal, point;
+  Vec3 normal;
+  Meets what = Meets::face_of_a;
   int edge_a = -1, edge_b = -1;  // of crossed edges
 };
 
@@ -45,7 +49,7 @@ void try_faces_of_a(const PairOfShapes& p, Best& best) noexcept {
     const Lowest low = lowest(p.vertices_b, f.normal);
     const double depth = f.distance - low.value;
     if (depth >= best.depth) continue;
-    best = {depth, f.normal, p.vertices_b[static_cast<std::size_t>(low.vertex)] + 0.5 * depth * f.normal, -1, -1};
+    best = {depth, f.normal, Meets::face_of_a, -1, -1};
   }
 }
 
@@ -55,7 +59,7 @@ void try_faces_of_b(const PairOfShapes& p, Best& best) noexcept {
     const Lowest low = lowest(p.a.vertices, n);
     const double depth = f.distance + dot(n, p.centre) - low.value;
     if (depth >= best.depth) continue;
-    best = {depth, -n, p.a.vertices[static_cast<std::size_t>(low.vertex)] + 0.5 * depth * n, -1, -1};
+    best = {depth, -n, Meets::face_of_b, -1, -1};
   }
 }
 
@@ -63,7 +67,7 @@ void try_axis(const PairOfShapes& p, Vec3 n, int edge_a, int edge_b, Best& best)
   for (const double sign : {1.0, -1.0}) {
     const Vec3 axis = sign * n;
     const double depth = -lowest(p.a.vertices, -axis).value - lowest(p.vertices_b, axis).value;
-    if (depth < best.depth) best = {depth, axis, {}, edge_a, edge_b};
+    if (depth < best.depth) best = {depth, axis, Meets::edges, edge_a, edge_b};
   }
 }
 
@@ -90,6 +94,16 @@ Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
   return 0.5 * ((a + s * ea) + (b + t * eb));
 }
 
+/// Between the two features that meet.
+Vec3 point_of(const PairOfShapes& p, const Best& best) noexcept {
+  if (best.what == Meets::edges) return point_of_crossed_edges(p, best);
+  const PlacedShape a{p.a, Mat3{}, {}}, b{p.b, p.turn, p.centre};
+  const bool of_a = best.what == Meets::face_of_a;
+  const Vec3 outward = of_a ? best.normal : -best.normal;
+  const Lowest low = of_a ? lowest(p.vertices_b, outward) : lowest(p.a.vertices, outward);
+  return meeting_point(of_a ? b : a, of_a ? a : b, outward, static_cast<std::size_t>(low.vertex), low.value) + 0.5 * best.depth * outward;
+}
+
 /// Room for the vertices of the largest shape that is small, unset: most shapes need little of it.
 union VertexRoom {
   VertexRoom() noexcept {}  // NOLINT(modernize-use-equals-default): would set all of it
@@ -113,16 +127,23 @@ Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& 
   try_faces_of_a(p, best);
   if (best.depth > enough) try_faces_of_b(p, best);
   if (best.depth > enough) try_crossed_edges(p, enough, best);
-  if (best.edge_a >= 0) best.point = point_of_crossed_edges(p, best);
-  Overlap r{best.depth, turned(pose_a, best.normal), turned(pose_a, best.point), {}};
+  if (best.depth <= enough) return {best.depth, turned(pose_a, best.normal), {}, {}};
+  Overlap r{best.depth, turned(pose_a, best.normal), turned(pose_a, point_of(p, best)), {}};
   r.arm_b = r.arm_a - from_a_to_b;
   return r;
 }
 
 Overlap overlap_with_base(const ConvexShape& a, const Pose& pose_a, double height) noexcept {
-  const Lowest low = lowest(a.vertices, turned_back(pose_a, {0.0, 0.0, 1.0}));
+  const Vec3 up = turned_back(pose_a, {0.0, 0.0, 1.0});
+  const Lowest low = lowest(a.vertices, up);
   const double depth = -(height + low.value);
-  Overlap r{depth, {0.0, 0.0, -1.0}, turned(pose_a, a.vertices[static_cast<std::size_t>(low.vertex)]) + Vec3{0.0, 0.0, 0.5 * depth}, {}};
+  Vec3 sum;  // of the vertices that are equally deep: of an edge or a face that lies flat the middle meets the base
+  double deep = 0.0;
+  for (const Vec3& v : a.vertices) {
+    if (dot(v, up) <= low.value + kFlush) sum += v, deep += 1.0;
+  }
+  const Vec3 point = deep > 1.0 ? sum / deep : a.vertices[static_cast<std::size_t>(low.vertex)];
+  Overlap r{depth, {0.0, 0.0, -1.0}, turned(pose_a, point) + Vec3{0.0, 0.0, 0.5 * depth}, {}};
   r.arm_b = r.arm_a;
   return r;
 }

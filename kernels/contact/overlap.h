@@ -38,7 +38,7 @@ struct Overlap {
 };
 
 /// \param from_a_to_b  m, between the centroids, global axes
-/// \param enough       m; a depth at most this is not looked into any further: some axis has it, perhaps not the least one
+/// \param enough       m; a depth at most this is not looked into any further: some axis has it, perhaps not the least one, and no arms
 /// \pre where either is not small, both have creases
 Overlap overlap_of(const ConvexShape& a, const Pose& pose_a, const ConvexShape& b, const Pose& pose_b, Vec3 from_a_to_b,
                    double enough) noexcept;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/contact/overlap.h"
+#include "kernels/contact/overlap_point.h"
 
 /// Axes that cannot have the least overlap are left out by a bound. The depth along a unit axis n, outward of a, is the distance of a's
 /// supporting plane from any point q, plus how far b reaches past q against n. Where q belongs to b the second is not negative. So
@@ -14,7 +15,7 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kParallel = 1e-12;  // as in overlap.cpp
+constexpr double kParallel = 1e-20;  // as in overlap.cpp
 constexpr double kRound = 1e-9;      // sine, by which an axis may miss the normals that its edge has
 
 /// The second body as the first sees it: its points are centre + turn · r.
@@ -51,6 +52,14 @@ struct BestFace {
   double depth = 1e300;
   Vec3 normal, reached;  // outward of its body; the point of the other that lies deepest under it
 };
+
+/// Between the face and what lies deepest under it.
+Vec3 point_under(const Pairing& p, const BestFace& best) noexcept {
+  const std::int32_t low = lowest(p.other, transposed(p.turn) * best.normal);
+  return meeting_point({p.other, p.turn, p.centre}, {p.own, Mat3{}, {}}, best.normal, static_cast<std::size_t>(low),
+                       dot(best.reached, best.normal)) +
+         0.5 * best.depth * best.normal;
+}
 
 /// The face of the first body under which the other lies least deep. \param depth  only one that is less is of interest
 BestFace best_face(const Pairing& p, double depth) noexcept {
@@ -128,11 +137,11 @@ Overlap overlap_of_many(const ConvexShape& a, const Pose& pose_a, const ConvexSh
   const Vec3 centre = transposed(ra) * from_a_to_b;
   const Pairing p{a, b, turn, centre}, back{b, a, transposed(turn), transposed(turn) * -centre};
   const BestFace of_a = best_face(p, 1e300);
-  Best best{of_a.depth, of_a.normal, of_a.reached + 0.5 * of_a.depth * of_a.normal};
+  Best best{of_a.depth, of_a.normal, {}};
+  if (best.depth > enough) best.point = point_under(p, of_a);
   if (best.depth > enough) {
     const BestFace of_b = best_face(back, best.depth);
-    if (of_b.depth < best.depth)
-      best = {of_b.depth, -(turn * of_b.normal), centre + turn * (of_b.reached + 0.5 * of_b.depth * of_b.normal)};
+    if (of_b.depth < best.depth) best = {of_b.depth, -(turn * of_b.normal), centre + turn * point_under(back, of_b)};
   }
   if (best.depth > enough) try_crossed_edges(p, enough, best);
   Overlap r{best.depth, ra * best.normal, ra * best.point, {}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr double kSudden = 2.0;    // times as far as it has come in the step: a body was there before
 constexpr double kNothing = 1e-6;  // m
+// Of 4, the most that the scheme bears of Δt² k + 2 Δt c over the mass: what all overlaps of an element may take together. Its joints and
+// the points of its faces need the rest.
+constexpr double kOfStep = 1.0;
 
 bool is_base(const World& w, std::int32_t e) { return e == w.elements.base; }
 
@@ -31,6 +35,15 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
   const Mat3 inverse{{el.ixx[i], el.ixy[i], el.ixz[i]}, {el.ixy[i], el.iyy[i], el.iyz[i]}, {el.ixz[i], el.iyz[i], el.izz[i]}};
   const Vec3 turn = transposed(r) * cross(arm, n);
   return el.inv_mass[i] + dot(turn, inverse * turn);
+}
+
+/// As they stand in these poses.
+kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, const kernels::Pose& pa, const kernels::Pose& pb,
+                            double enough) {
+  const Elements& e = w.elements;
+  const Vec3 apart = (e.body[static_cast<std::size_t>(b)].ref - e.body[static_cast<std::size_t>(a)].ref) + (pb.u - pa.u);
+  if (is_base(w, b)) return kernels::overlap_with_base(shape_of(w, a), pa, -apart.z);
+  return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
 }
 
 /// Springs of a body and of the other, or of the ground (0), which is rigid.
@@ -54,6 +67,42 @@ kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, con
   k.cn = dashpot(k.kn), k.cs = dashpot(k.ks);
   return k;
 }
+
+/// Δt² k + 2 Δt c of a spring, over the mass that it moves: what it takes of 4, the most that the scheme bears (THEORY.md (21c)).
+double load_on_step(const World& w, std::int32_t a, std::int32_t b, const kernels::Overlap& at) {
+  const double inverse = inverse_mass(w, a, at.arm_a, at.normal) + inverse_mass(w, b, at.arm_b, at.normal);
+  const double step = w.step_of(level_of(w, a, b));
+  const kernels::Stiffness k = stiffness(w, a, b, at);
+  return step * (step * k.kn + 2.0 * k.cn) * inverse;
+}
+
+/// Sums over the overlaps of each element in this step.
+class LoadsOnStep {
+ public:
+  /// \pre found ones are in the order of their pairs
+  LoadsOnStep(const World& w, std::span<const OverlapFound> found) : w_(w) {
+    for (const OverlapFound& f : found) {
+      const OverlapPair& p = w.overlaps.pairs[f.pair];
+      const double load = load_on_step(w, p.a, p.b, f.at);
+      for (const std::int32_t e : {p.a, p.b}) {
+        if (!w.is_ground(e)) sums_[e] += load;
+      }
+    }
+  }
+
+  /// Of the stiffness and the dashpots of a pair, what the step bears; 1: all.
+  [[nodiscard]] double share_of(const OverlapPair& p) const {
+    double most = 0.0;
+    for (const std::int32_t e : {p.a, p.b}) {
+      if (!w_.is_ground(e)) most = std::max(most, sums_.at(e));
+    }
+    return most <= kOfStep ? 1.0 : kOfStep / most;
+  }
+
+ private:
+  const World& w_;
+  std::map<std::int32_t, double> sums_;
+};
 
 /// tan φ of the two materials.
 double friction(const World& w, std::int32_t a, std::int32_t b) {
@@ -117,12 +166,40 @@ bool joint_bears(const World& w, const OverlapPair& p) {
   return crushed >= 0.0 && crushed <= allowed_overlap(w, p.a, p.b);
 }
 
+/// As a body stands after the step ahead, if its velocity stays as it is.
+kernels::Pose moved_on(const kernels::Pose& p, const kernels::Twist& t, double step) {
+  const Vec3 w = step * t.w;
+  const Mat3 turn{{0.0, -w.z, w.y}, {w.z, 0.0, -w.x}, {-w.y, w.x, 0.0}};
+  return {p.u + step * t.v, p.d + turn * (Mat3{} + p.d)};
+}
+
+/// Whether two bodies meet elsewhere, or along another axis, than their motion can account for.
+bool jumps(const kernels::Overlap& from, const kernels::Overlap& to, const Motion& m, double step) {
+  const double turn = step * (norm(m.a.w) + norm(m.b.w));
+  const double travel = step * (norm(m.a.v) + norm(m.b.v)) + norm(from.arm_a) * step * norm(m.a.w) + norm(from.arm_b) * step * norm(m.b.w);
+  return norm(to.normal - from.normal) > kSudden * turn + kNothing || norm(to.arm_a - from.arm_a) > kSudden * travel + kNothing;
+}
+
+/// Where corners of a body or axes take turns, the force acts where the two will meet at the end of the step ahead (THEORY.md (21b)): the
+/// depth is that of now.
+kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kernels::Overlap& now) {
+  const double step = w.step_of(level_of(w, p.a, p.b));
+  const Motion m = motion_of(w, p.a, p.b);
+  const double* rows = w.elements.pose.data();
+  const kernels::Overlap then = overlap_of(w, p.a, p.b, moved_on(kernels::load_pose(rows, p.a), m.a, step),
+                                           moved_on(kernels::load_pose(rows, p.b), m.b, step), allowed_overlap(w, p.a, p.b));
+  if (then.depth <= allowed_overlap(w, p.a, p.b) || !jumps(now, then, m, step)) return now;
+  return {now.depth, then.normal, then.arm_a, now.arm_b + (then.arm_a - now.arm_a)};
+}
+
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
-OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& at) {
+OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& at, double share) {
   OverlapSpring s;
   s.a = last.a, s.b = last.b;
+  s.share = std::min(last.share, share);
   const double step = w.step_of(level_of(w, s.a, s.b));
-  const kernels::Stiffness k = stiffness(w, s.a, s.b, at);
+  kernels::Stiffness k = stiffness(w, s.a, s.b, at);
+  if (s.share < 1.0) k = {s.share * k.kn, s.share * k.ks, s.share * k.cn, s.share * k.cs};
   const Motion m = motion_of(w, s.a, s.b);
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
@@ -157,12 +234,8 @@ double allowed_overlap(const World& w, std::int32_t a, std::int32_t b) {
 }
 
 kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, double enough) {
-  const Elements& e = w.elements;
-  const double* rows = e.pose.data();
-  const kernels::Pose pa = kernels::load_pose(rows, a), pb = kernels::load_pose(rows, b);
-  const Vec3 apart = (e.body[static_cast<std::size_t>(b)].ref - e.body[static_cast<std::size_t>(a)].ref) + (pb.u - pa.u);
-  if (is_base(w, b)) return kernels::overlap_with_base(shape_of(w, a), pa, -apart.z);
-  return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
+  const double* rows = w.elements.pose.data();
+  return overlap_of(w, a, b, kernels::load_pose(rows, a), kernels::load_pose(rows, b), enough);
 }
 
 void list_overlap_levels(World& w) {
@@ -199,6 +272,8 @@ void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
   // Here, where joints have been advanced: another thread may still do so while pairs are found.
   std::erase_if(found, [&](const OverlapFound& f) { return joint_bears(w, w.overlaps.pairs[f.pair]); });
   std::ranges::sort(found, {}, &OverlapFound::pair);
+  for (OverlapFound& f : found) f.at = where_it_acts(w, w.overlaps.pairs[f.pair], f.at);
+  const LoadsOnStep loads(w, found);
   std::vector<OverlapSpring> now;
   now.reserve(found.size());
   auto last = springs.begin();
@@ -217,7 +292,7 @@ void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
     OverlapSpring before;
     before.a = p.a, before.b = p.b;
     if (goes_on) before = *last++;
-    now.push_back(advance_spring(w, before, goes_on, f.at));
+    now.push_back(advance_spring(w, before, goes_on, f.at, loads.share_of(p)));
   }
   for (; last != springs.end(); ++last) leave(*last);
   springs = std::move(now);

@@ -15,7 +15,7 @@ namespace voussoir::solver {
 
 /// Raised by every change that alters the numbers of a run ("Results change" in the changelog): a state is gone on with only by a program
 /// that computes as the one that saved it.
-inline constexpr std::int64_t kPhysicsVersion = 15;
+inline constexpr std::int64_t kPhysicsVersion = 16;
 
 /// The values of one field.
 struct SavedField {

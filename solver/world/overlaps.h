@@ -19,6 +19,7 @@ struct OverlapSpring {
   Vec3 shear;                      // m, elongation along the contact, in the body axes of a
   double stored = 0.0;             // J
   Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
+  double share = 1.0;              // of its stiffness and dashpots that the step bears, the least so far
   double from = 0.0;               // m, beyond what is allowed: the overlap that was there when the spring began, and has not gone since
 };
 

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "solver/run/simulation.h"
+#include "tests/solver/small_wall.h"
+
+// Blocks that rest on an edge, and heaps: contacts of whole bodies whose point goes from corner to corner.
+
+using namespace voussoir;
+using namespace voussoir::testing;
+
+namespace {
+
+/// Two courses of nine bricks, and a block on edge upon their middle, as heavy as is asked, at the step that the program chooses.
+cases::Case on_edge(double length, double density, geometry::SegmentRule rule) {
+  cases::Case c = small_wall(1, 1);
+  c.blocks.clear();
+  c.joints.default_law = "dry";
+  c.damping.alpha = 0.0;
+  c.segment_rule = rule;
+  c.materials["heavy"] = {density, 9.8e7, 0.25};
+  for (int course = 0; course < 2; ++course) {
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = -1; j <= 1; ++j) {
+        cases::BlockSpec b = brick(course, 3 * i + j + 4, 0.0, 0.0);
+        b.box = {{Vec3{0.2 * i - 0.1, 0.1 * j - 0.05, 0.1 * course}, Vec3{0.2 * i + 0.1, 0.1 * j + 0.05, 0.1 * (course + 1)}}};
+        c.blocks.push_back(b);
+      }
+    }
+  }
+  cases::BlockSpec block;
+  block.name = "block", block.material = "heavy", block.free = true;
+  const double middle = 0.2 + 0.5 * std::sqrt(2.0);
+  block.box = {{Vec3{-0.5 * length, -0.5, middle - 0.5}, Vec3{0.5 * length, 0.5, middle + 0.5}}};
+  block.rotate = cases::Rotation{.axis = {1.0, 0.0, 0.0}, .angle = 45.0, .about = Vec3{0.0, 0.0, middle}};
+  c.blocks.push_back(block);
+  return c;
+}
+
+/// The worst residual of the ledger while the block comes to rest and falls over.
+double residual_of(const cases::Case& c, double until) {
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, {});
+  while (sim.time() < until) sim.step({false, sim.steps() % 5 == 0});
+  return sim.worst_residual();
+}
+
+}  // namespace
+
+TEST_CASE("a block that rests on its edge gives out no energy, at the step that the program chooses") {
+  using enum geometry::SegmentRule;
+  CHECK(residual_of(on_edge(0.15, 1800.0, rim), 0.3) < 1e-4);  // shorter than the brick under it
+  CHECK(residual_of(on_edge(0.15, 20000.0, rim), 0.3) < 1e-3);
+  CHECK(residual_of(on_edge(1.0, 1800.0, rim), 0.3) < 1e-4);  // across three bricks
+  CHECK(residual_of(on_edge(1.0, 20000.0, centres), 0.3) < 2e-3);
+}
