@@ -125,20 +125,27 @@ double work(const OverlapSpring& s, const Motion& m, double step) {
   return step * (dot(s.force, m.a.v - m.b.v) + dot(s.torque_a, m.a.w) + dot(s.torque_b, m.b.w));
 }
 
-void add_forces(World& w, const OverlapSpring& s, const kernels::Overlap& at, Vec3 dashpot) {
+/// J, that its dashpot takes in half a step, with the bodies moving like this.
+double dashpot_loss(const OverlapSpring& s, const Motion& m, double step) {
+  return -0.5 * step * (dot(s.dashpot, m.a.v - m.b.v) + dot(s.dashpot_torque_a, m.a.w) + dot(s.dashpot_torque_b, m.b.w));
+}
+
+void add_forces(World& w, const OverlapSpring& s) {
   const kernels::Rows rows = w.rows(level_of(w, s.a, s.b));
   double *wrench = rows.wrench, *dash = rows.dashpot;
-  const Vec3 torque_a = cross(at.arm_a, dashpot), torque_b = -cross(at.arm_b, dashpot);
-  kernels::add_wrench(wrench, s.a, s.force + dashpot, s.torque_a + torque_a);
-  kernels::add_dashpot(wrench, dash, s.a, dashpot, torque_a);
+  kernels::add_wrench(wrench, s.a, s.force + s.dashpot, s.torque_a + s.dashpot_torque_a);
+  kernels::add_dashpot(wrench, dash, s.a, s.dashpot, s.dashpot_torque_a);
   if (is_base(w, s.b)) return;
-  kernels::add_wrench(wrench, s.b, -(s.force + dashpot), s.torque_b + torque_b);
-  kernels::add_dashpot(wrench, dash, s.b, -dashpot, torque_b);
+  kernels::add_wrench(wrench, s.b, -(s.force + s.dashpot), s.torque_b + s.dashpot_torque_b);
+  kernels::add_dashpot(wrench, dash, s.b, -s.dashpot, s.dashpot_torque_b);
 }
 
 /// The bodies have parted: what the spring still held, less its last work, is lost.
 void end_spring(World& w, const OverlapSpring& s) {
-  w.overlaps.impact += s.stored - 0.5 * work(s, motion_of(w, s.a, s.b), w.step_of(level_of(w, s.a, s.b)));
+  const Motion m = motion_of(w, s.a, s.b);
+  const double step = w.step_of(level_of(w, s.a, s.b));
+  w.overlaps.impact += s.stored - 0.5 * work(s, m, step);
+  w.overlaps.dashpots += dashpot_loss(s, m, step);
 }
 
 /// Of an overlap beyond what is allowed that is seen for the first time, what the bodies have not gone in this step: their joint bore it.
@@ -211,17 +218,18 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, 
   s.shear = transposed(turn) * c.spring;
   s.stored = 0.5 * k.kn * xn * xn + 0.5 * k.ks * dot(c.spring, c.spring);
   s.force = c.elastic, s.torque_a = cross(at.arm_a, c.elastic), s.torque_b = -cross(at.arm_b, c.elastic);
+  s.dashpot = c.dashpot, s.dashpot_torque_a = cross(at.arm_a, c.dashpot), s.dashpot_torque_b = -cross(at.arm_b, c.dashpot);
   // What the springs held, less what they hold, less their work on the bodies (28): the slip's share of it, and the rest.
   const Vec3 slide = rate - dot(rate, at.normal) * at.normal;
   const double lost = last.stored - s.stored - 0.5 * (work(last, m, step) + work(s, m, step));
   const double friction = 0.5 * k.ks * (dot(c.before, c.before) - dot(c.spring, c.spring) + step * dot(c.before + c.spring, slide));
   w.overlaps.friction += friction;
   w.overlaps.impact += lost - friction;
-  add_forces(w, s, at, c.dashpot);
-  if (w.keep_pairs) {
-    const Vec3 torque_a = cross(at.arm_a, c.dashpot), torque_b = -cross(at.arm_b, c.dashpot);
-    w.overlaps.wrench.push_back({s.force + c.dashpot, s.torque_a + torque_a, s.torque_b + torque_b, c.dashpot, torque_a, torque_b});
-  }
+  w.overlaps.dashpots += dashpot_loss(last, m, step) + dashpot_loss(s, m, step);
+  add_forces(w, s);
+  if (w.keep_pairs)
+    w.overlaps.wrench.push_back({s.force + s.dashpot, s.torque_a + s.dashpot_torque_a, s.torque_b + s.dashpot_torque_b, s.dashpot,
+                                 s.dashpot_torque_a, s.dashpot_torque_b});
   return s;
 }
 

@@ -52,7 +52,7 @@ void Ledger::restart(World& w) {
   std::ranges::fill(w.elements.tally, 0.0);
   for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = p.fracture = 0.0;
-  w.overlaps.friction = w.overlaps.impact = 0.0;
+  w.overlaps.friction = w.overlaps.impact = w.overlaps.dashpots = 0.0;
   for (kernels::TieState& s : w.ties.state) s.lost = s.released = 0.0;
   *this = Ledger(w);
 }
@@ -108,11 +108,11 @@ void Ledger::sum_losses(const World& w, const kernels::BodyForces& f, EnergyRow&
     dashpot_early -= 0.5 * step * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));
   }
   row.damping = total(e, kernels::Tally::loss_damping) - damping_early;
-  // A spring of whole bodies that ends inside a step may seem to give out a little more than it took, which dashpots have taken beside it.
-  // What such springs give out beyond all losses of dashpots is no loss below zero, but residual.
-  const double dashpots =
-      total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact);
-  row.dashpot = dashpots + std::max(w.overlaps.impact, -std::max(0.0, dashpots));
+  // A spring of whole bodies that ends inside a step may seem to give out a little more than it took, which its own dashpot has taken
+  // beside it. What such springs give out beyond the losses of their own dashpots is no loss below zero, but residual.
+  const double given = std::max(0.0, -(w.overlaps.impact + w.overlaps.dashpots));
+  row.dashpot = total(e, kernels::Tally::loss_dashpots) - dashpot_early + total(w.sides.impact) + total(w.patches, &FreePatch::impact) +
+                w.overlaps.impact + given;
   row.friction =
       total(w.sides.friction) + total(w.patches, &FreePatch::friction) + w.overlaps.friction + total(w.ties, &kernels::TieState::lost);
   row.fracture = total(w.sides.fracture) + total(w.patches, &FreePatch::fracture) + total(w.ties, &kernels::TieState::released);

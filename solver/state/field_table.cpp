@@ -128,7 +128,7 @@ void add_overlaps(Table& t, World& w) {
   Overlaps& o = w.overlaps;
   OverlapSpring none;
   OverlapSpring& first = o.springs.empty() ? none : o.springs.front();
-  constexpr std::size_t kValues = (sizeof(OverlapSpring) - offsetof(OverlapSpring, shear)) / sizeof(double);
+  constexpr std::size_t kValues = (offsetof(OverlapSpring, dashpot) - offsetof(OverlapSpring, shear)) / sizeof(double);
   const std::int64_t elements = w.elements.base + 1;
   const char* shape = "overlap spring";
   t.insert(t.end(), {member("overlap_a", "-", shape, o.springs, &first.a, 0, elements - 2),
@@ -146,6 +146,17 @@ void add_listed_pairs(Table& t, World& w) {
   const std::int64_t elements = w.elements.base + 1;
   t.insert(t.end(), {member("listed_a", "-", "pair that may overlap", pairs, &first.a, 0, elements - 2),
                      member("listed_b", "-", "pair that may overlap", pairs, &first.b, 1, elements - 1)});
+}
+
+// What dashpots of whole bodies take is in the books of elements already; by itself it only tells whether such bodies give energy out. The
+// hash leaves it out, as it does the pairs above.
+void add_overlap_dashpots(Table& t, World& w) {
+  Overlaps& o = w.overlaps;
+  OverlapSpring none;
+  OverlapSpring& first = o.springs.empty() ? none : o.springs.front();
+  constexpr std::size_t kValues = (sizeof(OverlapSpring) - offsetof(OverlapSpring, dashpot)) / sizeof(double);
+  t.push_back(member("overlap_dashpot", "N, N m", "overlap spring", o.springs, &first.dashpot.x, kValues));
+  t.push_back(value("overlap_dashpots", "J", o.dashpots));
 }
 
 void add_ties(Table& t, Ties& ties) {
@@ -269,6 +280,7 @@ std::vector<Field> fields(World& w) {
 std::vector<Field> fields(Simulation& sim, RunState& plan) {
   Table table = fields(sim.world());
   add_listed_pairs(table, sim.world());
+  add_overlap_dashpots(table, sim.world());
   FieldTable::add(table, sim);
   table.insert(table.end(),
                {value("plan_steps", plan.steps, 0, std::numeric_limits<std::int64_t>::max() / 2), value("plan_shaking", plan.shaking, 0, 1),

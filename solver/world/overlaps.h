@@ -21,6 +21,7 @@ struct OverlapSpring {
   Vec3 force, torque_a, torque_b;  // N, N m: elastic part at the last step, on a; b gets −force
   double share = 1.0;              // of its stiffness and dashpots that the step bears, the least so far
   double from = 0.0;               // m, beyond what is allowed: the overlap that was there when the spring began, and has not gone since
+  Vec3 dashpot, dashpot_torque_a, dashpot_torque_b;  // N, N m: as the elastic part
 };
 
 /// Contact of whole bodies by their exact overlap, where contact points see too little: at edges, corners and crossed edges, and deep
@@ -41,6 +42,7 @@ struct Overlaps {
   std::vector<OverlapSpring> springs;       // ascending (a, b)
   std::vector<kernels::PairWrench> wrench;  // of each spring with its dashpot in this step, if World::keep_pairs (derived)
   double friction = 0.0, impact = 0.0;      // J, lost so far
+  double dashpots = 0.0;                    // J, lost so far by their own dashpots; those of elements have it too
 };
 
 }  // namespace voussoir::solver
