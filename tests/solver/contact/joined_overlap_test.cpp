@@ -71,3 +71,26 @@ TEST_CASE("a joint that comes apart under pressure hands over what it bears: who
   CHECK(gain < 1e-6 * kPush * kShorter);
   CHECK(sim.worst_residual() < 1e-4);
 }
+
+TEST_CASE("what has gone of an overlap that a joint bore comes back with a force of whole bodies") {
+  cases::Case c = pressed_blocks();
+  c.joints.default_law = "dry";
+  cases::Load aside, less, again;
+  aside.block = less.block = again.block = c.blocks[1].name;
+  aside.force = {200.0, 0.0, 0.0}, aside.ramp = {0.4, 0.41};
+  less.force = {0.0, 0.0, 0.5 * kPush}, less.ramp = {1.2, 1.3};
+  again.force = {0.0, 0.0, -0.5 * kPush}, again.ramp = {1.5, 1.6};
+  for (const cases::Load& load : {aside, less, again}) c.loads.push_back(load);
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, {});
+  const auto sunk = [&](double until) {
+    while (sim.time() < until) sim.step({false, sim.steps() % 20 == 0});
+    return -sim.world().elements.uz[1];
+  };
+  const double first = sunk(1.2), half = sunk(1.5);
+  REQUIRE(sim.world().overlaps.springs.size() == 1);
+  CHECK(sim.world().overlaps.springs.front().from <= half - sim.world().overlaps.allowed[1] + 1e-9);
+  const double second = sunk(1.9);
+  CHECK(half < 0.8 * first);
+  CHECK(second < 0.8 * first);
+}
