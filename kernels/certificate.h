@@ -4,33 +4,34 @@
 
 #include "kernels/side_lanes.h"
 
-/// Sides that need no look at their segments, kWidth at a time (THEORY.md (16)). The relative displacement of two rigid faces is affine,
-/// u = d + s·a + t·b, so the force of all springs of a whole side is A·G d and its moment needs only the discrete second moments of the
-/// points. All limits are convex in (s, t) once split as below, so four corners bound every segment.
+/// Certificates that no segment of a side reaches a limit, kWidth sides at a time (THEORY.md (16)). The relative displacement of two rigid
+/// faces is affine, u = d + s·a + t·b, so the force of all springs of a whole side is A·G d and its moment needs only the discrete second
+/// moments of the points. All limits are convex in (s, t) once split as below, so four corners bound every segment.
 namespace voussoir::kernels {
 
-// Certificates keep this distance from a limit, so that their round-off can only send a side to its segments, never past them.
+// Distances that certificates keep from a limit, so that their round-off can only send a side to its segments, never past a limit.
 inline constexpr double kMargin = 1.0 - 1e-9;
 inline constexpr double kRound = 1e-13;
-inline constexpr double kLeast = 1e-14;  // m, round-off of displacements; so much is left of a tensile strength of zero
+inline constexpr double kLeast = 1e-14;  // m, round-off of displacements: the margin where the tensile strength is zero
 
-/// Lanes in which every contact point has u_n > 0: no segment that is not bonded touches.
+/// Lanes in which every contact point has u_n > 0: no unbonded segment touches.
 VOUSSOIR_INLINE LaneMask all_open(const SideConstants& s, int at, const Kinematics& k) noexcept {
   return least_opening(s, at, dot(k.d, k.n), dot(k.a, k.n), dot(k.b, k.n)) > 0.0;
 }
 
-/// Gives the mean normal the length 1. It falls short of it by the square of the relative rotation, so a series does, without root and
-/// quotient. Returns the lanes in which that square is over kSeries: the terms left out, 35/128 of its fourth power, would show.
+/// Normalises the mean normal. Its length falls short of 1 by the square of the relative rotation, so a series gives the result without
+/// root and quotient. Returns the lanes in which |n|² − 1 exceeds kSeries: there the omitted terms, from 35/128 of its fourth power on,
+/// would show.
 VOUSSOIR_INLINE LaneMask normalise(VecLanes& n) noexcept {
   const Lanes e = dot(n, n) - 1.0;
   n = (1.0 - e * (0.5 - e * (0.375 - e * 0.3125))) * n;
   return e * e > kSeries * kSeries;
 }
 
-/// Lanes whose every segment is certainly inside all limits.
+/// Lanes in which all segments are certainly inside all limits.
 ///
-/// Both |u|² and u_n of a corner come from the six products of d, a and b. That costs |u_s|² = |u|² − u_n² an error of a few 1e-16 of the
-/// squares that |u|² is no more than: a larger share of these covers it (kRound).
+/// Both |u|² and u_n of a corner come from the six products of d, a and b. |u_s|² = |u|² − u_n² therefore has an error of a few 1e-16 of
+/// the sum of squares that bounds |u|²; a larger share of that sum, kRound, covers the error.
 VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinematics& k, FailureOptions o) noexcept {
   const Lanes kn = load_lanes(s.kn + at), ks = load_lanes(s.ks + at), ks2 = ks * ks;
   const Lanes ft = kMargin * load_lanes(s.tension + at) - kLeast * kn, c = kMargin * load_lanes(s.cohesion + at),
@@ -58,7 +59,7 @@ VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinemat
     }
   }
   LaneMask shear_exceeded = above_cohesion & above_coulomb;
-  // Where the limit in tension is c − σ tan φ, only that test bounds it; without a limit in tension it stays on the safe side.
+  // Under a shear limit of c − σ tan φ in tension only that test is a bound; with no shear limit in tension the test is conservative.
   if (o.in_tension == ShearInTension::coulomb) shear_exceeded = above_coulomb;
   if (!o.shear) shear_exceeded = LaneMask{};
   return ~(tension_or_cap_exceeded | shear_exceeded);

@@ -6,14 +6,14 @@
 
 #include "kernels/side_lanes.h"
 
-/// The law of kWidth segments of one side at a time. Only what happens all the time is here: elastic, slipping, touching, open; a chunk of
+/// The law of kWidth segments of one side at a time. Only frequent states are handled here: elastic, slipping, touching, open; a chunk of
 /// points in which a bond breaks, first yields or is crushed is left to the literal law (segment_law.h), so each rare event is decided in
-/// one place. Losses are worked out only for chunks in which a point slips, closes or opens: in all others they are zero, exactly.
+/// one place. Losses are computed only for chunks in which a point slips, closes or opens: in all other chunks they are exactly zero.
 namespace voussoir::kernels {
 
 VOUSSOIR_INLINE Lanes square(Lanes a, Lanes b) noexcept { return a * a + b * b; }
 
-/// What the points of one side share.
+/// Data common to all points of one side.
 struct Law {
   LocalLanes d, ds, dt, v, vs, vt;
   Stiffness k;
@@ -66,7 +66,7 @@ VOUSSOIR_INLINE Lanes bonded_limit(Lanes sigma, const Law& a) noexcept {
   return select(sigma < 0.0, coulomb, in_tension);
 }
 
-/// U_before − U_now + ½ (f_before + f_now)·du of the shear springs: see advance_segment.
+/// Loss of the shear springs [J/m2], U_before − U_now + ½ (f_before + f_now)·du: see advance_segment.
 VOUSSOIR_INLINE Lanes shear_loss(double ks, Lanes b1, Lanes b2, Lanes x1, Lanes x2, Lanes du1, Lanes du2) noexcept {
   return 0.5 * ks * (square(b1, b2) - square(x1, x2) + (b1 + x1) * du1 + (b2 + x2) * du2);
 }
@@ -74,7 +74,7 @@ VOUSSOIR_INLINE Lanes shear_loss(double ks, Lanes b1, Lanes b2, Lanes x1, Lanes 
 /// Bonded lanes: elastic, or slipping on the shear limit.
 VOUSSOIR_INLINE Springs bonded(const Law& a, const Chunk& c) noexcept {
   Springs r;
-  const Lanes sigma = a.k.kn * c.u.n;  // a bond has no closure: crushing breaks it
+  const Lanes sigma = a.k.kn * c.u.n;  // a bonded segment has no closure: crushing breaks the bond
   Lanes x1 = c.u.s1 - c.slip1, x2 = c.u.s2 - c.slip2;
   const Lanes tau2 = a.k.ks * a.k.ks * square(x1, x2);
   const Lanes limit = bonded_limit(sigma, a);
@@ -88,7 +88,7 @@ VOUSSOIR_INLINE Springs bonded(const Law& a, const Chunk& c) noexcept {
     const LocalLanes v = rate(a, c);
     const Lanes du1 = a.step * v.s1, du2 = a.step * v.s2, b1 = x1 - du1, b2 = x2 - du2;
     x1 = scale * x1, x2 = scale * x2;
-    // Only where it slips: round-off must not creep into an elastic bond.
+    // Slip changes only in lanes that slip: round-off must not add slip to an elastic bond.
     r.slip1 = select(yields & c.slipped, c.u.s1 - x1, c.slip1);
     r.slip2 = select(yields & c.slipped, c.u.s2 - x2, c.slip2);
     r.shear = select(yields, shear_loss(a.k.ks, b1, b2, x1, x2, du1, du2), Lanes{});
@@ -97,7 +97,7 @@ VOUSSOIR_INLINE Springs bonded(const Law& a, const Chunk& c) noexcept {
   return r;
 }
 
-/// See detail::dashpot_share. Here the spring is within its limit already.
+/// Share of the dashpot force within the limit, see detail::dashpot_share. The spring alone is within the limit.
 VOUSSOIR_INLINE Lanes dashpot_share(Lanes pp, Lanes pd, Lanes dd, Lanes limit2) noexcept {
   const LaneMask within = pp + 2.0 * pd + dd <= limit2;
   if (bits(~within) == 0) return lanes(1.0);
@@ -105,7 +105,7 @@ VOUSSOIR_INLINE Lanes dashpot_share(Lanes pp, Lanes pd, Lanes dd, Lanes limit2) 
   return select(within, lanes(1.0), max((root - pd) / dd, Lanes{}));
 }
 
-/// Springs and dashpots of the lanes that are closed: see contact_traction in segment_law.h.
+/// Springs and dashpots of the closed lanes: see contact_traction in segment_law.h.
 VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, Lanes xn, LaneMask mine, LaneMask closed, Springs& r,
                                     LocalLanes& dashpot) noexcept {
   const Lanes zero{};
@@ -126,7 +126,7 @@ VOUSSOIR_INLINE void closed_contact(const Law& a, const Chunk& c, LocalLanes v, 
   r.traction = select3(closed, LocalLanes{a.k.kn * xn, p1, p2}, LocalLanes{}) + dashpot;
   r.slip1 = select(closed, x1, zero);
   r.slip2 = select(closed, x2, zero);
-  // A point that was closed, stays closed and does not slip loses nothing.
+  // No loss in a point that was closed, stays closed and does not slip.
   const LaneMask changed = mine & (cut | (closed ^ (xn - a.step * v.n < 0.0)) | (~closed & ((c.slip1 != 0.0) | (c.slip2 != 0.0))));
   if (bits(changed) == 0) return;
   const Lanes dun = a.step * v.n, before = min(xn - dun, zero), now = min(xn, zero);
@@ -141,7 +141,7 @@ VOUSSOIR_INLINE Springs contact(const Law& a, const Chunk& c, Lanes closure, Lan
   const LaneMask closed = mine & (xn < 0.0);
   const LocalLanes v = rate(a, c);
   dashpot = LocalLanes{};
-  // All open now and before, as most broken segments are: no force, no history.
+  // All lanes open now and before, as most broken segments are: no force, no history.
   if (bits(closed | (mine & ((xn - a.step * v.n < 0.0) | (c.slip1 != 0.0) | (c.slip2 != 0.0)))) == 0) {
     r.traction = LocalLanes{};
     r.slip1 = r.slip2 = Lanes{};
@@ -162,7 +162,7 @@ VOUSSOIR_INLINE Chunk load(const Law& a, PointsView p, SegmentsView q, int i, La
   return c;
 }
 
-/// One chunk. Returns false, with nothing written, if the literal law must decide.
+/// Advances one chunk. Returns false, with nothing written, if the literal law must decide.
 VOUSSOIR_INLINE bool advance_chunk(const Law& a, PointsView p, SegmentsView q, int i, Totals& sum) noexcept {
   const int live = p.n - i < kWidth ? p.n - i : kWidth;
   const unsigned real = (1U << live) - 1U;

@@ -6,7 +6,7 @@
 
 #include "kernels/chunk_law.h"
 
-// Frames and wrenches are made for kWidth sides at a time; the segments are run through for one side, kWidth points at a time.
+// Frames and wrenches are computed for kWidth sides at a time, segments for one side, kWidth points at a time.
 namespace voussoir::kernels {
 
 namespace {
@@ -42,7 +42,7 @@ VOUSSOIR_INLINE void put_fields(const SideBlock& block, int at, const Kinematics
   put(fields, 0, frame.local(k.d));
   put(fields, 1, frame.local(k.a));
   put(fields, 2, frame.local(k.b));
-  // Rates at the point of action, the conjugate of the force applied there.
+  // Rates at the point of action, work-conjugate to the force applied there.
   const TwistLanes a = gather_twists(rows.twist, block.master + at), b = gather_twists(rows.twist, block.slave + at);
   const VecLanes w = b.w - a.w;
   put(fields, 3, frame.local((b.v + cross(b.w, k.arm_b)) - (a.v + cross(a.w, k.arm_a))));
@@ -79,7 +79,7 @@ VOUSSOIR_INLINE void write_row(const Sums& s, Lanes extra1, Lanes extra2, double
 
 Local field(const LaneFields& f, int k, int lane) noexcept { return {f.value[k][0][lane], f.value[k][1][lane], f.value[k][2][lane]}; }
 
-/// What the literal law found in the rare chunks of a side; empty between two sides.
+/// Results of the literal law in the rare chunks of a side; empty between two sides.
 struct Literal {
   SegmentTotals sum;
   bool any = false;
@@ -87,7 +87,7 @@ struct Literal {
 
 void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf, a.tf + b.tf}; }
 
-/// The literal law for the points from `i` on, at most kWidth.
+/// Applies the literal law to the points from `i` on, at most kWidth.
 [[gnu::noinline]] void advance_literally(Side side, const LaneFields& f, int lane, const SideParts& parts, int i, StepClock clock,
                                          FailureOptions o, Literal& found, EventSink& sink) noexcept {
   SideFrame frame{};
@@ -119,7 +119,7 @@ struct SumRows {
   double total[12], dash[12];
 };
 
-/// Lets contacts of one side give way: those that are pressed too hard, and those of a joint that stiffens as it closes.
+/// Moves the closure of contacts of one side: crushing, and closing of a joint that stiffens as it closes.
 [[gnu::noinline]] GaveWay give_way(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
                                    const BlockState& state, double step) noexcept {
   const auto normal = [&](int k) { return f.value[k][0][lane]; };
@@ -133,12 +133,12 @@ struct SumRows {
   return {.fracture = crush_segments(fields, kn, parts.factor, parts.points, parts.segments, step, *state.crushing, crushed)};
 }
 
-/// All segments of one side.
+/// Advances all segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
                                   const SoftSide* soft, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
                                   DamagedSide& result, EventSink& sink) noexcept {
   Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
-  if (soft != nullptr) law.o.brittle = true;  // what reaches a limit or is worn is for the literal law
+  if (soft != nullptr) law.o.brittle = true;  // segments at a limit or with wear go to the literal law
   Totals sum;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
@@ -177,7 +177,7 @@ VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, d
   return {f.global(x[0]), f.global(x[1]), f.global(x[2])};
 }
 
-/// Largest |u_s|² over the rectangles round the points: it is convex, so at a corner.
+/// Largest |u_s|² over the rectangles of the points [m2]. It is convex, so the maximum is at a corner.
 Lanes largest_slide2(const SideConstants& c, int at, const LaneFields& f) noexcept {
   Lanes most{};
   for (const double* s : {c.s_low + at, c.s_high + at}) {
@@ -191,7 +191,7 @@ Lanes largest_slide2(const SideConstants& c, int at, const LaneFields& f) noexce
   return most;
 }
 
-/// How the faces of each lane's side lie to each other.
+/// Reports slide, tilt and gap of the faces of each lane's side.
 void report_facing(const SideBlock& block, int at, const LaneFields& f, unsigned chosen, DamagedSide* result) noexcept {
   const Lanes gap = least_opening(*block.constants, at, load_lanes(f.value[0][0]), load_lanes(f.value[1][0]), load_lanes(f.value[2][0]));
   const auto norm2 = [&](int k) {

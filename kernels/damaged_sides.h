@@ -6,10 +6,11 @@
 
 namespace voussoir::kernels {
 
-/// The chosen lanes of a group of kWidth sides, segment by segment. Puts their sums of tractions into `sums` (other lanes keep theirs) and
-/// hands out their dashpots' share. `k` has its mean normal of length 1 but for lanes that are far turned: it is made so.
+/// Advances the chosen lanes of a group of kWidth sides, segment by segment. Writes their sums of tractions into `sums` (other lanes are
+/// unchanged) and adds the dashpot forces to the elements' rows. `k`: the mean normal has length 1 except in lanes turned far, where it is
+/// normalised here.
 /// \param result  of the group
-/// \return bit mask of the lanes with dashpots that act
+/// \return bit mask of the lanes with active dashpots
 unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
                          StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept;
 

@@ -12,9 +12,9 @@ namespace voussoir::kernels {
 
 namespace {
 
-/// Out-of-cache models prefetch the columns of the elements so many places further on. These columns are more than hardware follows. A few
-/// lines are prefetched at a time, between the arithmetic: all at once, they would wait for each other. Past the last element a prefetch
-/// does nothing.
+/// Distance in elements of the prefetches in out-of-cache models. The columns are more than the hardware prefetcher follows. A few lines
+/// are prefetched at a time, between the arithmetic, since all at once would wait for each other. Prefetches past the last element have no
+/// effect.
 constexpr std::int64_t kPrefetchDistance = 2 * kBatch;
 
 template <class... Columns>
@@ -60,7 +60,7 @@ VOUSSOIR_INLINE MatLanes full_inverse_inertia(const ElementsView& e, std::int64_
   return {{load_lanes(e.ixx + i), xy, xz}, {xy, load_lanes(e.iyy + i), yz}, {xz, yz, load_lanes(e.izz + i)}};
 }
 
-/// Bricks look along their principal axes: half as many numbers to read.
+/// Inverse inertia of elements; bricks have principal body axes, and half as many numbers to read.
 template <bool kPrincipal>
 VOUSSOIR_INLINE auto inverse_inertia(const ElementsView& e, std::int64_t i) noexcept {
   if constexpr (kPrincipal) {
@@ -70,7 +70,8 @@ VOUSSOIR_INLINE auto inverse_inertia(const ElementsView& e, std::int64_t i) noex
   }
 }
 
-/// m turned by the rotation vector −h, a series to h⁵: no library trigonometry, whose bits depend on the processor.
+/// m rotated by the rotation vector −h, as a series up to h⁵, without trigonometric functions of a library, whose bits depend on the
+/// processor.
 VOUSSOIR_INLINE VecLanes turned_back(VecLanes m, VecLanes h) noexcept {
   const Lanes h2 = dot(h, h);
   const VecLanes hm = cross(h, m), hhm = cross(h, hm);
@@ -82,7 +83,7 @@ VOUSSOIR_INLINE QuaternionLanes product(QuaternionLanes a, QuaternionLanes b) no
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-/// q turned by the rotation vector 2h in body axes: series of cos and sin to h⁵ (a norm off by h⁶).
+/// q rotated by the rotation vector 2h in body axes: series of cos and sin up to h⁵ (error of the norm: h⁶).
 VOUSSOIR_INLINE QuaternionLanes turned(QuaternionLanes q, VecLanes h) noexcept {
   const Lanes h2 = dot(h, h);
   const Lanes c = 1.0 - h2 * (0.5 - h2 * (1.0 / 24.0));
@@ -90,7 +91,7 @@ VOUSSOIR_INLINE QuaternionLanes turned(QuaternionLanes q, VecLanes h) noexcept {
   return product(q, {c, s * h.x, s * h.y, s * h.z});
 }
 
-/// One step of the series is exact: the length is 1 but for round-off and the h⁶ of `turned`.
+/// Normalises by one step of the series, which is exact: the length is 1 up to round-off and the h⁶ of `turned`.
 VOUSSOIR_INLINE QuaternionLanes normalised(QuaternionLanes p) noexcept {
   const Lanes f = 1.5 - 0.5 * (p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
   return {f * p.w, f * p.x, f * p.y, f * p.z};
@@ -103,12 +104,12 @@ VOUSSOIR_INLINE QuaternionLanes orientation(const ElementsView& e, std::int64_t 
 VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLanes u, const MatLanes& d, VecLanes v, VecLanes w) noexcept {
   const auto pose_row = [&](int l) { return rows.pose + (i + l) * kPoseStride; };
   if (rows.out_of_cache) {
-    static_assert(kPoseStride % 4 == 0);  // or thirds of rows would not lie where store_streaming can write
+    static_assert(kPoseStride % 4 == 0);  // otherwise thirds of rows would not be aligned for store_streaming
     Quad x[kWidth], y[kWidth], z[kWidth];
     to_rows(d.r0.x, d.r0.y, d.r0.z, u.x, x);
     to_rows(d.r1.x, d.r1.y, d.r1.z, u.y, y);
     to_rows(d.r2.x, d.r2.y, d.r2.z, u.z, z);
-    for (int l = 0; l < kWidth; ++l) {  // row by row: whole lines in one go
+    for (int l = 0; l < kWidth; ++l) {  // row by row, so that whole lines are written at once
       store_streaming(pose_row(l), x[l]);
       store_streaming(pose_row(l) + 4, y[l]);
       store_streaming(pose_row(l) + 8, z[l]);
@@ -123,13 +124,13 @@ VOUSSOIR_INLINE void write_rows(const ElementRows& rows, std::int64_t i, VecLane
   for (int l = 0; l < kWidth; ++l) store_row(rows.twist + (i + l) * kTwistStride, velocities, l);
 }
 
-/// Rows of kWidth elements, all of kWrenchStride or kDashpotStride numbers.
+/// Clears the rows of kWidth elements, each of kWrenchStride or kDashpotStride numbers.
 VOUSSOIR_INLINE void clear_rows(double* rows, std::int64_t i) noexcept {
   static_assert(kDashpotStride == kWrenchStride);
   for (int k = 0; k < kWrenchStride; ++k) store_lanes(rows + i * kWrenchStride + k * kWidth, Lanes{});
 }
 
-/// What dashpots do is rare where little has come loose.
+/// Whether dashpots act on any of kWidth elements: rare where little has come loose.
 VOUSSOIR_INLINE bool any_dashed(const ElementRows& rows, std::int64_t i) noexcept {
   std::uint64_t any = 0;
   for (int l = 0; l < kWidth; ++l) any |= std::bit_cast<std::uint64_t>(rows.wrench[(i + l) * kWrenchStride + kDashedColumn]);
@@ -153,9 +154,9 @@ VOUSSOIR_INLINE void finish_dashpots(const ElementsView& e, std::int64_t i, VecL
   clear_rows(rows.dashpot, i);
 }
 
-/// Angular velocity, half a step ahead, of the angular momentum there, in body axes: the orientation half a step ahead is that of now
-/// turned by φ = ½ Δt Ω, so Ω = J⁻¹ exp(−φ) Rᵀ L. The last ω gives a first φ, to first order a second, and that Ω; a φ that is not quite
-/// parallel to Ω turns it as it turns the element. \param m  Rᵀ L  \param last  Rᵀ ω, of the last half step
+/// Angular velocity Ω at the next half step, in body axes, from the angular momentum there. The orientation there is the current one
+/// rotated by φ = ½ Δt Ω, so Ω = J⁻¹ exp(−φ) Rᵀ L. The last ω gives a first φ, correct to first order a second φ, and the latter gives Ω;
+/// as φ is not quite parallel to Ω, Ω is rotated with the element. \param m  Rᵀ L \param last  Rᵀ ω, of the last half step
 template <class Inertia>
 VOUSSOIR_INLINE VecLanes spin_at_half_step(const Inertia& inverse, VecLanes m, VecLanes last, Lanes half) noexcept {
   const VecLanes guess = half * last;
@@ -164,7 +165,7 @@ VOUSSOIR_INLINE VecLanes spin_at_half_step(const Inertia& inverse, VecLanes m, V
   return spin + cross(phi, spin);
 }
 
-/// One step of kWidth elements to the orientation `next` with the angular velocity w: positions, rows.
+/// Moves kWidth elements to the orientation `next`, with angular velocity w: positions, rows.
 VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLanes next, VecLanes w, const ElementRows& rows,
                              double dt) noexcept {
   const VecLanes v = load3(e.vx, e.vy, e.vz, i);
@@ -177,8 +178,8 @@ VOUSSOIR_INLINE void move_on(const ElementsView& e, std::int64_t i, QuaternionLa
   clear_rows(rows.wrench, i);
 }
 
-/// The drift of kGroups times kWidth elements, side by side: the chain from ω to the next orientation is long, and one group alone leaves
-/// the machine waiting.
+/// The drift of kGroups times kWidth elements, interleaved: the dependency chain from ω to the next orientation is long, and a single group
+/// would leave the processor waiting.
 template <int kGroups, bool kPrincipal>
 VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t i) noexcept {
   const Lanes half = lanes(0.5 * dt);
@@ -204,7 +205,7 @@ VOUSSOIR_INLINE void drift_groups(const ElementsView& e, const ElementRows& rows
   for (int g = 0; g < kGroups; ++g) move_on(e, i + g * kWidth, q[g], spin[g], rows, dt);
 }
 
-/// What an element or several have done in a step [J].
+/// Energies of one or several elements in a step [J].
 struct StepTally {
   Lanes ground{}, gravity{}, damping{}, dashpots{};
 };

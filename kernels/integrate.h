@@ -7,7 +7,8 @@
 #include "geometry/vec3.h"
 #include "kernels/rows.h"
 
-/// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. Entry e depends on entry e alone.
+/// Central differences (Eqs. 15-18, THEORY.md (22)-(24)), element by element. The new state of an element depends on that element's data
+/// only.
 namespace voussoir::kernels {
 
 /// The energy tally of a batch: running sums over its elements and over all steps so far [J].
@@ -25,7 +26,7 @@ struct ElementsView {
   const double *mass, *inv_mass;                    // kg, 1/kg; 0 and 0: fixed
   const double* alpha;                              // 1/s, mass damping (Eq. 13)
   const double *ixx, *iyy, *izz, *ixy, *ixz, *iyz;  // inverse inertia, body axes [1/(kg m2)]; 0: fixed
-  const std::uint8_t* principal;                    // by batch, 1: all are along their principal axes (ixy, ixz, iyz are 0)
+  const std::uint8_t* principal;                    // by batch, 1: all its elements have principal body axes (ixy, ixz, iyz are 0)
 };
 
 /// Accelerations that act on every element in a step.
@@ -33,20 +34,20 @@ struct BodyForces {
   double dt = 0.0;                 // s
   Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
   Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
-  bool damps_rotation = false;     // α on the angular momentum too: while settling, where only the state of rest matters
+  bool damps_rotation = false;     // α also acts on the angular momentum: while settling, where only the state of rest matters
   Vec3 damped_ground{};            // m/s at this step: velocity of the ground if α acts on it too (damping.frame = "inertial"); else 0
 };
 
-/// Velocities to the next half step: v₊ = [(1 − a) v₋ + Δt (F/m − α v_g)] / (1 + a), a = αΔt/2, v_g = damped_ground, and L₊ = L₋ + Δt T,
-/// or damped as v is. Adds the work of the step but that of the dashpots' torques, and what damping takes from the rotation with the ω
-/// behind the step: ½ αΔt (L₋ + L₊)·ω₋ (the sum over steps is the trapezoid rule's but for its end, which the ledger adds). Elements
-/// [first, last), whole batches.
+/// Advances velocities to the next half step: v₊ = [(1 − a) v₋ + Δt (F/m − α v_g)] / (1 + a), a = αΔt/2, v_g = damped_ground, and L₊ = L₋ +
+/// Δt T, or with the same damping as v under damps_rotation. Adds the work of the step except that of the dashpots' torques, and the loss
+/// of the damped rotation with the ω behind the step: ½ αΔt (L₋ + L₊)·ω₋ (the sum over steps is that of the trapezoid rule but for its end,
+/// which the ledger adds). Elements [first, last), whole batches.
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept;
 
-/// Positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there (implicit
-/// midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose rows and
-/// the velocity rows of active batches, adds the work of the dashpots' torques, clears the wrench and dashpot rows. Elements [first, last),
-/// whole batches.
+/// Advances positions and orientations to the next step. ω is the angular velocity at the half step that fits L at the orientation there
+/// (implicit midpoint on the rotation group, by two fixed-point passes in body axes: no drift of energy in free rotation). Writes the pose
+/// rows and the velocity rows of active batches, adds the work of the dashpots' torques, clears the wrench and dashpot rows. Elements
+/// [first, last), whole batches.
 void drift(const ElementsView& e, const ElementRows& rows, double dt, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -10,10 +10,10 @@
 
 #include "geometry/vec3.h"
 
-/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `sqrt`,
-/// `bits`, `lanes_of`, `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. (Of a loop over
-/// lanes g++ 12 makes two halves that meet in memory, and a load of both waits until they have got there.) Every lane is computed alone,
-/// so a result does not depend on its neighbours.
+/// Several doubles at a time: as many as one vector register holds. Plain operators on compiler vectors; intrinsics only in `sqrt`, `bits`,
+/// `lanes_of`, `load_halves` and `store_streaming`, where the compiler does not find the machine's instruction. (g++ 12 compiles a loop
+/// over lanes into two halves that are joined through memory, and the load of the whole waits for both stores.) Every lane is computed
+/// alone, so a result does not depend on the neighbouring lanes.
 namespace voussoir::kernels {
 
 /// Lane helpers must be inlined: a call would pass every vector through memory.
@@ -29,7 +29,7 @@ typedef double Lanes __attribute__((vector_size(32)));
 typedef long long LaneMask __attribute__((vector_size(32)));
 #endif
 
-/// The same number of floats.
+/// As many floats as Lanes has doubles.
 typedef float Floats __attribute__((vector_size(4 * kWidth)));
 
 VOUSSOIR_INLINE Lanes load_lanes(const double* p) noexcept {
@@ -46,7 +46,7 @@ VOUSSOIR_INLINE Lanes sqrt(Lanes x) noexcept {
 #if defined(__clang__)
   return _mm512_sqrt_pd(x);
 #else
-  return __builtin_ia32_sqrtpd512_mask(x, x, -1, _MM_FROUND_CUR_DIRECTION);  // the same, of which g++ 12 warns
+  return __builtin_ia32_sqrtpd512_mask(x, x, -1, _MM_FROUND_CUR_DIRECTION);  // _mm512_sqrt_pd; g++ 12 warns of the macro
 #endif
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(x);
@@ -71,7 +71,7 @@ VOUSSOIR_INLINE unsigned bits(LaneMask m) noexcept {
   return r;
 #endif
 }
-/// The way back: lane i is true where bit i is set.
+/// Inverse of `bits`: lane i is true where bit i is set.
 VOUSSOIR_INLINE LaneMask lanes_of(unsigned bits) noexcept {
 #if defined(__AVX512DQ__)
   return __builtin_ia32_cvtmask2q512(static_cast<unsigned char>(bits));
@@ -104,8 +104,8 @@ VOUSSOIR_INLINE Pair load_pair(const double* p) noexcept {
   return x;
 }
 VOUSSOIR_INLINE void store_quad(double* p, Quad x) noexcept { __builtin_memcpy(p, &x, sizeof x); }
-/// Into memory, without fetching the line first or keeping it in the caches: for what is not read again before it would have left them.
-/// Other threads see it after kernels::finish_stores. \pre  p is a multiple of 32 bytes
+/// Stores past the caches, without fetching the line first: for data that is not read again before the caches would have dropped it.
+/// Visible to other threads after kernels::finish_stores. \pre p is a multiple of 32 bytes
 VOUSSOIR_INLINE void store_streaming(double* p, Quad x) noexcept {
 #if defined(__AVX__)
   _mm256_stream_pd(p, x);
@@ -118,7 +118,7 @@ VOUSSOIR_INLINE void add_pair(double* p, Pair x) noexcept {
   x = load_pair(p) + x;
   __builtin_memcpy(p, &x, sizeof x);
 }
-/// Rows to columns and back.
+/// Transposes four rows of four numbers.
 VOUSSOIR_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) noexcept {
   const Quad ab02 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Quad cd02 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd13 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
@@ -136,7 +136,8 @@ VOUSSOIR_INLINE Quad quad_of(Lanes x, int) noexcept { return x; }
 #endif
 inline constexpr int kQuads = kWidth / 4;
 
-/// Every other lane of a and b: lanes 0, 2, ... of a in the even lanes of the result, those of b in the odd ones; then lanes 1, 3, ...
+/// Interleaves a and b: even_of takes lanes 0, 2, ... of a to the even lanes of the result and those of b to the odd ones; odd_of likewise
+/// lanes 1, 3, ...
 #if defined(__AVX512F__)
 VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
 VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
@@ -145,15 +146,15 @@ VOUSSOIR_INLINE Lanes even_of(Lanes a, Lanes b) noexcept { return __builtin_shuf
 VOUSSOIR_INLINE Lanes odd_of(Lanes a, Lanes b) noexcept { return __builtin_shufflevector(a, b, 1, 5, 3, 7); }
 #endif
 
-/// Two pairs, or two quads, side by side: the second one comes into its place with the load. (Of shuffles that say the same g++ 12 makes
-/// a load, a move and a shuffle.)
+/// Two pairs, or two quads, side by side; the second load fills its half directly. (g++ 12 turns equivalent shuffles into a load, a move
+/// and a shuffle.)
 #if defined(__AVX512F__)
 VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcept {
   const Lanes x = _mm512_castpd256_pd512(load_quad(low));
 #if defined(__clang__)
   return _mm512_insertf64x4(x, load_quad(high), 1);
 #else
-  return __builtin_ia32_insertf64x4_mask(x, load_quad(high), 1, x, 0xff);  // the same, of which g++ 12 warns
+  return __builtin_ia32_insertf64x4_mask(x, load_quad(high), 1, x, 0xff);    // _mm512_insertf64x4; g++ 12 warns of the macro
 #endif
 }
 #elif defined(__AVX__)
@@ -166,13 +167,13 @@ VOUSSOIR_INLINE Lanes load_halves(const double* low, const double* high) noexcep
 }
 #endif
 
-/// Four columns from `at` of the rows that `row(lane)` points to, one row a lane.
+/// Loads four columns, from column `at` on, of the rows that `row(lane)` points to, one row a lane.
 template <class Row>
 VOUSSOIR_INLINE void load_columns(Row row, int at, Lanes& c0, Lanes& c1, Lanes& c2, Lanes& c3) noexcept {
 #if defined(__AVX512F__)
   const auto rows = [&](int l) { return load_halves(row(l) + at, row(l + 2) + at); };
   const Lanes r02 = rows(0), r13 = rows(1), r46 = rows(4), r57 = rows(5);
-  // Of rows 0 1, 2 3: columns 0 2 0 2 and 1 3 1 3; then of rows 4 5, 6 7.
+  // even_low, odd_low: columns 0 2 0 2 and 1 3 1 3 of rows 0 to 3; even_high, odd_high: of rows 4 to 7.
   const Lanes even_low = even_of(r02, r13), odd_low = odd_of(r02, r13), even_high = even_of(r46, r57), odd_high = odd_of(r46, r57);
   c0 = __builtin_shufflevector(even_low, even_high, 0, 1, 4, 5, 8, 9, 12, 13);
   c1 = __builtin_shufflevector(odd_low, odd_high, 0, 1, 4, 5, 8, 9, 12, 13);
@@ -185,7 +186,7 @@ VOUSSOIR_INLINE void load_columns(Row row, int at, Lanes& c0, Lanes& c1, Lanes& 
 #endif
 }
 
-/// Four columns as rows, one a lane.
+/// Four columns as rows, one row a lane.
 VOUSSOIR_INLINE void to_rows(Lanes c0, Lanes c1, Lanes c2, Lanes c3, Quad (&r)[kWidth]) noexcept {
 #if defined(__AVX512F__)
   const Lanes even01 = even_of(c0, c1), odd01 = odd_of(c0, c1), even23 = even_of(c2, c3), odd23 = odd_of(c2, c3);
@@ -200,7 +201,7 @@ VOUSSOIR_INLINE void to_rows(Lanes c0, Lanes c1, Lanes c2, Lanes c3, Quad (&r)[k
 #endif
 }
 
-/// The way back: `row(lane)` may be written.
+/// Stores four columns into the rows that `row(lane)` points to: the inverse of load_columns.
 template <class Row>
 VOUSSOIR_INLINE void store_columns(Row row, int at, Lanes c0, Lanes c1, Lanes c2, Lanes c3) noexcept {
   Quad r[kWidth];
@@ -208,7 +209,7 @@ VOUSSOIR_INLINE void store_columns(Row row, int at, Lanes c0, Lanes c1, Lanes c2
   for (int l = 0; l < kWidth; ++l) store_quad(row(l) + at, r[l]);
 }
 
-/// Sums over the lanes of a, b, c and d.
+/// The sums over the lanes of a, of b, of c and of d.
 VOUSSOIR_INLINE Quad sums_of(Lanes a, Lanes b, Lanes c, Lanes d) noexcept {
   Quad sum{};
   for (int k = 0; k < kQuads; ++k) {
@@ -219,7 +220,7 @@ VOUSSOIR_INLINE Quad sums_of(Lanes a, Lanes b, Lanes c, Lanes d) noexcept {
   return sum;
 }
 
-/// Rows of a force and a torque, one a lane.
+/// Rows of a force and a torque, one row a lane.
 struct SixColumns {
   Quad head[kWidth];  // fx fy fz tx
   Pair tail[kWidth];  // ty tz

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-/// Strength and contact constants of a spring, and the choices the paper leaves open. Passed to kernels by value.
+/// Strength and contact constants of a spring, and options where the paper leaves a choice. Passed to kernels by value.
 namespace voussoir::kernels {
 
 /// Limits of Eqs. 5-7. All stresses in Pa, tension positive.
@@ -15,10 +15,10 @@ struct Strength {
   double tan_phi = 0.0;      // of the bond (Eq. 6)
   double compression = 0.0;  // f_m
   double cap = 9.0;          // C_s
-  double friction = 0.0;     // tan φ of the contact that a broken bond becomes (Eq. 8): that of the two materials
+  double friction = 0.0;     // tan φ of the two materials, for the contact that a broken bond becomes (Eq. 8)
 };
 
-/// How far dashpots may exceed the bounds of THEORY.md (17) and (19): not at all, or without limit (contact.dashpots).
+/// Amount by which dashpots may exceed the bounds of THEORY.md (17) and (19): zero, or without limit (contact.dashpots).
 inline constexpr double kBounded = 0.0, kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Springs and dashpots per area.
@@ -29,15 +29,15 @@ struct Stiffness {
 
 enum class ShearInTension : std::uint8_t { cohesion, none, coulomb };
 
-/// The options [failure] of the case file, and how far dashpots may go.
+/// The options [failure] of the case file, and the bound of the dashpots.
 struct FailureOptions {
   bool shear = true;
   bool brittle = false;
   ShearInTension in_tension = ShearInTension::cohesion;
-  double dashpot_excess = kBounded;  // or kUnbounded
+  double dashpot_excess = kBounded;  // kBounded or kUnbounded
 };
 
-/// State of one segment of a joint. Bonded springs need no history but plastic slip; contact springs keep their elongation.
+/// State of one segment of a joint. Bonded springs have no history but plastic slip; contact springs keep their elongation.
 enum class Bond : std::uint8_t {
   bonded = 0,   // elastic
   slipped = 1,  // bonded, has reached the shear limit: slip is plastic

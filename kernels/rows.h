@@ -6,31 +6,31 @@
 
 #include "geometry/vec3.h"
 
-/// Packed rows, one per element: what the force kernels gather and scatter. A row is one or two cache lines, so that a body costs a
-/// few vector loads, not twelve of its own. The drift of a step writes those of poses and velocities from the state arrays
+/// Packed rows, one per element, which the force kernels gather and scatter. A row is one or two cache lines, so that a body costs a few
+/// vector loads instead of twelve separate ones. The drift of a step writes the rows of poses and velocities from the state arrays
 /// (solver/world/world.h).
 namespace voussoir::kernels {
 
-/// Sides of a block, and the multiple that element arrays are padded to.
+/// Number of sides in a block, and the multiple that element arrays are padded to.
 inline constexpr int kLanes = 8;
 
 inline constexpr int kPoseStride = 12;    // for each axis i: row i of R − I (3), u_i [m]
 inline constexpr int kTwistStride = 8;    // velocity (3) [m/s], angular velocity in space (3) [rad/s], 2 spare
 inline constexpr int kWrenchStride = 8;   // force (3) [N], torque about the centroid (3) [N m], 1 spare, kDashedColumn
-inline constexpr int kDashedColumn = 7;   // of a wrench row: not 0 if dashpots have a share in it; else their row is all zeros
-inline constexpr int kDashpotStride = 8;  // that share: force (3) [N], torque (3) [N m], 2 spare
+inline constexpr int kDashedColumn = 7;   // column of a wrench row: not 0 if dashpots contribute to it; if 0, the dashpot row is all zeros
+inline constexpr int kDashpotStride = 8;  // dashpots' share of the wrench: force (3) [N], torque (3) [N m], 2 spare
 
-/// A batch: elements that are moved on together and share an energy tally.
+/// Number of elements in a batch: elements that are advanced together and share an energy tally.
 inline constexpr int kBatch = 2 * kLanes;
 
 /// Rows of all elements.
 struct ElementRows {
   double *pose = nullptr, *twist = nullptr, *wrench = nullptr, *dashpot = nullptr;
-  const std::uint8_t* active = nullptr;  // by batch, 1: its velocity rows are written; nullptr: all are
-  bool out_of_cache = false;             // larger than the caches: poses are written by streaming stores, columns are prefetched
+  const std::uint8_t* active = nullptr;  // by batch, 1: its velocity rows are written; nullptr: all are written
+  bool out_of_cache = false;             // rows are larger than the caches: poses are written by streaming stores, columns are prefetched
 };
 
-/// Displacement of the centroid from its reference position and R − I (kept without the identity: see rotation_minus_identity).
+/// Displacement of the centroid from its reference position [m] and R − I (without the identity: see rotation_minus_identity).
 struct Pose {
   Vec3 u;
   Mat3 d;
@@ -57,7 +57,8 @@ inline Twist load_twist(const double* rows, std::int64_t e) noexcept {
   return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
 }
 
-/// Force and torque of one interaction on both bodies, each about its own centroid; `dash_*` is the part of the dashpots (a ledger matter).
+/// Force [N] and torque [N m] of one interaction on both bodies, each torque about the body's own centroid; `dash_*` is the part of the
+/// dashpots, counted for the ledger.
 struct PairWrench {
   Vec3 force;  // on a; b gets the opposite
   Vec3 torque_a, torque_b;

@@ -30,7 +30,7 @@ SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist
   f.d = in_frame(d, f.n, f.t1, f.t2);
   f.ds = in_frame(ds, f.n, f.t1, f.t2);
   f.dt = in_frame(dt, f.n, f.t1, f.t2);
-  // Rates at the point of action, the conjugate of the force applied there.
+  // Rates at the point of action, work-conjugate to the force applied there.
   const Vec3 v = (tb.v + cross(tb.w, f.arm_b)) - (ta.v + cross(ta.w, f.arm_a));
   const Vec3 w = tb.w - ta.w;
   f.v = in_frame(v, f.n, f.t1, f.t2);

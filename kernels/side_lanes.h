@@ -5,11 +5,11 @@
 #include "kernels/lanes.h"
 #include "kernels/side.h"
 
-/// kWidth sides of a block at a time: how they move, and how their forces reach the elements. Shared by the kernels of quick and of damaged
+/// kWidth sides of a block at a time: how they move, and how their forces reach the elements. Shared by the kernels of whole and of damaged
 /// sides; not for other code. `at` is the first lane, a multiple of kWidth.
 namespace voussoir::kernels {
 
-// By how much the square of a mean normal may differ from 1 for a series of its length to have all digits.
+// Greatest difference of the squared length of a mean normal from 1 for which the series of its length is exact to all digits.
 inline constexpr double kSeries = 1e-4;
 inline constexpr unsigned kGroup = (1U << kWidth) - 1U;  // all lanes of a group
 
@@ -17,16 +17,16 @@ VOUSSOIR_INLINE VecLanes load3(const double v[3][kLanes], int at) noexcept {
   return {load_lanes(v[0] + at), load_lanes(v[1] + at), load_lanes(v[2] + at)};
 }
 
-/// Relative displacement of the lanes and the frame it acts in. Differences of R − I are taken before anything is added, so an opening of
-/// 1e-12 m on a body 5 m away keeps its digits.
+/// Relative displacement of the lanes and the frame of their forces. Differences of R − I are taken before anything is added, so an opening
+/// of 1e-12 m on a body 5 m away keeps its digits.
 struct Kinematics {
   VecLanes d, a, b;  // u(s,t) = d + s a + t b, global axes [m]
-  VecLanes n;        // mean normal, not yet of length 1
+  VecLanes n;        // mean normal, not yet normalised
   VecLanes es, et;
   VecLanes arm_a, arm_b;
 };
 
-/// Where the rows of kWidth elements stand.
+/// Addresses of the rows of kWidth elements.
 struct RowPointers {
   const double* at[kWidth];
 };
@@ -47,7 +47,7 @@ VOUSSOIR_INLINE PoseRow pose_row(const RowPointers& rows, int i) noexcept {
   return r;
 }
 
-/// One axis of the kinematics after the other: the rows of two matrices fit the registers, two matrices do not.
+/// Computes one axis of the kinematics. One axis at a time, since the rows of two matrices fit the registers, but two matrices do not.
 VOUSSOIR_INLINE void kinematics_of_axis(const SideConstants& s, int at, int i, const RowPointers& a, const RowPointers& b, VecLanes n0,
                                         Lanes VecLanes::*x, Kinematics& k) noexcept {
   const PoseRow p = pose_row(a, i), q = pose_row(b, i);
@@ -94,27 +94,27 @@ VOUSSOIR_INLINE LocalLanes select3(LaneMask m, LocalLanes a, LocalLanes b) noexc
   return {select(m, a.n, b.n), select(m, a.s1, b.s1), select(m, a.s2, b.s2)};
 }
 
-/// The frame of each lane's side: mean normal and two tangents, orthonormal, global axes.
+/// Frame of each lane's side: mean normal and two tangents, orthonormal, global axes.
 struct FrameLanes {
   VecLanes n, t1, t2;
   [[nodiscard]] VOUSSOIR_INLINE LocalLanes local(VecLanes v) const noexcept { return {dot(v, n), dot(v, t1), dot(v, t2)}; }
   [[nodiscard]] VOUSSOIR_INLINE VecLanes global(LocalLanes v) const noexcept { return v.n * n + (v.s1 * t1 + v.s2 * t2); }
 };
-/// \param n  of length 1
+/// Frame from a mean normal and a tangent. \param n  of length 1
 VOUSSOIR_INLINE FrameLanes frame_of(VecLanes n, VecLanes es) noexcept {
   const VecLanes along = es - dot(es, n) * n;
   const VecLanes t1 = (1.0 / sqrt(dot(along, along))) * along;
   return {n, t1, cross(n, t1)};
 }
 
-/// That of the sides of a block, to which the base does not turn with their masters.
+/// Frame of the sides of a block. For sides on the base, es of the reference is used, since the base does not turn with the master.
 /// \param n  of length 1
 VOUSSOIR_INLINE FrameLanes frame_of(const SideBlock& block, int at, const Kinematics& k, VecLanes n) noexcept {
   const unsigned base = based(block, at);
   return frame_of(n, base == 0 ? k.es : select3(lanes_of(base), load3(block.constants->es, at), k.es));
 }
 
-/// Least u_n = dn + s an + t bn over the rectangles round the points.
+/// Least u_n = dn + s an + t bn over the rectangles of the points [m].
 VOUSSOIR_INLINE Lanes least_opening(const SideConstants& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;
   const Lanes t0 = load_lanes(s.t_low + at) * bn, t1 = load_lanes(s.t_high + at) * bn;

@@ -9,7 +9,7 @@
 
 namespace voussoir::kernels {
 
-/// Which sides of a block are what, one bit each.
+/// Sides of a block by state, one bit per side.
 struct StateBits {
   unsigned segments, whole, open, steady;
 };
@@ -21,7 +21,7 @@ inline unsigned lowest_bits(std::uint64_t bytes) noexcept {
 }
 }  // namespace detail
 
-/// Of kLanes sides.
+/// State bits of kLanes sides.
 inline StateBits state_bits(const SideState* side_state) noexcept {
   static_assert(static_cast<int>(SideState::segments) == 0 && static_cast<int>(SideState::whole) == 1 &&
                 static_cast<int>(SideState::open) == 2 && static_cast<int>(SideState::steady) == 3);

@@ -14,14 +14,14 @@ VOUSSOIR_INLINE LaneMask steady_lanes(const SideState* side_state) noexcept {
   return widened(reinterpret_cast<const unsigned char*>(side_state)) == static_cast<long long>(SideState::steady);
 }
 
-/// Of the lanes `whole`, those that are certain to stay so. Makes the normal one of length 1.
+/// The lanes of `whole` that are certain to stay whole. Normalises the mean normal.
 VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned whole, Kinematics& k, FailureOptions o) noexcept {
   const unsigned straight = whole & ~bits(normalise(k.n));
   return straight & bits(certified(s, at, k, o));
 }
 
-/// The sides `live` of a group, whatever they are. Returns those whose segments were looked at. On its own, so that groups in which all are
-/// whole need no room for what it takes.
+/// Advances the sides `live` of a group, whatever their states. Returns the lanes processed segment by segment. A separate function, so
+/// that groups of whole sides only need no stack space for it.
 [[gnu::noinline]] unsigned advance_any(const SideBlock& block, int at, unsigned live, const BlockState& state, const Rows& rows,
                                        StepClock clock, FailureOptions o, DamagedSide* result, EventSink& sink) noexcept {
   const SideConstants& constants = *block.constants;
@@ -88,7 +88,7 @@ void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Row
 
 void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept {
   WrenchLanes nothing{};
-  asm("" : "+m"(nothing));  // as if it might be anything, or the compiler would leave out what turns columns into rows
+  asm("" : "+m"(nothing));  // hides the value, or the compiler would drop the conversion of columns to rows
   for (int at = 0; at < kLanes; at += kWidth) {
     const unsigned here = live >> at & kGroup;
     if (here != 0) assemble(block, at, 0, nothing, here, rows, false);

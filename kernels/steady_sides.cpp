@@ -8,23 +8,23 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kTiny = 1e-13;  // m, far more than the round-off of any displacement: what a limit of zero has for a margin
-constexpr double kFar = 1e150;   // no limit; it has a square, and a checkpoint holds finite numbers alone
+constexpr double kTiny = 1e-13;  // m, far above the round-off of any displacement: the margin of a limit of zero
+constexpr double kFar = 1e150;   // no limit; finite, as checkpoints require, and its square too
 
-/// Distances to the limits, of the nearest segment so far.
+/// Distances of the nearest segment so far from the limits.
 struct Distances {
   double tension = kFar, shear = kFar, cap = kFar, contact = kFar;
   [[nodiscard]] bool positive() const noexcept { return std::min({tension, shear, cap, contact}) > 0.0; }
 };
 
-/// A limit that falls by no more than tan φ times the growth of σ, and is no more than the shear limit (THEORY.md (15)).
+/// A lower bound of the shear limit (THEORY.md (15)) that falls by at most tan φ times the growth of σ.
 double safe_shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
   if (!o.shear) return kFar;
   const double c = kMargin * s.cohesion;
   return sigma < 0.0 || o.in_tension == ShearInTension::coulomb ? c - sigma * s.tan_phi : c;
 }
 
-/// By an elongation x, with round-off on the safe side.
+/// Updates the distances by a segment with elongation x, with round-off on the safe side.
 void approach(Distances& least, Local x, Stiffness k, Strength s, FailureOptions o) noexcept {
   const double tiny = (k.kn + k.ks) * kTiny;
   const double sigma = k.kn * x.n, tau = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);

@@ -4,15 +4,15 @@
 
 #include "kernels/certificate.h"
 
-/// Damaged sides in which nothing happens, kWidth at a time (THEORY.md (16a), (16b)): three in four of a cracked house. Their
-/// bonded segments are elastic, each from its own plastic slip, and the others are open, so the sums of tractions have a closed form over
-/// the bonded ones. That no segment changes is certain while the side has not moved, since its segments were looked at, by more than takes
-/// the nearest of them to its limit.
+/// Damaged sides in which no segment changes state, kWidth at a time (THEORY.md (16a), (16b)): three in four damaged sides of a cracked
+/// house. Bonded segments are elastic, each from its own plastic slip, and unbonded segments are open, so the sums of tractions have a
+/// closed form over the bonded ones. No segment changes state while the side has moved less, since its segments were processed, than takes
+/// the nearest segment to its limit.
 namespace voussoir::kernels {
 
-/// How far faces have moved since, over the rectangle round the points [m].
+/// Displacement of faces since their segments were processed last, greatest over the rectangle of the points [m].
 struct MovedLanes {
-  Lanes apart, together, slide;  // most along the normal, either way (≥ 0); most along the faces
+  Lanes apart, together, slide;  // along the normal, apart and together (≥ 0); along the faces
 };
 VOUSSOIR_INLINE MovedLanes moved_since(const SideConstants& s, int at, LocalLanes d, LocalLanes ds, LocalLanes dt) noexcept {
   const Lanes zero{};
@@ -30,8 +30,8 @@ VOUSSOIR_INLINE MovedLanes moved_since(const SideConstants& s, int at, LocalLane
   return m;
 }
 
-/// Sums of tractions of the chosen lanes, put into `sums`; others keep theirs.
-/// \return lanes in which certainly no segment changes
+/// Writes the sums of tractions of the chosen lanes into `sums`; other lanes are unchanged.
+/// \return lanes in which certainly no segment changes state
 VOUSSOIR_INLINE LaneMask stay_steady(const SideBlock& block, const SteadySides& known, int at, const Kinematics& k, LaneMask chosen,
                                      SumLanes& sums) noexcept {
   const SideConstants& s = *block.constants;

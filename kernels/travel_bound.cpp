@@ -10,8 +10,8 @@ namespace voussoir::kernels {
 
 namespace {
 
-/// A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the sum of squares. 1.1: what lies beyond first
-/// order, for turns that a search waits for.
+/// Squared bound on the displacement of a point. A point turns by at most 2 |Δq| r to first order; the square of a sum is at most twice the
+/// sum of squares. The factor 1.1 covers higher orders for the turns that occur between searches.
 template <class Real>
 VOUSSOIR_INLINE Real squared_displacement(Real dx, Real dy, Real dz, Real dw, Real da, Real db, Real dc, Real radius) noexcept {
   const Real turn2 = 4.0 * radius * radius * (dw * dw + da * da + db * db + dc * dc);
@@ -21,8 +21,8 @@ VOUSSOIR_INLINE Real squared_displacement(Real dx, Real dy, Real dz, Real dw, Re
 VOUSSOIR_INLINE Lanes difference(const double* a, const double* b, std::int64_t i) noexcept {
   return load_lanes(a + i) - load_lanes(b + i);
 }
-/// To the digits of a float, whose root takes a third of the time. The square of a slow one is below the smallest float, and nothing would
-/// be no bound: hence a little more.
+/// Length of vectors with the digits of a float, whose root takes a third of the time. 1e-30 keeps the squares of slow motions above the
+/// smallest float, since zero would not be a bound.
 VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, std::int64_t i) noexcept {
   const VecLanes v{load_lanes(x + i), load_lanes(y + i), load_lanes(z + i)};
   Floats f = __builtin_convertvector(dot(v, v) + 1e-30, Floats);
@@ -30,8 +30,8 @@ VOUSSOIR_INLINE Lanes length(const double* x, const double* y, const double* z, 
   return __builtin_convertvector(f, Lanes);
 }
 
-// What `squared_displacement` makes of a sum of small motions is at most the sum of what it makes of each, and of one at most sqrt(2.2) of
-// its travel.
+// Greatest ratio of `squared_displacement`'s root to travel: the value of a sum of small motions is at most the sum of their values, and
+// that of one motion at most sqrt(2.2) times its travel.
 constexpr double kDisplacementOfTravel = 1.5;
 
 VOUSSOIR_INLINE Lanes displacements_of_group(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept {
@@ -46,7 +46,7 @@ VOUSSOIR_INLINE double largest(Lanes x) noexcept {
   return most;
 }
 
-/// Each element of the batch has its own bound. \return displacements of those that had to be computed
+/// Advances a batch in which each element has its own bound. \return the displacements that had to be computed
 VOUSSOIR_INLINE Lanes advance_each(const ElementsView& e, const TravelView& t, Lanes step, std::int64_t first) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
   Lanes farthest{};
@@ -62,7 +62,7 @@ VOUSSOIR_INLINE Lanes advance_each(const ElementsView& e, const TravelView& t, L
   return farthest;
 }
 
-/// The batch has one bound: it grows by the travel of the fastest element, with the radius of the largest.
+/// Advances a batch with one bound, which grows by the travel of the fastest element with the radius of the largest.
 VOUSSOIR_INLINE Lanes advance_together(const ElementsView& e, const TravelView& t, Lanes step, std::int64_t first) noexcept {
   const std::int64_t batch = first / kBatch;
   const Lanes radius = lanes(t.largest_radius[batch]);
@@ -87,7 +87,7 @@ double displacement_since_search(const ElementsView& e, const SearchedPoses& at,
 }
 
 double advance_travel(const ElementsView& e, const TravelView& t, std::int64_t first, std::int64_t last) noexcept {
-  const Lanes step = lanes(1.001 * t.dt);  // a little more for round-off and what `drift` cuts off
+  const Lanes step = lanes(1.001 * t.dt);  // 1.001: covers round-off and the truncation in `drift`
   Lanes farthest{};
   for (std::int64_t i = first; i < last; i += kBatch) {
     const bool each = t.active == nullptr || t.active[i / kBatch] != 0;

@@ -6,39 +6,39 @@
 
 #include "kernels/integrate.h"
 
-/// How far elements have moved since contact was searched for them (THEORY.md, "Who is near").
+/// Upper bounds on the travel of elements since contacts were searched for them (THEORY.md, "Who is near").
 namespace voussoir::kernels {
 
-/// Poses at which elements were searched last, as in ElementsView.
+/// Poses of elements at their last search, as in ElementsView.
 struct SearchedPoses {
   const double *ux, *uy, *uz;       // m
   const double *qw, *qx, *qy, *qz;  // orientation
-  const double* radius;             // m, of each element round its centroid
+  const double* radius;             // m, radius of each element about its centroid
 };
 
-/// m, by how much the point of an element that has moved most has moved since its search, or a little more.
+/// Upper bound on the displacement [m] of any point of element i since its search, exceeding the true value by little.
 double displacement_since_search(const ElementsView& e, const SearchedPoses& at, std::int64_t i) noexcept;
 
-/// Upper bounds on travel, and what follows from the last displacement that was computed.
+/// Upper bounds on travel, and the value up to which they need no check.
 struct TravelBounds {
-  double* bound;  // m, on the path of any point since the search
-  double* safe;   // m; as long as the bound is not over this, the displacement is not over the limit
+  double* bound;  // m, bound on the path of any point since the search
+  double* safe;   // m; while the bound is at most this, the displacement is within the limit
 };
 
-/// How all elements travel. The elements of a batch that is not active (ElementRows::active) share one bound: fewer numbers to go through.
+/// Travel of all elements. The elements of an inactive batch (ElementRows::active) share one bound, which saves memory traffic.
 struct TravelView {
   SearchedPoses at;
   double dt;                               // s
-  double limit;                            // m, a displacement that matters to nobody; always the same
+  double limit;                            // m, displacement below which no search is needed; constant
   TravelBounds element;                    // by element, of active batches
-  const std::uint8_t* active = nullptr;    // by batch; nullptr: all are
-  TravelBounds batch{};                    // by batch, of the others
+  const std::uint8_t* active = nullptr;    // by batch; nullptr: all are active
+  TravelBounds batch{};                    // by batch, of inactive batches
   const double* largest_radius = nullptr;  // m, by batch
 };
 
-/// Adds to the bounds of the elements [first, last), whole batches, what they travel in a step with the velocities they have. Computes the
-/// displacement of those only whose bound is over what is safe.
-/// \return the largest displacement over the limit [m], 0 if none is
+/// Adds the travel of one step, from the current velocities, to the bounds of the elements [first, last), whole batches. Computes the
+/// displacement only of elements whose bound exceeds `safe`.
+/// \return the largest displacement above the limit [m], 0 if there is none
 double advance_travel(const ElementsView& e, const TravelView& t, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -13,14 +13,13 @@ namespace voussoir::kernels {
 
 namespace {
 
-// The bound keeps this distance from the limits: it takes the mean normal, which is shorter than 1 by half of kSeries at most, for one of
-// length 1.
+// Share of the limits that the bound uses. The bound takes the length of the mean normal for 1; it is shorter by at most half of kSeries.
 constexpr double kInside = 1.0 - 1e-4;
-constexpr double kLength = 1e-14;  // m, round-off of displacements; so much is left of a limit of zero
-constexpr double kDigits = 1e5;  // |u|² − u_n² keeps its digits while u_n is not more than some so many times the slide that is allowed
-constexpr double kPoints = 2e-12;  // m, as points of sides are known: what Σ s t dA is no more for than for this means nothing
+constexpr double kLength = 1e-14;  // m, round-off of displacements: the margin of a limit of zero
+constexpr double kDigits = 1e5;    // |u|² − u_n² keeps its digits while u_n is at most this times the allowed slide
+constexpr double kPoints = 2e-12;  // m, precision of points of sides: a smaller Σ s t dA counts as zero
 
-/// A pair of orthogonal tangents, how far the points reach along them, and Σ s² dA, Σ t² dA, where Σ s t dA = 0.
+/// Two orthogonal tangents with Σ s t dA = 0, the reach of the points along them, and Σ s² dA, Σ t² dA.
 struct Principal {
   Vec3 es, et;
   double reach_s, reach_t, sss, stt;
@@ -30,7 +29,7 @@ Principal principal_of(const SideConstants& c, int l) noexcept {
   const auto vec = [l](const double v[3][kLanes]) { return Vec3{v[0][l], v[1][l], v[2][l]}; };
   double cosine = 1.0, sine = 0.0;
   const double reach = std::max({-c.s_low[l], c.s_high[l], -c.t_low[l], c.t_high[l]});
-  if (std::abs(c.sst[l]) > kPoints * 2.0 * reach * c.area[l]) {  // one rotation of Jacobi's
+  if (std::abs(c.sst[l]) > kPoints * 2.0 * reach * c.area[l]) {  // one Jacobi rotation
     const double theta = (c.stt[l] - c.sss[l]) / (2.0 * c.sst[l]);
     const double tangent = std::copysign(1.0, theta) / (std::abs(theta) + std::sqrt(1.0 + theta * theta));
     cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = -tangent * cosine;
@@ -58,7 +57,7 @@ int axis_of(Vec3 v) noexcept {
   return -1;
 }
 
-/// How far the bound lets a side go: |τ| up to c, or up to half of what the cap allows without pressure, so that some is left for pressure.
+/// Sets the limits of the bound: |τ| up to c, or up to half of what the cap allows without pressure, which leaves a part for pressure.
 void set_limits(const SideConstants& c, int l, WholeConstants& w) noexcept {
   const double shear = std::min(c.cohesion[l], 0.5 * c.compression[l] / std::sqrt(c.cap[l]));  // no cap: 1/0
   const double share = c.cap[l] > 0.0 ? shear / c.compression[l] : 0.0;
@@ -81,7 +80,7 @@ void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, W
   set_limits(c, l, w);
 }
 
-/// Brings a lane into the axes of the kernel: its normal is `axis`, its tangents are the two that follow.
+/// Permutes a lane into the axes of the kernel: its normal lies along `axis`, its tangents along the next two axes.
 void turn_to(int axis, int l, const Principal& p, WholeConstants& w) noexcept {
   if (axis_of(p.es) != (axis + 1) % 3) std::swap(w.reach_s[l], w.reach_t[l]), std::swap(w.about_s[l], w.about_t[l]);
   if (part(cross(p.es, p.et), axis) < 0.0) std::swap(w.forward[l], w.backward[l]);
@@ -100,7 +99,7 @@ WholeConstants whole_constants(const SideConstants& c, unsigned on_base) noexcep
   Principal principal[kLanes];
   int axis = -2;  // −2: none yet
   for (int l = 0; l < kLanes; ++l) {
-    if (c.area[l] == 0.0) continue;  // a lane without a side, which nobody evaluates
+    if (c.area[l] == 0.0) continue;  // an unused lane, whose results nobody reads
     principal[l] = principal_of(c, l);
     set_lane(c, l, (on_base >> l & 1U) != 0, principal[l], w);
     const int here = c.mean[l] == 0.5 ? axis_of_side(principal[l].es, principal[l].et) : -1;
@@ -115,7 +114,7 @@ WholeConstants whole_constants(const SideConstants& c, unsigned on_base) noexcep
 
 namespace {
 
-/// How kWidth sides stand, global axes.
+/// Displacements and frames of kWidth sides, global axes.
 struct Standing {
   VecLanes d, a, b;       // u(s,t) = d + s a + t b [m, -, -]
   VecLanes es, et, n;     // twice the mean tangents and the mean normal
@@ -124,13 +123,13 @@ struct Standing {
 
 VOUSSOIR_INLINE Lanes part(VecLanes v, int axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// a·b + c, added up from c on.
+/// a·b + c, summed from c on.
 VOUSSOIR_INLINE Lanes dot_plus(VecLanes a, VecLanes b, Lanes c) noexcept { return a.z * b.z + (a.y * b.y + (a.x * b.x + c)); }
 VOUSSOIR_INLINE VecLanes cross_plus(VecLanes a, VecLanes b, VecLanes c) noexcept {
   return {c.x + a.y * b.z - a.z * b.y, c.y + a.z * b.x - a.x * b.z, c.z + a.x * b.y - a.y * b.x};
 }
 
-/// Component i of the tangents and the normal, and of what they carry, of sides that look along `axis`: columns of R − I.
+/// Component i of the tangents and the normal, and of the arms, of sides whose normals lie along `axis`: columns of R − I.
 template <int axis>
 VOUSSOIR_INLINE void stand_along(int i, VecLanes p, VecLanes q, Lanes VecLanes::*x, Standing& k) noexcept {
   constexpr int s = (axis + 1) % 3, t = (axis + 2) % 3;
@@ -141,7 +140,7 @@ VOUSSOIR_INLINE void stand_along(int i, VecLanes p, VecLanes q, Lanes VecLanes::
   k.es.*x = twice(s), k.et.*x = twice(t), k.n.*x = twice(axis);
 }
 
-/// The same of sides that look anywhere.
+/// Component i for sides of any direction.
 VOUSSOIR_INLINE void stand_anyhow(const WholeConstants& c, int at, int i, VecLanes p, VecLanes q, Lanes VecLanes::*x,
                                   Standing& k) noexcept {
   const VecLanes es = load3(c.es, at), et = load3(c.et, at), n = cross(es, et), difference = q - p;
@@ -168,8 +167,8 @@ VOUSSOIR_INLINE void stand(const WholeConstants& c, int at, int i, const RowPoin
   }
 }
 
-/// Lanes that certainly stay whole: |u_n − d_n| is at most S |a_n| + T |b_n|, and the square of a sum of three at most three times the sum
-/// of the squares. dn, an, bn are twice the components of d, a, b along the mean normal, whose square is 1 + e.
+/// Lanes that certainly stay whole: |u_n − d_n| is at most S |a_n| + T |b_n|, and the square of a sum of three is at most three times the
+/// sum of the squares. dn, an, bn are twice the components of d, a, b along the mean normal, whose square is 1 + e.
 VOUSSOIR_INLINE LaneMask inside(const WholeConstants& c, int at, const Standing& k, Lanes e, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s = load_lanes(c.reach_s + at), t = load_lanes(c.reach_t + at), sn = s * an, tn = t * bn;
   const Lanes swing = max(sn, -sn) + max(tn, -tn);
@@ -181,7 +180,7 @@ VOUSSOIR_INLINE LaneMask inside(const WholeConstants& c, int at, const Standing&
 
 VOUSSOIR_INLINE VecLanes scaled_sum(Lanes f, VecLanes a, VecLanes b) noexcept { return {f * a.x + b.x, f * a.y + b.y, f * a.z + b.z}; }
 
-/// The sides `live` of a group of lanes; false, and nothing is done, if they are not certain to stay whole.
+/// Advances the sides `live` of a group of lanes; does nothing and returns false if the sides are not certain to stay whole.
 template <int axis>
 VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live, std::int64_t first, const Rows& rows) noexcept {
   const WholeConstants& c = *block.whole;
@@ -205,14 +204,14 @@ VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live
   return true;
 }
 
-/// Asks for what the kernel of an axis reads.
+/// Prefetches the constants that the kernel of an axis reads.
 template <int axis>
 VOUSSOIR_INLINE void prefetch_constants(const WholeConstants& c) noexcept {
   prefetch(&c, axis < 0 ? sizeof c : offsetof(WholeConstants, es));
 }
 
-/// Goes on with block `i` of the run as long as blocks look along `axis`; false: block i is not certain to stay whole, but for `lanes` of
-/// it, which are done.
+/// Advances blocks of the run from block `i` on while their normals lie along `axis`. False: block i is not certain to stay whole, except
+/// for its `lanes`, which are done.
 template <int axis>
 [[gnu::noinline]] bool advance_along(const WholeRun& run, std::size_t& i, const Rows& rows, unsigned& lanes) noexcept {
   for (; i < run.numbers.size(); ++i) {

@@ -9,7 +9,7 @@ namespace voussoir::kernels {
 
 namespace {
 
-/// Lanes whose entry of `list` is `value`.
+/// Lanes in which the entry of `list` equals `value`.
 VOUSSOIR_INLINE LaneMask equal(const std::int32_t* list, std::int32_t value) noexcept {
   typedef std::int32_t Ints __attribute__((vector_size(4 * kWidth)));
   Ints x;
@@ -36,7 +36,7 @@ struct Touching {
   Lanes stored{}, friction{}, impact{};
 };
 
-/// The pair of a patch and one face, ready for several points at a time.
+/// The pair of a patch and one face, prepared for several points at a time.
 struct FacingLanes {
   VecLanes n, v0, vs, vt;
   MatLanes d, d_transposed;  // R − I of the master, and its transpose
@@ -53,8 +53,8 @@ VOUSSOIR_INLINE FacingLanes facing_lanes(const Facing& f, const Mat3& d, double 
           step};
 }
 
-/// Traction of the points of a chunk that touch one face, and their slip: the law of `touch` in reference/contact_patch.cpp. Points that
-/// are inside but not down on their offset carry nothing and lose their slip.
+/// Traction and slip of the points of a chunk that touch one face: the law of `touch` in reference/contact_patch.cpp. Points inside the
+/// body but above their offset carry no force and lose their slip.
 VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine,
                            Touching& sum) noexcept {
   PointSprings& k = q.springs_at(i);
@@ -92,7 +92,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   store_lanes(k.slip_x, kept.x), store_lanes(k.slip_y, kept.y), store_lanes(k.slip_z, kept.z);
   const Lanes n_now = select(closed, xn, zero);
   sum.stored += da * (0.5 * f.k.kn * (n_now * n_now) + 0.5 * f.k.ks * dot(now, now));
-  // A point that was closed, stays closed and does not slip loses nothing.
+  // No loss in a point that was closed, stays closed and does not slip.
   const Lanes dun = g.step * vn;
   const LaneMask changed = mine & (cut | (closed ^ (xn - dun < 0.0)) | ~closed);
   if (bits(changed) == 0) return;
@@ -104,7 +104,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   sum.impact += select(changed, da * normal, zero);
 }
 
-/// Those of a chunk that touch one face and are pressed harder than they bear.
+/// Crushes the points `mine` of a chunk, which touch one face, where their pressure exceeds their strength.
 [[gnu::noinline]] void crush(Work& w, const Facing& f, int i, unsigned mine) noexcept {
   for (; mine != 0; mine &= mine - 1) {
     const int k = i + std::countr_zero(mine);
@@ -112,7 +112,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   }
 }
 
-/// Points of the patch in the range of a candidate that touch one face of it.
+/// Forces of the points in the range of a candidate that touch one of its faces.
 void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face, Touching& sum) noexcept {
   const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
   for (int i = c.first; i < c.last; i += kWidth) {
@@ -123,7 +123,7 @@ void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face,
   }
 }
 
-/// Lists the faces of candidate c that points of its range push against, each once, in the order of the points.
+/// Lists the faces of candidate c against which points of its range push, each once, in the order of the points.
 int faces_pushed(const Work& w, const Candidate& c, std::int32_t* list) noexcept {
   int count = 0;
   for (int i = c.first; i < c.last; ++i) {
@@ -134,7 +134,7 @@ int faces_pushed(const Work& w, const Candidate& c, std::int32_t* list) noexcept
   return count;
 }
 
-/// Writes down who touches whom. Those that touch are to be looked at.
+/// Writes to the candidates which points touch them and which faces these points push against.
 void list_partners(Work& w) noexcept {
   for (Candidate& c : w.candidates) c.face = kNoFace, c.first = c.last = 0;
   if (w.r.touching == 0 && !w.changed) return;
@@ -145,7 +145,7 @@ void list_partners(Work& w) noexcept {
       ++w.r.touching;
       const auto is_partner = [&](const Candidate& c) { return c.element == w.q.partner[k]; };
       const auto found = std::find_if(w.candidates.begin(), w.candidates.end(), is_partner);
-      if (found == w.candidates.end()) continue;  // only a forged checkpoint has such a point
+      if (found == w.candidates.end()) continue;  // only in a forged checkpoint
       Candidate& c = *found;
       if (c.last == 0) c.first = i, c.safe = kLookNow;
       c.last = i + kWidth;
@@ -155,14 +155,14 @@ void list_partners(Work& w) noexcept {
   }
 }
 
-/// Forces of all points that touch candidate c. Returns whether any carries force.
+/// Forces of all points that touch candidate c. Returns whether any point carries force.
 bool evaluate(Work& w, const Candidate& c, PairWrench& wrench) noexcept {
   if (c.face == kNoFace) return false;
   const InSlave y = slave_frame(w, c);
   Touching sum;
   const auto add = [&](std::int32_t face) { touch_face(w, facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o), c, face, sum); };
   if (c.face == kSeveralFaces) {
-    std::int32_t* const faces = w.scratch.face;  // at most one a point
+    std::int32_t* const faces = w.scratch.face;  // at most one per point
     const int count = faces_pushed(w, c, faces);
     for (int n = 0; n < count; ++n) add(faces[n]);
   } else {
@@ -175,14 +175,14 @@ bool evaluate(Work& w, const Candidate& c, PairWrench& wrench) noexcept {
   return true;
 }
 
-/// Largest distance of the points of a chunk over the faces of a candidate: negative inside.
+/// Greatest distance of the points of a chunk from the faces of a candidate [m]: negative inside.
 VOUSSOIR_INLINE Lanes distances(const PlaneFields& planes, Lanes s, Lanes t) noexcept {
   Lanes most = lanes(-1e300);
   for (int f = 0; f < planes.count; ++f) most = max(most, planes.g[f].g0 + s * planes.g[f].gs + t * planes.g[f].gt);
   return most;
 }
 
-/// The same apart for the face that each point touches and for all others.
+/// Distances of points from the face that each touches, and greatest distance from all other faces.
 struct Distances {
   Lanes own = lanes(-1e300), beside = lanes(-1e300);
 };
@@ -198,14 +198,15 @@ VOUSSOIR_INLINE Distances distances_of_held(const PlaneFields& planes, std::int3
   return d;
 }
 
-// A point that stands out of its face may lie beyond the radius of its partner that travel bounds are about, by less than the rest.
+// Share of the distance to other faces that held points may use. A point outside its partner's face may lie beyond the partner's radius,
+// for which travel bounds hold; the remaining 5 % covers the difference.
 constexpr double kHeldRoom = 0.95;
 
-/// How far out of its partner's face each point stays with it: the offset it brought along from its joint, on which it still stands.
+/// Distance outside its partner's face up to which a point stays [m]: the offset from its joint, at which it is still in contact.
 VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(lanes(0.0), load_lanes(q.springs_at(i).closure)); }
 
-/// Points of the patch against candidate k: few have come in or left. Returns the travel [m] of both bodies before one of the others can,
-/// but for those that leave through the face they touch.
+/// Tests the points of the patch against candidate k; few of them come in or leave in a step. Returns the travel [m] of both bodies before
+/// another point can come in or leave, except through the face that the point touches.
 double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
@@ -237,7 +238,7 @@ double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
   return least;
 }
 
-/// True if some point that touches candidate c may have left it through its face. The bound on all other ways out is Candidate::safe.
+/// Whether some point that touches candidate c may have left through that face. All other ways out are bounded by Candidate::safe.
 bool leaves(const Work& w, const Candidate& c) noexcept {
   if (c.face == kNoFace) return false;
   if (c.face == kSeveralFaces) return true;
@@ -253,11 +254,11 @@ bool leaves(const Work& w, const Candidate& c) noexcept {
   return bits(out) != 0;
 }
 
-/// Looks at candidate k where something may have changed: most steps nothing can.
+/// Tests candidate k if something may have changed; in most steps nothing can.
 void look_if_due(Work& w, std::int32_t k) noexcept {
   Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const double travel = w.bodies.travel[w.patch.element] + w.bodies.travel[c.element];
-  if (travel < c.safe && !w.changed && !leaves(w, c)) return;  // a point that another partner has let go is a new one for this
+  if (travel < c.safe && !w.changed && !leaves(w, c)) return;  // a point released by another partner is new for this candidate
   const InSlave y = slave_frame(w, c);
   const double apart = c.first < c.last ? -1.0 : separation(w.patch, y, w.faces, c);
   if (apart < 0.0 && !w.looked) std::fill_n(w.scratch.candidate, w.points.n, -1), w.looked = true;
@@ -273,7 +274,7 @@ double depth_under_face(const Patch& patch, double s, double t, std::int32_t sla
   return facing(patch, m, y, {.element = slave}, face, bodies, faces, o).depth.at(s, t);
 }
 
-// Pass 1 releases points that left their partner and finds a new one for free points; pass 2 evaluates the forces.
+// Pass 1 releases points that left their partner and finds partners for free points; pass 2 evaluates the forces.
 PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q, int touching, std::span<Candidate> candidates,
                           const Bodies& bodies, const Face* faces, const ContactOptions& o, PatchScratch scratch, PairWrench* wrench,
                           std::uint8_t* active) noexcept {

@@ -7,10 +7,10 @@
 
 #include "kernels/contact/contact_patch.h"
 
-/// Parts that the kernel of free patches and its plain twin share: geometry of a patch against a candidate, and who touches whom.
+/// Parts shared by the kernel of free patches and its plain twin: geometry of a patch against a candidate, and the choice of partners.
 namespace voussoir::kernels {
 
-/// The patch in the body frame of a candidate: y(s,t) = y0 + s·ys + t·yt, from the candidate's centroid.
+/// The patch in the body frame of a candidate: y(s,t) = y0 + s·ys + t·yt, relative to the candidate's centroid.
 struct InSlave {
   Vec3 y0, ys, yt, normal;
 };
@@ -18,7 +18,7 @@ struct InSlave {
 struct Master {
   Pose pose;
   Twist twist;
-  Vec3 ref, centre, es, et, normal;  // centre: from the reference centroid, displaced; current axes
+  Vec3 ref, centre, es, et, normal;  // ref: reference centroid [m]; centre: relative to it, displaced [m]; current axes
 };
 
 inline Vec3 apply(const Pose& p, Vec3 r) noexcept { return r + p.d * r; }
@@ -47,20 +47,20 @@ inline PlaneField plane_field(const InSlave& y, const Face* faces, int face) noe
   return {dot(n, y.y0) - faces[face].distance, dot(n, y.ys), dot(n, y.yt)};
 }
 
-/// Over the rectangle of the patch.
+/// Least distance to a plane over the rectangle of the patch [m].
 inline double least_distance(const Patch& p, PlaneField g) noexcept {
   const double s = g.gs > 0.0 ? p.s_low : p.s_high, t = g.gt > 0.0 ? p.t_low : p.t_high;
   return g.at(s, t);
 }
 
-/// Distance [m] that one face of the candidate, the best, keeps between it and the whole patch; negative: none separates them.
+/// Greatest distance [m] that any one face of the candidate keeps to the whole patch; negative: no face separates the two.
 inline double separation(const Patch& p, const InSlave& y, const Face* faces, const Candidate& c) noexcept {
   double most = -1e300;
   for (int f = c.first_face; f < c.first_face + c.face_count; ++f) most = std::max(most, least_distance(p, plane_field(y, faces, f)));
   return most;
 }
 
-/// All faces of a candidate over the patch.
+/// Signed distances of the patch to all faces of a candidate.
 struct PlaneFields {
   const PlaneField* g = nullptr;
   int count = 0;
@@ -70,8 +70,8 @@ inline PlaneFields plane_fields(const InSlave& y, const Face* faces, const Candi
   return {room, c.face_count};
 }
 
-/// True if the patch opposes a face of another element: if its normals face each other well enough, or if no face of the element does so
-/// more. Without the latter a corner sharper than a brick's would find no hold, and sink.
+/// Whether the patch opposes a face of another element: the normals oppose well enough (kOpposing), or no face of the patch's element
+/// opposes that face better. Without the second rule a corner sharper than a brick's would find no hold, and sink.
 inline bool opposes(const Patch& p, const Master& m, const InSlave& y, const Pose& slave, std::int32_t face, const Face* faces) noexcept {
   const double own = dot(y.normal, faces[face].normal);
   if (own < kOpposing) return true;
@@ -104,7 +104,7 @@ inline void release(ContactPoints q, int i) noexcept {
   q.closure(i) = q.recess(i);
 }
 
-/// Springs and dashpots between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
+/// Stiffness and damping between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
 inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const Bodies& b, const Face* t, const ContactOptions& o) noexcept {
   Stiffness k;
   if (slave == p.origin && face == p.origin_face) {
@@ -122,11 +122,11 @@ inline Stiffness stiffness(const Patch& p, std::int32_t slave, int face, const B
   return k;
 }
 
-/// The pair of a patch and one face, ready for its points.
+/// The pair of a patch and one face, with all quantities that its points need.
 struct Facing {
-  Vec3 n;            // direction of u_n: outward of the patch (−n_B, or n_A under master_normal)
+  Vec3 n;            // direction of u_n: outward from the patch (−n_B, or n_A under master_normal)
   PlaneField depth;  // u_n(s,t) [m], negative inside
-  Vec3 v0, vs, vt;   // rate of the slave relative to the master
+  Vec3 v0, vs, vt;   // m/s, 1/s, 1/s: velocity of the slave relative to the master, v0 + s·vs + t·vt
   Stiffness k;
   double tan_phi = 0.0, factor = 0.5;
   double excess = kBounded;  // ContactOptions::dashpot_excess
@@ -139,8 +139,8 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   const Vec3 nb = apply(slave, faces[face].normal);
   const PlaneField g = plane_field(y, faces, face);
   Facing f;
-  // Under `master` the point is pushed along its own face's normal, by the distance to B's face along that normal.
-  // Faces that hardly look against each other have no such distance: there it is B's normal as well.
+  // Under `master` the point is pushed along the normal of its own face, by the distance to B's face along that normal.
+  // Faces that hardly oppose each other have no such distance, so the normal of B is used for them.
   const double opposed = -dot(m.normal, nb);
   const bool along_own = o.master_normal && opposed > -kOpposing;
   const double stretch = along_own ? 1.0 / opposed : 1.0;
@@ -159,7 +159,7 @@ inline Facing facing(const Patch& p, const Master& m, const InSlave& y, const Ca
   return f;
 }
 
-/// A point has opened in this step: counts what its springs still held as lost (trapezoid rule, as in advance_segment).
+/// Counts the energy left in the springs of a point that opened in this step as lost (trapezoid rule, as in advance_segment).
 inline void record_opening(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step,
                            PatchResult& r) noexcept {
   const double un = f.depth.at(s, t) - q.closure(i);
@@ -172,7 +172,7 @@ inline void record_opening(const Facing& f, const Pose& master, double s, double
   r.friction += 0.5 * da * f.k.ks * (dot(slip, slip) + step * dot(slip, v - vn * f.n));
 }
 
-/// Lets point i, which touches, give way if it is pressed harder than it bears, before the law of contact is asked
+/// Crushes point i, which touches, as far as its pressure exceeds its strength, before the law of contact is applied
 /// (kernels/laws/crushing.h).
 inline void crush_point(const Facing& f, double s, double t, double area, ContactPoints q, int i, const ContactOptions& o,
                         PatchResult& r) noexcept {
@@ -184,7 +184,7 @@ inline void crush_point(const Facing& f, double s, double t, double area, Contac
   q.closure(i) -= by;
 }
 
-/// One advance_patch call: everything its passes share.
+/// Data shared by all passes of one advance_patch call.
 struct Work {
   const Patch& patch;
   PointsView points;
@@ -198,32 +198,32 @@ struct Work {
   PatchResult r;
   bool looked = false;   // `scratch.candidate` is set
   bool noted = false;    // some free point has a new partner in `scratch`
-  bool changed = false;  // some point has another partner than before
+  bool changed = false;  // some point has changed its partner
 };
 
 inline InSlave slave_frame(const Work& w, const Candidate& c) noexcept {
   return in_slave(w.m, load_pose(w.bodies.pose, c.element), reference(w.bodies, c.element));
 }
 
-/// A face of a candidate for a free point inside of it.
+/// The face of a candidate that holds a free point inside the candidate.
 struct Entry {
   std::int32_t face = kNoFace;
-  double depth = 0.0;  // m, under the face when this step began, above 0: inside
+  double depth = 0.0;  // m, under the face at the beginning of the step; above 0: inside
 };
 
-/// True if no face holds the point near its plane.
+/// Whether the entry has no face, or lies deeper than kSlight under it.
 inline bool is_deep(const Entry& e) noexcept { return e.face == kNoFace || e.depth > kSlight; }
 
-/// The face through which point i came into candidate c in this step, the last one if there were several; kNoFace: none.
+/// The face through which point i came into candidate c in this step, the last one if it crossed several; kNoFace: none.
 inline std::int32_t crossed_face(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
   const double s = w.points.s[i], t = w.points.t[i];
   const Pose slave = load_pose(w.bodies.pose, c.element);
   const Facing f = facing(w.patch, w.m, y, c, c.first_face, w.bodies, w.faces, w.o);
-  const Vec3 v = apply_transposed(slave, f.v0 + s * f.vs + t * f.vt);  // of the candidate, as seen from the point, in its body axes
+  const Vec3 v = apply_transposed(slave, f.v0 + s * f.vs + t * f.vt);  // velocity relative to the point, in the candidate's body axes
   std::int32_t last = kNoFace;
   double ago = w.o.step;
   for (int k = 0; k < planes.count; ++k) {
-    const double speed = dot(v, w.faces[c.first_face + k].normal);  // into the face
+    const double speed = dot(v, w.faces[c.first_face + k].normal);  // inward, through the face
     const double depth = -planes.g[k].at(s, t);
     if (speed <= 0.0 || depth > ago * speed) continue;
     ago = depth / speed;
@@ -232,7 +232,7 @@ inline std::int32_t crossed_face(const Work& w, const Candidate& c, const InSlav
   return last;
 }
 
-/// The least penetrated face that looks against the patch at all; kNoFace if there is none.
+/// The least penetrated face with a normal component against the patch; kNoFace if there is none.
 inline std::int32_t nearest_face(double s, double t, const InSlave& y, const PlaneFields& planes, const Face* faces,
                                  const Candidate& c) noexcept {
   std::int32_t best = kNoFace;
@@ -246,7 +246,7 @@ inline std::int32_t nearest_face(double s, double t, const InSlave& y, const Pla
   return best;
 }
 
-/// Point i under a face of candidate c.
+/// Depth of point i under a face of candidate c.
 inline Entry entry_under(const Work& w, const Candidate& c, const InSlave& y, std::int32_t face, int i) noexcept {
   if (face == kNoFace) return {};
   const double s = w.points.s[i], t = w.points.t[i];
@@ -255,9 +255,9 @@ inline Entry entry_under(const Work& w, const Candidate& c, const InSlave& y, st
   return {face, taken - f.depth.at(s, t)};
 }
 
-/// Which face of candidate c holds point i: one that opposes the patch and under which the point is not deep; else the one through which it
-/// has just come; else, wherever it came from, the nearest that opposes, or that looks against it at all. Without
-/// ContactOptions::crossed_faces only the first of these.
+/// The face of candidate c that holds point i: one that opposes the patch and under which the point is not deep; else the face through
+/// which the point has just come; else the least penetrated one that opposes the patch, or, if none does, that faces against it at all.
+/// Without ContactOptions::crossed_faces only the first of these.
 inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const PlaneFields& planes, int i) noexcept {
   const double s = w.points.s[i], t = w.points.t[i];
   const Pose slave = load_pose(w.bodies.pose, c.element);
@@ -270,8 +270,9 @@ inline Entry entry_of(const Work& w, const Candidate& c, const InSlave& y, const
   return opposing != kNoFace ? e : entry_under(w, c, y, nearest_face(s, t, y, planes, w.faces, c), i);
 }
 
-/// Who has a free point that several candidates claim: one in which it is not deep before one in which it is, and this before one without
-/// a face; then the element that the patch was joined to, then the one that it was in more deeply.
+/// Whether candidate k has precedence over `other` for a free point that both claim: one in which the point is not deep before one in which
+/// it is, and the latter before one without a face; then the element that the patch was joined to, then the one in which the point was
+/// deeper.
 inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::int32_t other, const Entry& than) noexcept {
   const auto rank = [](const Entry& x) { return x.face == kNoFace ? 0 : is_deep(x) ? 1 : 2; };
   if (rank(e) != rank(than)) return rank(e) > rank(than);
@@ -281,8 +282,8 @@ inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::i
   return e.depth > than.depth;
 }
 
-/// What becomes of a point that is free or touches candidate k: it is released if it does not stay, or candidate k is noted if no other
-/// has more claim to the free point so far. `in`: the point is inside of it, or stays with it.
+/// Updates a point that is free or touches candidate k: releases the point if it leaves, or notes candidate k as its partner if no other
+/// has precedence so far. `in`: the point is inside the candidate, or stays with it.
 inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const PlaneFields& planes, int i, bool in) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   if (w.q.partner[i] == c.element) {
@@ -295,7 +296,7 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
     w.changed = true;
   } else if (in) {
     const Entry e = entry_of(w, c, y, planes, i);
-    if (e.face == kNoFace && !w.o.crossed_faces) return;  // free for another body
+    if (e.face == kNoFace && !w.o.crossed_faces) return;  // left free for another body
     const std::int32_t other = w.scratch.candidate[i];
     if (other >= 0 && !has_more_claim(w, k, e, other, {w.scratch.face[i], w.scratch.depth[i]})) return;
     w.scratch.candidate[i] = k;
@@ -305,8 +306,8 @@ inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const Plane
   }
 }
 
-/// Gives free points the partners found for them. One that was inside before this step keeps the depth it had as an offset: its springs
-/// begin without force, so that they can give back no more than they took.
+/// Gives free points the partners found for them. A point that was inside before this step keeps that depth as an offset: its springs begin
+/// without force, so that they return no more energy than they took.
 inline void take_partners(Work& w) noexcept {
   for (int i = 0; i < w.points.n; ++i) {
     const std::int32_t k = w.scratch.candidate[i];

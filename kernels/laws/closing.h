@@ -8,27 +8,27 @@
 #include "kernels/laws/crushing.h"
 
 /// A dry joint that stiffens as it closes, by the hyperbola of Bandis, Lumsden and Barton (1983), in series with its blocks: THEORY.md
-/// (17a)-(17c). Like crushing it only moves the closure of a point: to where a spring of the stiffness without pressure has the pressure of
-/// the hyperbola. So the laws of contact (segment_law.h, chunk_law.h) go on from there as they are.
+/// (17a)-(17c). As in crushing, only the closure of a point is changed: to a value at which a spring of the stiffness without pressure has
+/// the pressure of the hyperbola. The laws of contact (segment_law.h, chunk_law.h) then apply unchanged.
 namespace voussoir::kernels {
 
 struct Closing {
-  double most = 0.0;    // m, V: the joint closes by no more, whatever the pressure; 0: its stiffness is one number
-  double scale = 0.0;   // Pa, k_n V: the pressure at which the joint has closed by half of it
+  double most = 0.0;    // m, V: greatest closure of the joint under any pressure; 0: its stiffness is constant
+  double scale = 0.0;   // Pa, k_n V: pressure at which the joint has closed by V/2
   double blocks = 0.0;  // Pa/m, stiffness of the two blocks without the joint, (4)
 
   [[nodiscard]] bool on() const noexcept { return most > 0.0; }
 };
 
-/// Pa, under which they have come together by x [m]; 0 where they are apart. (17b)
+/// Pressure [Pa] at a closure of x [m] of joint and blocks, (17b); 0 for an open joint.
 inline double pressure_at(double x, const Closing& a) noexcept {
   if (x <= 0.0) return 0.0;
   const double b = a.most + a.scale / a.blocks - x;
   const double root = std::sqrt(b * b + 4.0 * x * a.scale / a.blocks);
-  return b > 0.0 ? 2.0 * x * a.scale / (b + root) : 0.5 * a.blocks * (root - b);  // whichever adds
+  return b > 0.0 ? 2.0 * x * a.scale / (b + root) : 0.5 * a.blocks * (root - b);  // the form without cancellation
 }
 
-/// Pa/m, slope of the pressure: (17d).
+/// Slope of the pressure over the closure [Pa/m] at the pressure p [Pa]: (17d).
 inline double stiffness_at(double p, const Closing& a) noexcept {
   const double whole = a.scale + p;
   return 1.0 / (1.0 / a.blocks + a.most * a.scale / (whole * whole));
@@ -36,7 +36,7 @@ inline double stiffness_at(double p, const Closing& a) noexcept {
 
 namespace detail {
 
-/// ln(1 + z) − z/(1 + z) for z ≥ 0, by no library: its bits are the same everywhere.
+/// ln(1 + z) − z/(1 + z) for z ≥ 0, without the standard library, so that its bits are the same everywhere.
 inline double stored_share(double z) noexcept {
   if (z < 0.05) {  // Σ (−1)^n (n − 1)/n zⁿ
     double sum = 0.0;
@@ -55,13 +55,13 @@ inline double stored_share(double z) noexcept {
 
 }  // namespace detail
 
-/// J/m2, elastic energy under the pressure p: (17c).
+/// Elastic energy [J/m2] under the pressure p [Pa]: (17c).
 inline double stored_at(double p, const Closing& a) noexcept {
   return 0.5 * p * p / a.blocks + a.most * a.scale * detail::stored_share(p / a.scale);
 }
 
-/// By how much [m] a point is crushed further whose faces have come together by x [m]: (19b) with the hyperbola, by bisection.
-/// \pre the slope of crushing is below stiffness_at all pressures that it passes
+/// Further crushing [m] of a point at a closure of x [m], crushed by `crushed` [m] before: (19b) with the hyperbola, by bisection.
+/// \pre the slope of crushing is below stiffness_at all pressures on the way
 inline double crushed_further(double x, double crushed, const Closing& a, const Crushing& c) noexcept {
   if (pressure_at(x, a) <= bearing(crushed, c)) return 0.0;
   double low = 0.0, high = x;
@@ -72,15 +72,16 @@ inline double crushed_further(double x, double crushed, const Closing& a, const 
   return std::min(high, std::max(0.0, c.depth - crushed));
 }
 
-/// What a point without a bond does along its normal in a step, before the law of contact is asked.
+/// Normal behaviour of an unbonded point in a step, determined before the law of contact is applied.
 struct Closed {
-  double closure = 0.0;  // m, from now on
-  double crushed = 0.0;  // m, further
-  double lost = 0.0;     // J/m2: what (28) gives for the whole step, less what the law of contact books from this closure on
+  double closure = 0.0;  // m, new closure
+  double crushed = 0.0;  // m, further crushing
+  double lost = 0.0;     // J/m2: loss by (28) for the whole step, less the loss that the law of contact books with the new closure
 };
 
-/// \param u   m, opening of the faces now  \param du  m, by which it has grown in this step
-/// \param kn  Pa/m, stiffness without pressure: that of the law of contact  \param crushing  nullptr: the point bears any pressure
+/// Closes and crushes a point under the hyperbola.
+/// \param u  m, opening of the faces now \param du  m, growth of the opening in this step
+/// \param kn  Pa/m, stiffness without pressure, used by the law of contact \param crushing  nullptr: the point bears any pressure
 inline Closed close_point(double u, double du, double crushed, double kn, const Closing& a, const Crushing* crushing) noexcept {
   const double x = -(u + crushed), x_before = x + du;
   Closed r{.closure = -crushed};

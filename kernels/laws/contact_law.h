@@ -13,13 +13,13 @@ namespace voussoir::kernels {
 
 struct ContactStep {
   Vec3 spring;            // m, elongation of the shear spring at the end of the step
-  Vec3 before;            // m, and at its beginning, turned into the plane of today's contact
-  Vec3 elastic, dashpot;  // Pa or N, on the body that `normal` leads out of
+  Vec3 before;            // m, elongation at the beginning, turned into the plane of the current contact
+  Vec3 elastic, dashpot;  // Pa or N, on the body that `normal` points out of
 };
 
-/// One step of a contact that is closed.
-/// \param xn      m, its elongation along `normal`, below 0
-/// \param rate    m/s, of the other body relative to this one
+/// Advances a closed contact by one step.
+/// \param xn  m, elongation along `normal`, below 0
+/// \param rate  m/s, of the other body relative to this one
 /// \param spring  m, elongation of the shear spring at the end of the last step
 /// \param excess  of dashpots: kBounded or kUnbounded
 inline ContactStep advance_contact(double xn, Vec3 normal, Vec3 rate, Vec3 spring, Stiffness k, double tan_phi, double step,
@@ -29,7 +29,7 @@ inline ContactStep advance_contact(double xn, Vec3 normal, Vec3 rate, Vec3 sprin
   const Vec3 slide = rate - vn * normal;
   c.before = spring - dot(spring, normal) * normal;
   c.spring = c.before + step * slide;
-  const double dn = std::min(k.cn * vn, excess - k.kn * xn);  // bounded, the normal total never pulls
+  const double dn = std::min(k.cn * vn, excess - k.kn * xn);  // bounded: the total normal force never pulls
   const double limit = std::max(0.0, -(k.kn * xn + dn) * tan_phi);
   const double shear = k.ks * norm(c.spring);
   if (shear > limit) c.spring *= limit / shear;

@@ -4,31 +4,31 @@
 
 #include <algorithm>
 
-/// Pressure that a contact bears, and how its surface gives way beyond it: THEORY.md (19a)-(19c). What is crushed is gone for good: the
-/// point lies that much deeper in its face from then on, whoever it meets. So crushing lowers the closure of a point, and the laws of
-/// contact (segment_law.h, patch_work.h) go on from there as they are.
+/// Crushing of contacts: the pressure that a contact bears, and its permanent loss of height beyond it, THEORY.md (19a)-(19c). A crushed
+/// point lies that much deeper in its face from then on, against any partner. Crushing lowers the closure of a point; the laws of contact
+/// (segment_law.h, patch_work.h) then apply unchanged.
 namespace voussoir::kernels {
 
 struct Crushing {
   double strength = 0.0;  // Pa; 0: contacts bear any pressure
-  double residual = 0.0;  // Pa, of what is crushed
-  double slope = 0.0;     // Pa/m, by which strength falls to it; 0: it does not fall
-  double depth = 0.0;     // m, most that a point is crushed: from there on it bears any pressure
+  double residual = 0.0;  // Pa, of crushed material
+  double slope = 0.0;     // Pa/m, loss of strength per crushed depth, down to `residual`; 0: no loss
+  double depth = 0.0;     // m, greatest crushed depth; at that depth a point bears any pressure
 
   [[nodiscard]] bool on() const noexcept { return strength > 0.0; }
 };
 
-/// Pa, that a point bears which has been crushed by `crushed` [m].
+/// Pressure [Pa] that a point bears after being crushed by `crushed` [m].
 inline double bearing(double crushed, const Crushing& a) noexcept {
   return a.slope > 0.0 ? std::max(a.residual, a.strength - a.slope * crushed) : a.strength;
 }
 
-/// By how much [m] a point is crushed further by the elongation xn of its spring [m], below 0 where it is pressed: (19b).
+/// Further crushing [m] of a point at the elongation xn of its spring [m], below 0 under pressure: (19b).
 /// \pre slope < kn
 inline double crushed_further(double xn, double crushed, double kn, const Crushing& a) noexcept {
   const double over = -kn * xn - bearing(crushed, a);
   if (over <= 0.0) return 0.0;
-  const double softens = a.slope > 0.0 ? (a.strength - a.residual) / a.slope - crushed : 0.0;  // m, that are left of the slope
+  const double softens = a.slope > 0.0 ? (a.strength - a.residual) / a.slope - crushed : 0.0;  // m, crushed depth left until `residual`
   double by = over / kn;
   if (softens > 0.0) {
     by = over / (kn - a.slope);
@@ -37,8 +37,8 @@ inline double crushed_further(double xn, double crushed, double kn, const Crushi
   return std::min(by, std::max(0.0, a.depth - crushed));
 }
 
-/// J/m2, lost by it in this step: what (28) gives for the whole step, less what it gives from the new closure on, which the law of contact
-/// books. \param xn  m, before the point gave way  \param du  m, by which xn has grown in this step
+/// Loss by crushing in this step [J/m2]: that of (28) for the whole step, less that of (28) with the new closure, which the law of contact
+/// books. \param xn  m, before crushing \param by  m, further crushing \param du  m, growth of xn in this step
 inline double lost_by_crushing(double xn, double by, double du, double kn) noexcept {
   const double old = std::min(0.0, xn - du), from = std::min(0.0, xn + by - du);
   return 0.5 * kn * (old * old - from * from + (old - from) * du);

@@ -8,8 +8,8 @@
 
 #include "kernels/law.h"
 
-/// The constitutive law of one segment, literally: Eqs. 4-9, THEORY.md (11)-(19). The plain twin of the vector kernels, and the
-/// place where every rare event (breaking, crushing) is decided for both.
+/// The constitutive law of one segment, literally: Eqs. 4-9, THEORY.md (11)-(19). The plain twin of the vector kernels; every rare event
+/// (breaking, crushing) is decided here for both.
 ///
 /// Components (n, 1, 2): along the outward normal of the master, and two tangents. u = x_slave − x_master, so tension is positive.
 namespace voussoir::kernels {
@@ -24,23 +24,23 @@ constexpr Local operator*(double f, Local a) noexcept { return {f * a.n, f * a.s
 constexpr double dot(Local a, Local b) noexcept { return a.n * b.n + a.s1 * b.s1 + a.s2 * b.s2; }
 
 /// History of a segment. While bonded, slip is the plastic slip; in contact it is the elongation of the shear spring [m].
-/// closure is the opening [m] at which the normal spring has no force: negative by crushing, and of a point found deep inside; positive by
-/// dilatancy (13e), in a joint that stiffens as it closes (closing.h), and of points that a tilted joint leaves to its patches.
+/// closure is the opening [m] at which the normal spring has no force: negative after crushing, and for a point found deep inside; positive
+/// by dilatancy (13e), in a joint that stiffens as it closes (closing.h), and for points that a tilted joint hands over to patches.
 struct SegmentState {
   Bond bond = Bond::bonded;
   double slip1 = 0.0, slip2 = 0.0, closure = 0.0;
 };
 
-/// What a segment did in a step, per area: total traction on the master, its dashpot part, stored and lost energy.
+/// Result of a segment's step, per area: total traction on the master, its dashpot part, stored and lost energy.
 struct SegmentStep {
   Local traction;             // Pa, springs and dashpots
   Local dashpot;              // Pa
-  double stored = 0.0;        // J/m2, in the springs now
+  double stored = 0.0;        // J/m2, in the springs after the step
   double friction = 0.0;      // J/m2, lost by slip in this step
   double impact = 0.0;        // J/m2, lost or gained in the step in which a contact closes or opens (trapezoid rule over the kink)
   double fracture = 0.0;      // J/m2, lost by breaking in this step
-  Mode reached = Mode::none;  // a limit reached for the first time in this step
-  Mode broke = Mode::none;    // the bond broke in this step, by this mode
+  Mode reached = Mode::none;  // limit reached for the first time in this step
+  Mode broke = Mode::none;    // mode by which the bond broke in this step
 };
 
 /// Shear limit of a bonded segment: Eq. 6 and `shear_in_tension`, THEORY.md (15).
@@ -60,7 +60,7 @@ inline double shear_limit(double sigma, Strength s, FailureOptions o) noexcept {
 
 namespace detail {
 
-/// Elongation of the springs of a closed or bonded segment before this step, from the rates: the state holds no old displacement.
+/// Elongation of the springs of a closed or bonded segment before this step, from the rates, since the state holds no old displacement.
 inline Local elongation_before(const SegmentState& q, Local u, Local du) noexcept {
   const double n = u.n - du.n - q.closure;
   if (holds(q.bond)) return {n, u.s1 - du.s1 - q.slip1, u.s2 - du.s2 - q.slip2};
@@ -69,7 +69,8 @@ inline Local elongation_before(const SegmentState& q, Local u, Local du) noexcep
 
 inline double stored_energy(Local x, Stiffness k) noexcept { return 0.5 * (k.kn * x.n * x.n + k.ks * (x.s1 * x.s1 + x.s2 * x.s2)); }
 
-/// Scales the elastic elongation back to the compression cap (Eq. 7) and keeps the rest as closure and slip. Returns true if it had to.
+/// Scales the elastic elongation back to the compression cap (Eq. 7) and keeps the rest as closure and slip. Returns whether the cap was
+/// exceeded.
 inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Strength s) noexcept {
   const double sigma = k.kn * x.n;
   const double tau2 = k.ks * k.ks * (x.s1 * x.s1 + x.s2 * x.s2);
@@ -80,21 +81,20 @@ inline bool return_to_cap(Local& x, SegmentState& q, Local u, Stiffness k, Stren
   return true;
 }
 
-/// The largest h in [0, 1] for which a spring p and a dashpot h·d together stay within the limit L: |p + h d| ≤ L. Takes p·p ≤ L², p·d,
-/// d·d.
+/// The largest h in [0, 1] for which a spring p and a dashpot h·d together stay within the limit L: |p + h d| ≤ L. Arguments: p·p ≤ L²,
+/// p·d, d·d, L².
 inline double dashpot_share(double pp, double pd, double dd, double limit2) noexcept {
   if (pp + 2.0 * pd + dd <= limit2) return 1.0;
   return std::max(0.0, (std::sqrt(std::max(0.0, pd * pd + dd * (limit2 - pp))) - pd) / dd);
 }
 
-/// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot carries what the spring leaves of it.
-/// Scaling both and giving the spring what the dashpot does not carry would stretch it backwards in fast sliding, by energy that nobody put
-/// in.
+/// Friction contact, closed (x.n < 0): the spring is cut to Coulomb's limit (Eq. 8), the dashpot is cut to the rest of the limit. Scaling
+/// their sum and giving the spring the remainder would stretch the spring backwards in fast sliding, which would create energy.
 /// \param excess  kBounded or kUnbounded
 inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, double excess, SegmentStep& out) noexcept {
-  // Bounded, the normal total never pulls: the dashpot may at most cancel the spring.
+  // Bounded: the total normal force never pulls, since the dashpot at most cancels the spring.
   const double dn = std::min(k.cn * rate.n, excess - k.kn * x.n);
-  const double limit = std::max(0.0, -(k.kn * x.n + dn) * tan_phi);  // fused, their sum may be a hair above 0
+  const double limit = std::max(0.0, -(k.kn * x.n + dn) * tan_phi);  // with fused operations the sum may exceed 0 by round-off
   const double spring = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
   if (spring > limit) x.s1 *= limit / spring, x.s2 *= limit / spring;
   const double p1 = k.ks * x.s1, p2 = k.ks * x.s2, d1 = k.cs * rate.s1, d2 = k.cs * rate.s2;
@@ -105,7 +105,8 @@ inline void contact_traction(Local& x, Local rate, Stiffness k, double tan_phi, 
 
 }  // namespace detail
 
-/// One step of one segment. `u` displacement and `rate` velocity of the slave relative to the master at the contact point.
+/// Advances one segment by one step. `u` displacement [m] and `rate` velocity [m/s] of the slave relative to the master at the contact
+/// point.
 inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double dt, Stiffness k, Strength s, FailureOptions o) noexcept {
   SegmentStep out;
   const Local du = dt * rate;
@@ -124,7 +125,7 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
     } else {
       if (tau > limit) {  // Eq. 6
         x.s1 *= limit / tau, x.s2 *= limit / tau;
-        q.slip1 = u.s1 - x.s1, q.slip2 = u.s2 - x.s2;  // only here: an elastic step must not touch the slip, or round-off would creep
+        q.slip1 = u.s1 - x.s1, q.slip2 = u.s2 - x.s2;  // only here: round-off of an elastic step must not change the slip
         if (o.brittle) {
           out.broke = Mode::shear;
           open = sigma >= 0.0;
@@ -140,7 +141,7 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
     } else {
       if (out.reached == Mode::none) out.reached = out.broke;
       q.bond = out.broke == Mode::compression ? Bond::crushed : Bond::contact;
-      // Eq. 8 at once: what is left closed goes on as a contact, without a jump of its normal force.
+      // Eq. 8 at once: a segment that is still closed goes on as a contact, without a jump of its normal force.
       if (!open) detail::contact_traction(x, rate, k, s.friction, o.dashpot_excess, out);
     }
   } else {
@@ -166,7 +167,7 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
   if (out.broke != Mode::none) {
     out.fracture = normal + shear;
   } else {
-    const bool crushing = q.bond == Bond::crushed;  // plastic closure is a loss of the material, not of an impact
+    const bool crushing = q.bond == Bond::crushed;  // plastic closure counts as loss of the material, not of an impact
     out.friction = crushing ? shear + normal : shear;
     out.impact = held || crushing ? 0.0 : normal;
   }

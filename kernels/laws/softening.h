@@ -7,17 +7,17 @@
 
 #include "kernels/laws/segment_law.h"
 
-/// Bonds that soften: THEORY.md (13a)-(13e). One number tells how far a segment has gone, its *wear* κ: what opens a bond wears it, and
-/// what slides it wears it too, so a bond that has slipped is weaker in tension and the other way round. The law of segments that do not
-/// soften, and of all that are no longer bonded, is that of segment_law.h.
+/// Softening bonds: THEORY.md (13a)-(13e). One number per segment, its *wear* κ, measures its damage: both opening and slip increase it, so
+/// a bond that has slipped is weaker in tension, and vice versa. Segments that do not soften, and all that are no longer bonded, follow
+/// segment_law.h.
 namespace voussoir::kernels {
 
-/// How the bond of a side softens. All zero: as segment_law.h.
+/// Softening parameters of the bonds of a side. All zero: as segment_law.h.
 struct Softening {
-  double opening = 0.0;    // u_c k̄_n / f_t: opening that wears by 1, in elastic openings at the limit; 0: brittle in tension
-  double slip = 0.0;       // m, s_c: slide that wears by 1; 0: slip does not wear
+  double opening = 0.0;    // u_c k̄_n / f_t: opening that adds a wear of 1, in elastic openings at the limit; 0: brittle in tension
+  double slip = 0.0;       // m, s_c: slip that adds a wear of 1; 0: slip adds none
   double dilatancy = 0.0;  // tan ψ of the first slip
-  bool linear = false;     // share left: 1 − κ/2, else exp(−κ)
+  bool linear = false;     // share_left is 1 − κ/2, else exp(−κ)
 };
 
 /// A side whose bonds soften.
@@ -28,16 +28,16 @@ struct SoftSide {
   [[nodiscard]] SoftSide from(int i) const noexcept { return {law, wear + i}; }
 };
 
-/// Whether some segment of [first, last) that is still bonded is worn.
+/// Whether some bonded segment of [first, last) has wear.
 inline bool is_worn(const SoftSide& side, int first, int last) noexcept {
-  double sum = 0.0;  // wear is never below zero, and zero again where a bond is gone
+  double sum = 0.0;  // wear is never negative, and is reset to zero where a bond breaks
   for (int i = first; i < last; ++i) sum += side.wear[i];
   return sum > 0.0;
 }
 
 namespace detail {
 
-/// exp(−x) for x ≥ 0, by no library: its bits are the same everywhere.
+/// exp(−x) for x ≥ 0, without the standard library, so that its bits are the same everywhere.
 inline double decay(double x) noexcept {
   constexpr double kLog2E = 1.4426950408889634, kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;
   const double halvings = std::floor(std::min(x, 700.0) * kLog2E + 0.5);
@@ -49,19 +49,19 @@ inline double decay(double x) noexcept {
 
 }  // namespace detail
 
-/// Share of f_t and c that is left.
+/// Remaining share of f_t and c.
 inline double share_left(double wear, const Softening& a) noexcept {
   return a.linear ? std::max(0.0, 1.0 - 0.5 * wear) : detail::decay(wear);
 }
 
-/// Wear at which a thousandth is left (exponential) or nothing (linear): there the bond is gone.
+/// Wear at which the bond is gone: the remaining share is a thousandth (exponential) or zero (linear).
 inline double wear_at_end(const Softening& a) noexcept { return a.linear ? 2.0 : 6.907755278982137; }
 
-/// Normal stiffness of a bonded segment: whole while it is pressed, the secant of (13b) while it is pulled.
+/// Normal stiffness of a bonded segment [Pa/m]: full under compression, the secant of (13b) under tension.
 inline double stiffness_left(double n, double wear, double kn, const Softening& a) noexcept {
   return n > 0.0 && wear > 0.0 ? kn * share_left(wear, a) / (1.0 + wear * a.opening) : kn;
 }
-/// The same, where the share that is left is known: it costs more than all else of the law.
+/// stiffness_left for a known share `left`, whose computation costs more than the rest of the law.
 inline double stiffness_left(double n, double wear, double left, double kn, const Softening& a) noexcept {
   return n > 0.0 && wear > 0.0 ? kn * left / (1.0 + wear * a.opening) : kn;
 }
@@ -75,15 +75,15 @@ namespace detail {
 /// A bonded segment within a step.
 struct Wearing {
   Local x;                    // m, elongation of its springs
-  double wear = 0.0;          // now
-  double left = 1.0;          // share_left of it
-  double cohesive = 0.0;      // share of cohesion in the shear limit that it slid under
-  Mode reached = Mode::none;  // the limit that wore it
+  double wear = 0.0;          // at this point of the step
+  double left = 1.0;          // share_left(wear)
+  double cohesive = 0.0;      // share of cohesion in the shear limit under which the segment slid
+  Mode reached = Mode::none;  // the limit that increased the wear
   Mode broke = Mode::none;
   bool open = false;
 };
 
-/// Opening beyond the limit wears the bond: (13b).
+/// Increases the wear by opening beyond the limit: (13b).
 inline void wear_by_opening(Wearing& w, Stiffness k, Strength s, const Softening& a) noexcept {
   const double sigma = k.kn * w.x.n;  // of a bond without wear
   if (sigma <= s.tension * (1.0 + w.wear * a.opening)) return;
@@ -96,7 +96,7 @@ inline void wear_by_opening(Wearing& w, Stiffness k, Strength s, const Softening
   }
 }
 
-/// Slip at the shear limit, which wears the bond: (13c), (13d).
+/// Slides the segment at the shear limit and increases the wear by the slip: (13c), (13d).
 inline void wear_by_slip(Wearing& w, SegmentState& q, Local u, Stiffness k, Strength s, const Softening& a, FailureOptions o) noexcept {
   const double left = w.left, tan_phi = s.friction + (s.tan_phi - s.friction) * left;
   const double sigma = stiffness_left(w.x.n, w.wear, left, k.kn, a) * w.x.n, tau = k.ks * std::sqrt(w.x.s1 * w.x.s1 + w.x.s2 * w.x.s2);
@@ -120,7 +120,7 @@ inline void wear_by_slip(Wearing& w, SegmentState& q, Local u, Stiffness k, Stre
   }
 }
 
-/// Books what the springs have lost in this step, (28). \param before  a worn segment before it
+/// Books the losses of the springs in this step, (28). \param before  the segment before the step
 inline void book_losses(SegmentStep& out, const Wearing& before, const Wearing& now, Local du, Stiffness k, const Softening& a) noexcept {
   const Local b = before.x, x = now.x;
   const double kb = stiffness_left(b.n, before.wear, before.left, k.kn, a);
@@ -130,18 +130,18 @@ inline void book_losses(SegmentStep& out, const Wearing& before, const Wearing& 
   if (now.broke != Mode::none) {
     out.fracture = normal + shear;
   } else if (now.reached != Mode::none) {
-    const bool dilated = b.n < 0.0 && x.n < 0.0;  // then the pressure did work on what slid
+    const bool dilated = b.n < 0.0 && x.n < 0.0;  // then the pressure does work on the sliding faces
     out.fracture = now.cohesive * shear + (dilated ? 0.0 : normal);
     out.friction = (1.0 - now.cohesive) * shear + (dilated ? normal : 0.0);
   } else {
     out.friction = shear;
-    if (b.n * x.n < 0.0) out.impact = normal;  // its stiffness changes where it closes, inside the step
+    if (b.n * x.n < 0.0) out.impact = normal;  // the stiffness changes at closing, within the step
   }
 }
 
 }  // namespace detail
 
-/// One step of one segment of a side that softens; see advance_segment.
+/// Advances one segment of a softening side by one step; see advance_segment.
 inline SegmentStep advance_soft_segment(SegmentState& q, double& wear, Local u, Local rate, double dt, Stiffness k, Strength s,
                                         const Softening& a, FailureOptions o) noexcept {
   if (!holds(q.bond)) return advance_segment(q, u, rate, dt, k, s, o);

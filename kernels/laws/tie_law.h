@@ -6,34 +6,34 @@
 #include <cmath>
 #include <cstdint>
 
-/// The law of a tie (THEORY.md (31)): force over elongation of a bar that is elastic, yields, hardens and breaks, and goes slack unless it
-/// bears compression.
+/// The law of a tie (THEORY.md (31)): force over elongation of a bar with elasticity, yielding, hardening and breaking, slack in
+/// compression unless the bar bears compression.
 namespace voussoir::kernels {
 
 struct TieLaw {
   double stiffness = 0.0;  // k, N/m
   double yield = 0.0;      // N_y, N; infinite: elastic
   double hardening = 0.0;  // H, N/m, growth of the yield force with the plastic elongation
-  double breaking = 0.0;   // e_u, m, elongation at which it breaks; infinite: never
+  double breaking = 0.0;   // e_u, m, elongation at which the tie breaks; infinite: never
   bool compression = false;
 };
 
-/// What a tie remembers.
+/// State of a tie.
 struct TieState {
-  double elongation = 0.0;  // e, m, with that of the pretension
+  double elongation = 0.0;  // e, m, including that of the pretension
   double plastic = 0.0;     // e_p, m
-  double worked = 0.0;      // q, m, plastic elongation summed up whatever its sign
+  double worked = 0.0;      // q, m, accumulated plastic elongation, absolute values
   double force = 0.0;       // N; tension is positive
-  double lost = 0.0;        // J, by yielding, and when it goes slack or taut within a step
-  double released = 0.0;    // J, when it broke
-  std::int64_t broken = 0;  // 1: it has
+  double lost = 0.0;        // J, by yielding, and by going slack or taut within a step
+  double released = 0.0;    // J, at breaking
+  std::int64_t broken = 0;  // 1: broken
 };
 
-/// Elastic energy, J.
+/// Elastic energy [J].
 inline double stored_energy(const TieLaw& law, const TieState& s) noexcept { return 0.5 * s.force * s.force / law.stiffness; }
 
-/// The force at the elongation `e` [m], by the return to the yield force with linear isotropic hardening. What a step loses is the
-/// trapezoidal work less the growth of the elastic energy.
+/// The state at the elongation `e` [m], by return to the yield force with linear isotropic hardening. The loss of a step is the trapezoidal
+/// work less the growth of the elastic energy.
 inline TieState advance_tie(const TieLaw& law, const TieState& last, double e) noexcept {
   TieState s = last;
   s.elongation = e;

@@ -11,7 +11,7 @@ namespace {
 void touch(const Facing& f, const Pose& master, double s, double t, double area, ContactPoints q, int i, double step, GlobalSums& total,
            GlobalSums& dash, PatchResult& r) noexcept {
   const double xn = f.depth.at(s, t) - q.closure(i);
-  if (xn >= 0.0) {  // inside, but not down on its offset
+  if (xn >= 0.0) {  // inside, but above its offset
     record_opening(f, master, s, t, area, q, i, step, r);
     q.set_slip(i, {});
     return;
@@ -29,15 +29,15 @@ void touch(const Facing& f, const Pose& master, double s, double t, double area,
   r.impact += 0.5 * da * f.k.kn * (xn_before * xn_before - xn * xn + (xn_before + xn) * step * vn);
 }
 
-/// Signed distance of a point to the candidate, the largest over its faces: negative inside.
+/// Signed distance of a point from the candidate, the greatest over its faces [m]: negative inside.
 double distance(const PlaneFields& planes, double s, double t) noexcept {
   double most = -1e300;
   for (int f = 0; f < planes.count; ++f) most = std::max(most, planes.g[f].at(s, t));
   return most;
 }
 
-/// True if a point stays with the candidate that it touches: inside of all its faces but the one it touches, and no farther out of that
-/// one than the offset it brought along, on which it still stands.
+/// Whether a point stays with the candidate that it touches: inside all its faces but the touched one, and outside the touched face by no
+/// more than the point's offset.
 bool stays(const Work& w, const Candidate& c, const PlaneFields& planes, int i) noexcept {
   for (int f = 0; f < planes.count; ++f) {
     const bool own = c.first_face + f == w.q.face[i];
@@ -46,7 +46,7 @@ bool stays(const Work& w, const Candidate& c, const PlaneFields& planes, int i) 
   return true;
 }
 
-/// All points against candidate k.
+/// Tests all points against candidate k.
 void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
@@ -59,7 +59,7 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
   }
 }
 
-/// Forces of all points that touch candidate k. Returns whether any carries force.
+/// Forces of all points that touch candidate k. Returns whether any point carries force.
 bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
   const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
   int first = 0;

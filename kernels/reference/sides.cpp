@@ -23,12 +23,12 @@ void record(const SegmentStep& step, SegmentsView q, int i, std::int32_t id, dou
   sink.data[sink.count++] = {id, i, step.reached, step.broke};
 }
 
-/// Least u_n over the rectangle round the points.
+/// Least u_n over the rectangle of the points [m].
 double least_opening(const SideConstants& b, int l, const SideFrame& f) noexcept {
   return f.d.n + std::min(b.s_low[l] * f.ds.n, b.s_high[l] * f.ds.n) + std::min(b.t_low[l] * f.dt.n, b.t_high[l] * f.dt.n);
 }
 
-/// Largest |u_s|² at the corners of it.
+/// Largest |u_s|² at the corners of the rectangle of the points [m2].
 double largest_slide2(const SideConstants& b, int l, const SideFrame& f) noexcept {
   double most = 0.0;
   for (const double s : {b.s_low[l], b.s_high[l]}) {
@@ -40,7 +40,7 @@ double largest_slide2(const SideConstants& b, int l, const SideFrame& f) noexcep
   return most;
 }
 
-/// Force and torque on the master, then on the slave.
+/// Stores force and torque on the master, then on the slave.
 void put_pair(double* to, Vec3 f, Vec3 ta, Vec3 tb) noexcept {
   const double both[kPairStride] = {f.x, f.y, f.z, ta.x, ta.y, ta.z, -f.x, -f.y, -f.z, tb.x, tb.y, tb.z};
   std::copy_n(both, kPairStride, to);
@@ -63,7 +63,8 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   add_dashpot(rows.wrench, rows.dashpot, side.slave, -w.dash_force, w.dash_torque_b);
 }
 
-/// Brittle bonds and bonds that soften are compiled apart, so that the second leave the last digits of the first as they are.
+/// Advances segments by a law. Compiled separately for brittle and for softening bonds, so that the latter do not change the last digits of
+/// the former.
 /// \param law  advances segment i: (state, i, u, rate) -> SegmentStep
 template <typename Law>
 [[gnu::noinline]] SegmentTotals advance_by(const Law& law, const Side& side, std::int32_t id, const SideFrame& f, PointsView p,
@@ -137,7 +138,7 @@ GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsVi
 
 namespace {
 
-/// Lets the segments of one lane give way, in whichever manner.
+/// Moves the closure of the segments of one lane by crushing or closing, as the model has it.
 GaveWay give_way(const BlockState& state, int l, const Side& side, const SideParts& parts, const NormalFields& f, double step) noexcept {
   double* crushed = state.crushing == nullptr ? nullptr : state.crushed[l];
   if (side.closing != nullptr) {
