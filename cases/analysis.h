@@ -9,29 +9,29 @@
 
 #include "geometry/vec3.h"
 
-/// What a run is to find out: a history of the shaking, or a capacity by slow loading.
+/// The kind of a run: a time history of the shaking, or a quasi-static analysis that finds a capacity.
 namespace voussoir::cases {
 
 enum class AnalysisKind : std::uint8_t { time_history, pushover, tilt, settlement, cyclic };
-/// How the forces of a pushover are spread: as the masses, as the masses times the first mode, or the loads that grow.
+/// Distribution of the forces of a pushover: by mass, by mass times the first mode, or the given loads marked as growing.
 enum class LoadPattern : std::uint8_t { mass, mode, given };
 
-/// Table [analysis]. Of a time history only `kind` counts.
+/// Table [analysis]. A time history uses `kind` only.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::time_history;
   LoadPattern pattern = LoadPattern::mass;
   std::array<double, 2> direction{1.0, 0.0};  // horizontal, x and y; any length
-  std::optional<Vec3> control;                // m; a point whose displacement is that of the capacity curve
-  double drop = 0.2;                          // the end: this share of the largest base shear (of the multiplier) is lost
-  std::optional<double> share;                // of the first stiffness; a smaller tangent is under displacement control
-  std::optional<double> pace;                 // s, in which the displacement grows e-fold
+  std::optional<Vec3> control;                // m; a point whose displacement is the abscissa of the capacity curve
+  double drop = 0.2;                          // the run ends when this share of the largest base shear (of the multiplier) is lost
+  std::optional<double> share;                // of the first stiffness; below it the displacement is controlled in place of the load
+  std::optional<double> pace;                 // s, time of an e-fold growth of the displacement
   std::optional<double> damping;              // 1/s, mass damping
   double longest = 300.0;                     // s, of the run
   double largest_factor = 5.0;                // load factor at which the run ends
-  double largest_drift = 0.2;                 // of the control point, at which the run ends
+  double largest_drift = 0.2;                 // of the control point: drift at which the run ends
   std::vector<double> amplitudes;             // m, of the cycles, one after another (cyclic)
   int cycles = 1;                             // at each amplitude
-  bool level = false;                         // cyclic: the blocks that are pushed do not turn
+  bool level = false;                         // cyclic: the pushed blocks do not rotate
 };
 
 /// Whether the run is a quasi-static analysis.

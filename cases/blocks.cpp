@@ -25,7 +25,7 @@ Polyhedron polyhedron_of(const BlockSpec& spec, const std::string& key) {
   }
   Polyhedron shape{spec.vertices, {}};
   for (const std::vector<int>& loop : spec.faces) shape.faces.emplace_back(loop.begin(), loop.end());
-  geometry::validate(shape);  // before it is put in order: its messages count as the case does
+  geometry::validate(shape);  // before reordering: its messages count faces and vertices as in the case
   return geometry::in_prism_order(shape);
 }
 
@@ -37,7 +37,7 @@ Polyhedron shape_as_given(const BlockSpec& spec, const std::string& key) {
                               std::string("; give exactly one of: box, vertices, polygon with extrude"));
   }
   if (spec.box) {
-    const auto& [a, b] = *spec.box;  // any two opposite corners
+    const auto& [a, b] = *spec.box;  // two opposite corners in any order
     return geometry::make_box({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                               {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
   }
@@ -57,7 +57,7 @@ Polyhedron shape_of(const BlockSpec& spec, const std::string& key) {
     geometry::validate(shape);
     if (!spec.rotate) return shape;
     if (norm(spec.rotate->axis) == 0.0) throw InputError(key + ".rotate.axis", "has no direction; give a vector other than [0, 0, 0]");
-    return spec.halves ? shape : turned(shape, *spec.rotate);  // halves are cut before they are turned
+    return spec.halves ? shape : turned(shape, *spec.rotate);  // halves are cut before the turn
   } catch (const geometry::ModelError& e) {
     throw InputError(key, e.what());
   }
@@ -88,20 +88,20 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   }
 }
 
-/// What is made of two elements is a box, and free: what is fixed cannot crack.
+/// Refuses `halves` for a block that is no box, or is fixed: fixed blocks cannot crack.
 void check_halves(const BlockSpec& spec, const std::string& key) {
   const char* against = !spec.box ? "vertices or a polygon" : spec.fixed ? "fixed = true" : nullptr;
   if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
 }
 
-/// m, of a box, turned or not.
+/// Centre of a box, rotated or not [m].
 Vec3 centre_of(const Polyhedron& box) {
   Vec3 sum;
   for (const Vec3 v : box.vertices) sum += v;
   return sum / static_cast<double>(box.vertices.size());
 }
 
-/// The two halves of a block that was cut as it lay before `rotate`: turned, and moving as parts of one body.
+/// The two halves of a block, which was cut before `rotate`: rotated, and moving as parts of one body.
 std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
   std::array<Block, 2> halves = in_halves(whole, whole.given);
   if (spec.rotate) {

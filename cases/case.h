@@ -16,11 +16,11 @@
 #include "geometry/segments/segment_rule.h"
 #include "geometry/vec3.h"
 
-/// What is simulated, as plain data: the case file, read. SI units, z up; angles in degrees, as the user writes them.
+/// The input of a simulation as plain data: the parsed case file. SI units, z up; angles in degrees, as in the file.
 namespace voussoir::cases {
 
-/// A fault in what the user asked for. `key` is the path in the case file ("house.opening[1].width", indices from 0; empty: the whole
-/// file); the message says what is wrong, the value, and what is allowed. io adds file and line.
+/// An error in the user's input. `key` is the path in the case file ("house.opening[1].width", indices from 0; empty: the whole file); the
+/// message says what is wrong, the value, and what is allowed. io adds file and line.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string key, const std::string& problem)
@@ -39,35 +39,35 @@ struct Gravity {
   double settle_limit = 3.0;          // s, after the ramp
 };
 
-inline constexpr double kLongestRun = 1e6;  // s of shaking: far beyond any record, and its steps can still be counted
+inline constexpr double kLongestRun = 1e6;  // s of shaking: far above any record, and few enough steps to count
 
 struct Time {
   std::optional<double> step;            // s; absent = "auto"
   double duration = 10.0;                // s, after settling
-  std::optional<double> after_collapse;  // s; the run ends so long after the building has collapsed, or at its duration
-  int multirate = 1;                     // steps from one evaluation of soft pairs to the next; 1: all in every step
+  std::optional<double> after_collapse;  // s; the run ends this long after the building has collapsed, or at its duration
+  int multirate = 1;                     // steps from one evaluation of soft pairs to the next; 1: all pairs in every step
 };
 
 struct Damping {
-  double ratio = 0.0;               // of critical, at `frequency`
+  double ratio = 0.0;               // fraction of critical damping at `frequency`
   std::optional<double> frequency;  // Hz
-  bool own_frequency = false;       // frequency = "auto": that of the model's mode with the largest mass in y; io fills it in
+  bool own_frequency = false;       // frequency = "auto": frequency of the mode with the largest mass in y; set by io
   std::optional<double> alpha;      // 1/s; instead of ratio and frequency
   bool debris = true;               // "keep" | "off": mass damping of elements without a bond
-  bool inertial = false;            // key: frame, "ground" | "inertial": in which velocities are damped
+  bool inertial = false;            // key: frame, "ground" | "inertial": frame of the damped velocities
 };
 
 struct Material {
   double density = 0.0;  // kg/m3
   double young = 0.0;    // Pa
   double poisson = 0.0;
-  std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex (none: they
-                                        // never part), and between the halves of a unit
+  std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex (none: pieces
+                                        // never separate), and between the halves of a unit
 };
 
 enum class SofteningCurve { exponential, linear };
 
-/// Strength of a joint (Eqs. 5-7) and its mortar (Eq. 3), or its own stiffness. Neither: Eq. 2.
+/// Strength of a joint (Eqs. 5-7), and the mortar (Eq. 3) or the stiffness of the joint. With neither, its stiffness is that of Eq. 2.
 struct JointLaw {
   double tension = 0.0;      // f_t, Pa
   double cohesion = 0.0;     // c, Pa
@@ -79,16 +79,16 @@ struct JointLaw {
   double poisson = 0.0;
   double fracture_energy_tension = 0.0, fracture_energy_shear = 0.0;  // J/m2; 0: brittle in tension, failure.post_shear in shear
   SofteningCurve softening = SofteningCurve::exponential;
-  std::optional<double> residual_friction{};  // degrees, of this joint without its bond; none: that of [contact]
-  double dilatancy = 0.0;                     // degrees, of the first slip; dies as the bond wears
+  std::optional<double> residual_friction{};  // degrees, of the joint without its bond; none: friction of [contact]
+  double dilatancy = 0.0;                     // degrees, of the first slip; decreases to zero with the wear of the bond
   std::optional<double> normal_stiffness{},
       shear_stiffness{};                    // k_n, k_s, Pa/m: of the joint alone, in series with its blocks; both or none
-  std::optional<double> maximum_closure{};  // V, m: a dry joint stiffens as it closes, k_n is that without pressure; none: it does not
+  std::optional<double> maximum_closure{};  // V, m: closure limit of a dry joint that stiffens as it closes, k_n at no pressure; else none
 
-  [[nodiscard]] bool stiffens() const noexcept { return maximum_closure.has_value(); }  // then it has no bond
+  [[nodiscard]] bool stiffens() const noexcept { return maximum_closure.has_value(); }  // a joint that stiffens has no bond
 };
 
-/// Random strength of joints: one factor a joint on its law's f_t, c and f_m (cases/scatter.h).
+/// Random strength of joints: one factor per joint on f_t, c and f_m of its law (cases/scatter.h).
 enum class Distribution { lognormal, normal, uniform };
 struct Scatter {
   int seed = 0;
@@ -107,7 +107,7 @@ struct Failure {
 
 struct JointRule {
   std::array<std::string, 2> materials;  // "base" counts as a material
-  std::string law;                       // a name of joint_laws, or "dry"
+  std::string law;                       // name in joint_laws, or "dry"
 };
 struct Joints {
   std::string default_law = "dry";  // key: default
@@ -115,61 +115,61 @@ struct Joints {
 };
 
 enum class ContactNormal { slave, master };
-enum class Dashpots { bounded, unbounded };  // unbounded: they may make a contact pull, and exceed friction
+enum class Dashpots { bounded, unbounded };  // unbounded: dashpots may make a contact pull, and exceed friction
 struct ContactRule {
   std::array<std::string, 2> materials;  // "base" counts as a material
   double friction = 0.0;                 // degrees
 };
 struct Contact {
-  double friction = 32.0;            // degrees, of all pairs of materials but those of `between`
-  std::vector<ContactRule> between;  // a pair of materials at most once
+  double friction = 32.0;            // degrees, of all pairs of materials not in `between`
+  std::vector<ContactRule> between;  // each pair of materials at most once
   double damping = 1.0;              // h_n = h_s
   Dashpots dashpots = Dashpots::bounded;
   ContactNormal normal = ContactNormal::slave;
   double compression = 0.0;           // Pa; 0: contacts bear any pressure
-  double crushing_energy = 0.0;       // J/m2, above what the residual takes; 0: the strength does not fall
+  double crushing_energy = 0.0;       // J/m2, beyond the work of the residual; 0: the strength does not fall
   double residual_compression = 0.0;  // Pa
   double crushing_depth = 0.01;       // m
 };
 
 enum class Baseline { none, mean, linear, parabolic };
-/// What is done to the components of a motion before they are scaled (io/input/motion/treatment.h).
+/// Treatment of the components of a motion before scaling (io/input/motion/treatment.h).
 struct MotionTreatment {
-  std::optional<double> from, to;         // s of the record: the window that shakes; its start is time zero
-  Baseline baseline = Baseline::none;     // taken off what the window holds
+  std::optional<double> from, to;         // s of the record: the window used as motion; its start is time zero
+  Baseline baseline = Baseline::none;     // subtracted from the window
   std::array<double, 2> taper{0.0, 0.0};  // s, at the start and at the end
 };
 
 enum class IntensityMeasure { pga, pgv, sa };
-/// A level to which a motion is brought by one factor (io/input/motion/spectra/intensity.h).
+/// Intensity level to which a motion is scaled by one factor (io/input/motion/spectra/intensity.h).
 struct MotionIntensity {
   IntensityMeasure measure = IntensityMeasure::pga;
-  double level = 0.0;            // m/s2; of PGV m/s
-  std::optional<double> period;  // s, of Sa alone
+  double level = 0.0;            // m/s2; for PGV m/s
+  std::optional<double> period;  // s, for Sa only
 };
 
-/// Base acceleration. Either a record (name or folder) with a direction, or files for x, y, z, or files for L, T, V with a direction.
+/// Base acceleration: a record (name or folder) with a direction; or files for x, y, z; or files for L, T, V with a direction.
 struct Motion {
   std::optional<std::string> record;              // "bam-like", "bam-like#7", a folder holding record.toml, or a file that holds L, T and V
-  std::string direction = "LTV";                  // which of L, T, V goes to x, y, z
+  std::string direction = "LTV";                  // which of L, T, V acts along x, y, z
   std::array<std::optional<std::string>, 3> xyz;  // files; keys x, y, z
   std::array<std::optional<std::string>, 3> ltv;  // files; keys L, T, V
-  std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": where a format does not say
-  std::optional<double> dt;                       // s: where a format does not say
+  std::optional<std::string> unit;                // "g", "m/s2", "cm/s2": for formats without a unit
+  std::optional<double> dt;                       // s: for formats without a time step
   MotionTreatment treatment;                      // keys from, to, baseline, taper
-  std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or x, y, z when files are given so)
-  std::optional<MotionIntensity> intensity;       // reached after `scale`, by one more factor for all components
+  std::array<double, 3> scale{1.0, 1.0, 1.0};     // of L, T, V (or of x, y, z for files given as such)
+  std::optional<MotionIntensity> intensity;       // level reached after `scale` by one more factor for all components
 };
 
 struct HistoryPoint {
   std::string name;
   Vec3 point;  // m
 };
-/// A plane along which the structure is thought to be parted; what goes through it is written (Output::cuts).
+/// A plane through the structure; the force through it is written (Output::cuts).
 struct Cut {
   std::string name;
-  Vec3 point, normal{0, 0, 1};             // m; of any length but zero, towards what acts
-  std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements whose middle is in it
+  Vec3 point, normal{0, 0, 1};             // m; normal of any length but zero, towards the part that exerts the force
+  std::optional<std::array<Vec3, 2>> box;  // m, two corners: only pairs of elements with their middle in the box count
 };
 struct Output {
   double history_interval = 0.001;       // s
@@ -184,16 +184,16 @@ struct Rotation {
   double angle = 0.0;  // degrees
   Vec3 about;          // m
 };
-/// Motion of a fixed block: constant velocity, or a file of t [s], x, y, z [m].
+/// Motion of a fixed block: a constant velocity, or a file of t [s] and x, y, z [m].
 struct SupportMotion {
   std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
 };
-/// A free-standing block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in
-/// VTK's order; with `faces` (loops of their numbers, counter-clockwise seen from outside) any convex polyhedron.
+/// A free block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK order;
+/// with `faces` (loops of vertex numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
   std::string name, material;
-  std::string part;  // of a building: "front wall", "front wall, storey 2"; empty: of none
+  std::string part;  // of a building: "front wall", "front wall, storey 2"; empty: no part
   std::optional<std::array<Vec3, 2>> box;
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
@@ -211,25 +211,25 @@ struct Load {
   std::optional<Vec3> at;                // m, a material point; default the centroid
   std::array<double, 2> ramp{0.0, 0.0};  // s: grows linearly from the first to the second (time zero = start of shaking; also acts while
                                          // settling with the value it has at time 0)
-  std::optional<std::string> history;    // file of t, x, y, z: the force over time, in place of `force` and `ramp`
-  bool follows = false;                  // it turns with its block; else it keeps its direction (a dead load)
-  bool grows = false;                    // it is multiplied by the load factor of the analysis
+  std::optional<std::string> history;    // file of t, x, y, z: force over time, in place of `force` and `ramp`
+  bool follows = false;                  // the force turns with its block; else it keeps its direction (a dead load)
+  bool grows = false;                    // the force is multiplied by the load factor of the analysis
 };
-/// A part of the ground at another height, or one that moves: a rectangle in plan, or what lies under a wall of the house.
+/// A part of the ground at another height, or a moving one: a rectangle in plan, or the ground under a wall of the house.
 struct BasePart {
   std::optional<std::array<double, 2>> x, y;  // m
   std::string wall;                           // front | rear | left | right, or the name of an inner wall
-  std::optional<double> from, to;             // m, along the wall from the outer corner; none: its ends
-  double level = 0.0;                         // m, of its top above Base::z
+  std::optional<double> from, to;             // m, along the wall from the outer corner; none: the ends of the wall
+  double level = 0.0;                         // m, height of its top above Base::z
   std::optional<SupportMotion> motion;
 };
 struct Base {
   double z = 0.0;                        // m
-  std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; turns gravity
+  std::array<double, 2> tilt{0.0, 0.0};  // degrees about x and y; rotates gravity
   std::vector<BasePart> parts;           // key: part
 };
 
-/// The whole case file.
+/// The contents of a case file.
 struct Case {
   std::string title, source;
   Gravity gravity;
@@ -252,9 +252,9 @@ struct Case {
   std::vector<Load> loads;  // key: load
   std::vector<Tie> ties;    // key: tie
   std::optional<Base> base;
-  std::string folder;  // of the case file; relative paths in the case start here (not a key)
+  std::string folder;  // folder of the case file; relative paths in the case start here (not a key)
 
-  /// s of shaking, or of a quasi-static analysis, after which the run ends at the latest.
+  /// Time of shaking, or of a quasi-static analysis, at which the run ends at the latest [s].
   [[nodiscard]] double end() const noexcept { return is_assessment(analysis) ? analysis.longest : time.duration; }
   void set_end(double t) noexcept { (is_assessment(analysis) ? analysis.longest : time.duration) = t; }
 };

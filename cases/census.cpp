@@ -16,9 +16,9 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kLess = 1.0 - 1e-9;  // of a bound: round-off must not make one of many equal bricks, or faces, the slowest
+constexpr double kLess = 1.0 - 1e-9;  // share of a bound: round-off must not make one of many equal bricks, or faces, the limiting one
 
-/// "roof beam 12" and "roof beam 3" are one group.
+/// The group of a block: "roof beam 12" and "roof beam 3" are in one group.
 std::string group_name(const Model& model, const Block& block) {
   if (block.house < 0) return "blocks of " + model.materials[static_cast<std::size_t>(block.material)].name;
   if (block.tag.find(", storey ") != std::string::npos) return block.tag;
@@ -27,11 +27,11 @@ std::string group_name(const Model& model, const Block& block) {
   return numbered ? block.tag.substr(0, last) : block.tag;
 }
 
-/// Houses part by part as they are built, then free blocks.
+/// Indices of blocks: houses part by part in building order, then free blocks.
 std::vector<std::size_t> as_built(const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return static_cast<std::uint32_t>(blocks[i].built); });  // −1: last
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return static_cast<std::uint32_t>(blocks[i].built); });  // −1 is last
   return order;
 }
 
@@ -57,7 +57,7 @@ void count_blocks(const Model& model, Census& result) {
   }
 }
 
-/// Edges to the micrometre, descending; zeros if the block is no box.
+/// Edge lengths [m] rounded to the micrometre, descending; zeros if the block is no box.
 std::array<double, 3> box_edges(const Block& block, double volume) {
   const geometry::Box3 box = geometry::bounds(block.shape);
   const Vec3 size = box.high - box.low;
@@ -115,7 +115,7 @@ void find_step_bound(const Model& model, Census& result) {
 
 double frame_interval(const Case& c, std::size_t elements) {
   if (c.output.frame_interval) return *c.output.frame_interval;
-  constexpr std::array kSeries{0.02, 0.05, 0.1};  // s, and ten times, a hundred times these
+  constexpr std::array kSeries{0.02, 0.05, 0.1};  // s; also times 10, 100, ...
   constexpr double kMost = 40e6;                  // elements times frames
   double interval = kSeries[0];
   if (is_assessment(c.analysis)) return interval;

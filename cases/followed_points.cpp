@@ -17,7 +17,7 @@ struct Near {
   double distance = std::numeric_limits<double>::infinity(), allowed = 0.0;  // m
 };
 
-/// The element whose box is nearest; the lowest number among those equally near.
+/// The element whose bounding box is nearest; the lowest number among equally near ones.
 Near nearest_box(const Model& model, Vec3 p) {
   Near best;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {

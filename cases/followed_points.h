@@ -6,9 +6,9 @@
 
 namespace voussoir::cases {
 
-/// Refuses points of output.history that belong to no element of the model, as those of another house may: farther from every element than
-/// that element is long. Distances are to the box about an element, along the axes.
-/// \throw InputError with the key of the point, the nearest element and how far it is
+/// Refuses points of output.history that are farther from every element than that element is long, as points of another house may be.
+/// Distances are to the element's bounding box, along the axes.
+/// \throw InputError with the key of the point, the nearest element and its distance
 void check_followed_points(const Case& c, const Model& model);
 
 }  // namespace voussoir::cases

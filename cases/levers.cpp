@@ -9,10 +9,10 @@ namespace voussoir::cases {
 
 namespace {
 
-constexpr double kMostAcross = 1e3;  // across; more are found where a joint is no rectangle, and has no n
+constexpr double kMostAcross = 1e3;  // segments across; greater values come from joints that are no rectangles, where n is undefined
 
-/// Extent of a joint along one axis and the cells along it: centres of n equal cells lie over b (1 − 1/n) and have the second moment
-/// A b² (1 − 1/n²)/12, which gives both without its grid. Clipped cells make n a fraction.
+/// Extent of a joint along one axis and the cells along it, without its grid: the centres of n equal cells lie over b (1 − 1/n) and have
+/// the second moment A b² (1 − 1/n²)/12. Clipped cells make n a fraction.
 Lever lever_along(double low, double high, double area, double second_moment) {
   const double span = high - low;
   if (span <= 1e-9) return {0.0, 0.0, 1.0};
@@ -22,7 +22,8 @@ Lever lever_along(double low, double high, double area, double second_moment) {
   return {span / (1.0 - short_by), 0.0, 1.0 / std::max(short_by, 1e-9)};
 }
 
-/// Of its two axes the one with fewer segments. One row of cells has no extent to be found from its points: the other axis and the area do.
+/// The axis of a joint with fewer segments. The points of one row of cells give no extent; there it follows from the other axis and the
+/// area.
 Lever coarser(const geometry::Joint& j) {
   double s[2] = {1e300, -1e300}, t[2] = {1e300, -1e300}, area = 0.0, ss = 0.0, tt = 0.0;
   for (const geometry::Segment& p : j.side_a) {

@@ -6,21 +6,22 @@
 
 #include "cases/model.h"
 
-/// By how much levers are short where contact points lie at the centres of segments: THEORY.md (2).
+/// Shortening of levers where contact points lie at the centres of segments: THEORY.md (2).
 namespace voussoir::cases {
 
-/// Walls of one thickness of a house, or, with height 0, the coarsest of the other joints.
+/// Walls of one thickness of a house, or, with height 0, the coarsest joint of a model without a house.
 struct Lever {
   double width = 0.0, height = 0.0;  // m; a wall's thickness and height, or the extent of the joint
-  double segments = 0.0;             // across `width`
-  std::int32_t joint = -1;           // of the model; −1: of walls
+  double segments = 0.0;             // number across `width`
+  std::int32_t joint = -1;           // of the model; −1: a lever of walls
 
-  /// Share of ½ width that the outermost points lie inside of it.
+  /// Share of ½ width by which the lever is short: distance of the outermost points from the edge.
   [[nodiscard]] double short_by() const noexcept { return 1.0 / segments; }
 };
 
-/// Bearing walls of a house, then the others if they have another thickness; of a model without a house the joint with the fewest segments
-/// across either edge, the first of equals. Empty under SegmentRule::rim, where no lever is short, and without a joint.
+/// Levers of the bearing walls of a house, then of the other walls if their thickness differs; for a model without a house, of the joint
+/// with the fewest segments across either edge (the first of equals). Empty under SegmentRule::rim, where no lever is short, and without a
+/// joint.
 std::vector<Lever> levers(const Case& c, const Model& model);
 
 }  // namespace voussoir::cases

@@ -6,8 +6,8 @@
 
 namespace voussoir::cases {
 
-/// The same elements with no joints: each by itself, whatever it overlaps or does not touch. To look at a model that build_model refuses.
-/// \throw InputError for what keeps an element from being built
+/// The elements of a case without joints, whatever overlaps or does not touch. For viewing a model that build_model refuses.
+/// \throw InputError if an element cannot be built
 Model build_loose_model(const Case& c);
 
 }  // namespace voussoir::cases

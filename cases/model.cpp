@@ -22,8 +22,8 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kMostSegments = 2e8;  // on all faces; 24 bytes each before anything runs: a slip of the pen must not fill the memory
-constexpr double kCellLengths = 3.0;   // bricks; of a Flat20N 2, 3 and 4 lengths are alike, 1.5 and 6 worse
+constexpr double kMostSegments = 2e8;  // on all faces, 24 bytes each before the run starts: a limit against typing errors
+constexpr double kCellLengths = 3.0;   // bricks; times of a Flat20N with 2, 3 and 4 lengths are equal, with 1.5 and 6 longer
 
 void name_materials_and_laws(const Case& c, Model& model) {
   for (const auto& [name, value] : c.materials) {
@@ -62,7 +62,7 @@ void add_house(const Case& c, Model& model) {
   }
 }
 
-/// The key at fault when geometry refuses an element: a free block by its place in the case, else the house.
+/// The key at fault when geometry refuses an element: that of a free block, else of the house.
 std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
   if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
@@ -72,7 +72,7 @@ std::string key_of(const Model& model, int element) {
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
 }
 
-/// Geometry knows blocks by number: "block 12: overlaps block 3 by 0.1 m". The user knows them by name, and a name may be "block 3".
+/// Replaces block numbers in a message of geometry, as in "block 12: overlaps block 3 by 0.1 m", by names. A name may itself be "block 3".
 std::string with_names(const Model& model, const geometry::ModelError& error) {
   std::string message = error.what();
   const auto number = [](int element) { return "block " + std::to_string(element); };
@@ -80,7 +80,7 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
     const auto index = static_cast<std::size_t>(element);
     return describe(model.blocks.at(index), index);
   };
-  if (error.other() >= 0) {  // the later first: no name stands in the message yet
+  if (error.other() >= 0) {  // the later first, while the message holds no names
     const std::size_t at = message.rfind(number(error.other()));
     message = at == std::string::npos ? known(error.other()) + ": " + message
                                       : message.replace(at, number(error.other()).size(), known(error.other()));
@@ -92,7 +92,7 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
   return message;
 }
 
-/// What helps with stones out of a file.
+/// A remedy for faults of stones from a file.
 std::string what_to_do(const geometry::ModelError& error) {
   const std::string message = error.what();
   const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
@@ -105,14 +105,14 @@ std::string what_to_do(const geometry::ModelError& error) {
 }
 
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
-  // Of two, the one that stands later in the case: the first was there already.
+  // The later of two blocks in the case is at fault.
   const int later = std::max(error.subject(), error.other());
   const bool of_file =
       later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
   throw InputError(key_of(model, later), with_names(model, error) + (of_file ? what_to_do(error) : ""));
 }
 
-/// About how many segments the faces of a block get: those of the box about it.
+/// Approximate number of segments on the faces of a block: that of its bounding box.
 double segments_on(const Block& block) {
   const auto [low, high] = geometry::bounds(block.shape);
   const Vec3 size = high - low;
@@ -161,7 +161,7 @@ void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
 
 namespace {
 
-/// Materials, laws and blocks; no assembly yet.
+/// The model with materials, laws and blocks, not yet assembled.
 Model model_of_blocks(const Case& c) {
   Model model;
   name_materials_and_laws(c, model);
@@ -233,7 +233,7 @@ Vec3 value_at(const SupportHistory& h, double t) {
 }
 
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
-  // Points often lie midway between two bricks; without a tolerance round-off would choose.
+  // Points often lie midway between two bricks; without a tolerance round-off would decide.
   constexpr double kTie = 1e-9;  // m
   double least = std::numeric_limits<double>::infinity();
   std::int32_t nearest = 0;

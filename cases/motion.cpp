@@ -11,7 +11,7 @@ double acceleration_at(const Accelerogram& a, double t) noexcept {
   if (n == 0 || !(a.dt > 0.0) || !(t >= 0.0)) return 0.0;
   const double position = t / a.dt;
   if (position >= static_cast<double>(n - 1)) {
-    // A clock that adds up its steps may pass the last sample by round-off only; that still is the last sample.
+    // A clock that adds up steps may pass the last sample by round-off, and still gets the last sample.
     return position <= static_cast<double>(n - 1) * (1.0 + 1e-12) ? a.acceleration.back() : 0.0;
   }
   const auto i = static_cast<std::size_t>(position);
@@ -25,7 +25,7 @@ Vec3 acceleration_at(const GroundMotion& m, double t) noexcept {
 
 namespace {
 
-/// At the samples, from rest [m/s].
+/// Velocities at the samples, starting from rest [m/s].
 std::vector<double> velocities(const Accelerogram& a) {
   std::vector<double> v(a.acceleration.size(), 0.0);
   for (std::size_t i = 1; i < v.size(); ++i) v[i] = v[i - 1] + 0.5 * a.dt * (a.acceleration[i - 1] + a.acceleration[i]);

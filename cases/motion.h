@@ -8,10 +8,10 @@
 
 #include "geometry/vec3.h"
 
-/// Ground motion as data: what shakes the base (Eq. 15). Files are read in io/.
+/// Ground motion as data: the acceleration of the base (Eq. 15). Files are read in io/.
 namespace voussoir::cases {
 
-/// Standard gravity, m/s2: the g of records in units of g and of the Arias intensity (the weight of the model has its own, see Gravity).
+/// Standard gravity [m/s2], used for records in units of g and for the Arias intensity. The weight of the model uses Gravity instead.
 inline constexpr double kStandardGravity = 9.80665;
 
 /// One component: equally spaced samples from t = 0.
@@ -27,16 +27,16 @@ double acceleration_at(const Accelerogram& a, double t) noexcept;
 /// Three components on x, y, z; an absent axis has no samples.
 struct GroundMotion {
   std::array<Accelerogram, 3> axis;
-  double factor = 1.0;  // by which all components were multiplied to reach Motion::intensity; 1 without it
+  double factor = 1.0;  // factor of all components to reach Motion::intensity; 1 without it
 };
 /// Ground acceleration at time t [s], m/s2. Zero for t < 0.
 Vec3 acceleration_at(const GroundMotion& m, double t) noexcept;
 
-/// Velocity of the ground that starts from rest at t = 0: the integral of acceleration_at, exact for its straight lines.
+/// Velocity of the ground, starting from rest at t = 0: the integral of acceleration_at, exact for piecewise linear acceleration.
 class GroundVelocity {
  public:
   explicit GroundVelocity(const GroundMotion& m);
-  /// m/s; zero for t < 0, constant after the last sample.
+  /// Velocity at time t [s], m/s; zero for t < 0, constant after the last sample.
   [[nodiscard]] Vec3 at(double t) const noexcept;
 
  private:

@@ -9,7 +9,7 @@
 
 #include "cases/model.h"
 
-/// Looking up what the user named, and writing figures into messages.
+/// Look-up of names in the input, and numbers for messages.
 namespace voussoir::cases {
 
 /// Index of the material `name`. \throw InputError at `key` that lists the known names.
@@ -18,7 +18,7 @@ std::int32_t find_material(std::span<const NamedMaterial> materials, const std::
 /// Index of the joint law `name`; "dry" is 0. \throw InputError at `key` that lists the known names.
 std::int32_t find_law(std::span<const NamedLaw> laws, const std::string& name, const std::string& key);
 
-/// A number as a person writes it: at most nine digits, no trailing zeros.
+/// A number as text: at most nine digits, no trailing zeros.
 std::string text(double value);
 
 /// `name` in double quotes.

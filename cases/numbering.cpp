@@ -18,7 +18,7 @@ Vec3 middle(const Block& b) {
   return (1.0 / static_cast<double>(all.size())) * std::accumulate(all.begin(), all.end(), Vec3{});
 }
 
-/// The bits of x and y in turn.
+/// Interleaves the bits of x and y.
 std::uint64_t morton(std::uint32_t x, std::uint32_t y) {
   std::uint64_t code = 0;
   for (unsigned i = 0; i < 32; ++i) code |= (std::uint64_t{x >> i & 1U} << (2 * i)) | (std::uint64_t{y >> i & 1U} << (2 * i + 1));
@@ -30,7 +30,7 @@ std::uint64_t morton(std::uint32_t x, std::uint32_t y) {
 void number_along_plan(std::vector<Block>& blocks, double cell) {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0;
   for (const Block& b : blocks) x0 = std::min(x0, middle(b).x), y0 = std::min(y0, middle(b).y);
-  // Middles that differ by round-off alone are equally high, and in the same cell.
+  // Coordinates equal up to round-off fall in the same cell, and at the same height.
   const auto steps = [](double x, double size) { return static_cast<std::int64_t>(std::floor(x / size + 1e-6)); };
   using Place = std::tuple<std::int32_t, std::uint64_t, std::int64_t, std::size_t>;
   std::vector<Place> order;

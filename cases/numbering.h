@@ -8,8 +8,8 @@
 
 namespace voussoir::cases {
 
-/// Puts the blocks of houses into the order in which elements are numbered: house by house, then cell by cell of the plan along a Morton
-/// curve, from the bottom up in each. What touches then lies close in memory: course by course round the house, a step over an intact
+/// Sorts the blocks of houses into the order of element numbers: house by house, then cell by cell of the plan along a Morton curve, from
+/// the bottom up in each cell. Touching elements are then close in memory; numbered course by course round the house, a step of an intact
 /// house takes up to a tenth longer (perf/LOG.md).
 /// \param cell  edge of the cells [m]
 void number_along_plan(std::vector<Block>& blocks, double cell);

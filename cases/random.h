@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// Seeds for whatever is drawn at random: integers alone, so the same on every machine.
+/// Seeds of random numbers: integer arithmetic only, so the same on every machine.
 namespace voussoir::cases {
 
 /// SplitMix64 (Steele, Lea and Flood 2014): every bit of the input changes half the bits of the output.

@@ -12,17 +12,18 @@
 namespace voussoir::cases {
 namespace {
 
-/// The numbers of one joint, by counter.
+/// The random numbers of one joint, by counter.
 class Draws {
  public:
   Draws(int seed, const std::array<std::int32_t, 4>& joint) noexcept : key_(mixed(static_cast<std::uint64_t>(seed))) {
     for (const std::int32_t part : joint) key_ = mixed(key_ ^ static_cast<std::uint32_t>(part));
   }
-  /// Uniform in (0, 1): the middle of one of 2^53 equal parts.
+  /// A uniform number in (0, 1): the middle of one of 2^53 equal parts.
   [[nodiscard]] double uniform(std::uint64_t counter) const noexcept {
     return (static_cast<double>(mixed(key_ + counter) >> 11) + 0.5) * 0x1p-53;
   }
-  /// The sum of twelve uniform numbers has variance 1 and is normal but for its far tails (excess kurtosis −0.1), which are cut.
+  /// A normal number: the sum of twelve uniform numbers has variance 1, and is normal but for its far tails (excess kurtosis −0.1), which
+  /// are cut.
   [[nodiscard]] double normal() const noexcept {
     double sum = -6.0;
     for (std::uint64_t k = 0; k < 12; ++k) sum += uniform(k);
@@ -33,7 +34,7 @@ class Draws {
   std::uint64_t key_;
 };
 
-/// eˣ for |x| ≤ 8 by its series at x/64 (next term under 1e-16) and six squarings: the bits of std::exp depend on the processor.
+/// eˣ for |x| ≤ 8 by its series at x/64 (next term under 1e-16) and six squarings, since the bits of std::exp depend on the processor.
 double exponential(double x) noexcept {
   const double y = x / 64.0;
   double sum = 1.0;
@@ -42,7 +43,7 @@ double exponential(double x) noexcept {
   return sum;
 }
 
-/// ln(1 + y) for 0 ≤ y ≤ 1, 2 artanh(y/(2 + y)) by its series.
+/// ln(1 + y) for 0 ≤ y ≤ 1, as 2 artanh(y/(2 + y)) by its series.
 double logarithm_of_one_plus(double y) noexcept {
   const double t = y / (2.0 + y), t2 = t * t;
   double sum = 0.0;
@@ -50,7 +51,7 @@ double logarithm_of_one_plus(double y) noexcept {
   return 2.0 * t * sum;
 }
 
-/// Largest coefficient of variation that leaves all strengths above zero; of the lognormal, where its cut tail still bears its name.
+/// Largest coefficient of variation allowed: strengths stay above zero; for lognormal, the cut changes it little.
 double most_variation(Distribution d) noexcept {
   switch (d) {
     case Distribution::normal:

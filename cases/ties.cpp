@@ -21,18 +21,18 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kNear = 1e-3;      // m, from a point to the element that it belongs to, and from a face to its plate
-constexpr double kShortest = 1e-2;  // m, tie
+constexpr double kNear = 1e-3;      // m, tolerance from a point to the element that contains it, and from a face to a plate
+constexpr double kShortest = 1e-2;  // m, least length of a tie
 constexpr double kCovered = 0.5;    // least share of a plate that lies on faces
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string point_text(Vec3 p) { return "[" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + "]"; }
 
-/// One end of a tie, as the case file has it.
+/// One end of a tie, from the case file.
 struct End {
   std::string key;  // "tie[0].from"
   Vec3 point;
-  Vec3 inwards;  // unit, to the other end
+  Vec3 inwards;  // unit vector towards the other end
 };
 
 [[noreturn]] void refuse_point(const Case& c, const Model& model, const End& end) {
@@ -49,7 +49,7 @@ struct End {
 
 bool on_base(const Case& c, Vec3 point) { return c.base && std::abs(point.z - c.base->z) <= kNear; }
 
-/// The element that has the point in it or on it; −1: none.
+/// The element that contains the point; −1: none.
 std::int32_t element_at(const Model& model, Vec3 point) {
   double least = kNear;
   std::int32_t found = -1;
@@ -67,7 +67,7 @@ std::vector<TieHold> hold_at_point(const Case& c, const Model& model, const End&
   refuse_point(c, model, end);
 }
 
-/// What a plate covers of the faces that lie in one plane, their outward normal `n`.
+/// The parts of a plate on the faces in one plane with the outward normal `n`.
 std::vector<TieHold> covered(const Model& model, const End& end, const std::array<double, 2>& plate, Vec3 n) {
   const Vec3 across = std::abs(n.z) > 0.99 ? Vec3{1, 0, 0} : normalised(cross(Vec3{0, 0, 1}, n)), up = cross(n, across);
   const auto in_plane = [&](Vec3 x) { return geometry::Point2{dot(x - end.point, across), dot(x - end.point, up)}; };
@@ -96,8 +96,8 @@ double area_of(const std::vector<TieHold>& holds) {
   return area;
 }
 
-/// In the plane through the point, of those that look away from the other end (within 60 degrees), in which a plate covers most. (A point
-/// on the edge of a brick lies in the plane of its joint, too.)
+/// The hold of a plate: among the planes of faces through the point that face away from the other end (within 60 degrees), the plane in
+/// which the plate covers most. (A point on the edge of a brick lies in the plane of the brick's joint, too.)
 std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std::array<double, 2>& plate) {
   const geometry::Assembly& a = model.assembly;
   std::vector<TieHold> holds;
@@ -130,7 +130,7 @@ Vec3 middle(const std::vector<TieHold>& holds) {
   return at;
 }
 
-/// An end on the base whose tie comes from above needs no plate.
+/// Whether an end is on the base and its tie comes from above: such an end needs no plate.
 bool anchored_in_base(const Case& c, const End& end) { return on_base(c, end.point) && end.inwards.z > 0.5; }
 
 bool is_one_element(const TieBar& bar) {
@@ -140,7 +140,7 @@ bool is_one_element(const TieBar& bar) {
   return elements.size() == 1;
 }
 
-/// \param plates  at which ends the tie's plate is
+/// Attaches a tie to elements. \param plates  whether each end has the tie's plate
 TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array<std::string, 2>& keys, const std::string& key,
              std::array<bool, 2> plates = {true, true}) {
   const double apart = norm(tie.to - tie.from);
@@ -157,7 +157,7 @@ TieBar place(const Case& c, const Model& model, const Tie& tie, const std::array
   bar.length = norm(middle(bar.ends[1]) - middle(bar.ends[0]));
   bar.stiffness = tie.young * tie.area / bar.length;
   bar.yield = tie.yield ? *tie.yield * tie.area : kNever;
-  // Stress over strain has the slope E_t beyond yield, so stress over plastic strain has E E_t / (E − E_t).
+  // Stress over strain has the slope E_t beyond yield, so stress over plastic strain has the slope E E_t / (E − E_t).
   bar.hardening = tie.young * tie.hardening / (tie.young - tie.hardening) * tie.area / bar.length;
   bar.breaking = tie.elongation ? *tie.elongation * bar.length : kNever;
   bar.pretension = tie.pretension;
@@ -194,7 +194,7 @@ void add_beam_anchors(const Case& c, double foot, Model& model) {
   std::vector<TieBill> bills(c.house->floors.size());
   for (const PlannedTie& planned : beam_anchors(*c.house, foot)) {
     const std::string key = indexed_key("house.floor", planned.index, "anchor");
-    TieBar bar = place(c, model, planned.tie, {key, key}, key, {false, true});  // nailed to the beam
+    TieBar bar = place(c, model, planned.tie, {key, key}, key, {false, true});  // nailed to the beam, without a plate there
     TieBill& bill = bills[planned.index];
     bill.name = "floor " + std::to_string(c.house->floors[planned.index].storey) + " anchors";
     ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
@@ -214,7 +214,7 @@ void add_roof_ties(const Case& c, double foot, Model& model) {
   if (bill.ties > 0) model.tie_bill.push_back(bill);
 }
 
-/// \param number  behind those of meshes, as TieBar::mesh counts
+/// Adds the bars of a deck. \param number  TieBar::mesh of the deck, counted after the meshes
 void add_deck(const PlannedDeck& planned, const std::string& name, std::size_t number, Model& model) {
   TieBill bill;
   bill.name = name;
@@ -248,7 +248,7 @@ void add_decks(const Case& c, double foot, Model& model) {
   if (boards) add_deck(roof_deck(house, foot), "roof deck", house.meshes.size() + house.floors.size(), model);
 }
 
-/// A bar from node to node, if they stand on two elements.
+/// Adds a bar between two nodes, if they are on two different elements.
 void add_bar(const PlannedMesh& mesh, const std::vector<std::int32_t>& element, std::array<std::int32_t, 2> nodes, TieBar bar,
              Model& model) {
   for (std::size_t k = 0; k < 2; ++k) {

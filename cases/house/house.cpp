@@ -13,7 +13,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// Exact: coordinates are swapped and negated, never multiplied by a rounded cosine.
+/// Rotates exactly: coordinates are swapped and negated, never multiplied by a rounded cosine.
 Vec3 turned(Vec3 v, int quarter_turns) noexcept {
   for (int i = 0; i < quarter_turns; ++i) v = {-v.y, v.x, v.z};
   return v;
@@ -34,7 +34,7 @@ std::vector<Block> placed_copies(const House& house, const HousePlan& plan, cons
   return all;
 }
 
-/// Flat and pitched roofs are.
+/// Whether the roof is of timber: flat and pitched roofs are.
 bool is_of_timber(const Roof& roof) noexcept { return roof.kind == RoofKind::flat || roof.kind == RoofKind::pitched; }
 
 const std::string& bare_roof_material(const House& house) { return is_of_timber(house.roof) ? house.wood.material : house.material; }
@@ -43,7 +43,7 @@ std::string surcharged_name(const House& house) {
   return bare_roof_material(house) + " with roof surcharge " + text(house.roof.surcharge) + " kg/m2";
 }
 
-/// The material of beams or voussoirs.
+/// Index of the material of the roof's beams or voussoirs.
 std::int32_t roof_material(const House& house, std::span<const NamedMaterial> materials, const HouseParts& parts) {
   if (house.roof.surcharge > 0.0) return find_material(materials, surcharged_name(house), "house.roof.surcharge");
   return is_of_timber(house.roof) ? parts.timber : parts.masonry;
@@ -54,7 +54,7 @@ std::string floor_name(const House& house, std::size_t index) {
   return house.wood.material + " of floor " + std::to_string(floor.storey) + " with " + text(floor.load) + " kg/m2";
 }
 
-/// The material of a floor's beams.
+/// Index of the material of a floor's beams.
 std::int32_t floor_material(const House& house, std::size_t index, std::span<const NamedMaterial> materials, const HouseParts& parts) {
   if (house.floors[index].load == 0.0) return parts.timber;
   return find_material(materials, floor_name(house, index), indexed_key("house.floor", index, "load"));
@@ -74,7 +74,7 @@ std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const
   return loaded;
 }
 
-/// The load of a strip as wide as the beams are apart, smeared over the beam in it.
+/// The material of a floor's beams, with the load of a strip as wide as the beam spacing added to their density.
 std::optional<NamedMaterial> loaded_floor(const House& house, std::size_t index, std::span<const NamedMaterial> materials) {
   const Floor& floor = house.floors[index];
   if (floor.load == 0.0) return std::nullopt;

@@ -12,7 +12,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// A height at which a course must end, and the key that asks for it.
+/// A height at which a course must end, and the key that requires it.
 struct Level {
   Tick at = 0;
   std::string key;       // empty: the foot of the walls
@@ -21,7 +21,7 @@ struct Level {
   int sign = 1;          // the level moves up (1) or down with the value
 };
 
-/// The foot, the tops of storeys, then the openings in the order of the case, then the beams of floors and the tops of piers.
+/// Levels in the order: foot, tops of storeys, openings in the order of the case, beams of floors, tops of piers.
 std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   std::vector<Level> levels{{}, {plan.storeys[0].high, "house.height", house.height, true}};
   for (std::size_t i = 0; i < house.storeys.size(); ++i)
@@ -51,7 +51,7 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   return levels;
 }
 
-/// Two levels with less than the lowest course between them; the later of the case is at fault.
+/// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
 [[noreturn]] void refuse(const Level& first, const Level& later, Tick lowest) {
   const Tick onto = ticks(later.value) + later.sign * (first.at - later.at);
   const Tick nearest = later.is_size && onto <= 0 ? lowest : onto;

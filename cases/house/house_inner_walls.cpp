@@ -35,7 +35,7 @@ void check_storeys(const House& house, std::size_t index) {
   }
 }
 
-/// Between it and the next wall that runs as it does, bricks of the walls that it meets must fit.
+/// Checks that the distance between a wall and the next parallel wall suffices for bricks of the walls that it meets.
 void check_place(const House& house, std::size_t index, const WallPlan& wall, const HousePlan& plan) {
   const std::string key = indexed_key("house.inner_wall", index, "at");
   const std::string at = text(house.inner_walls[index].at) + " m ";

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t kNone = -1;
 constexpr double kMostNodes = 1e6;
 
-/// Places of nodes in one direction: as many as fit, half of the rest at either end.
+/// Positions of nodes in one direction: as many as fit, half of the remainder at either end.
 struct Places {
   int count = 1;
   double first = 0.0, step = 0.0;
@@ -25,14 +25,14 @@ struct Places {
   [[nodiscard]] double at(int k) const { return first + k * step; }
 };
 
-/// Nodes of one face of one wall, by column and row; kNone where there is none.
+/// Nodes of one face of one wall, by column and row; kNone where there is no node.
 struct Sheet {
   int columns = 0, rows = 0;
   std::vector<std::int32_t> nodes;
   [[nodiscard]] std::int32_t at(int column, int row) const { return nodes[static_cast<std::size_t>(row * columns + column)]; }
 };
 
-/// The mesh of one house, in its own axes.
+/// Builds the mesh of one house, in axes of the house.
 class Builder {
  public:
   Builder(const HousePlan& plan, const HouseMesh& mesh, std::string key)
@@ -78,7 +78,7 @@ class Builder {
     const Places columns(0.0, metres(wall.length), mesh_.spacing[0]);
     Sheet s{columns.count, rows_.count, {}};
     for (int row = 0; row < s.rows; ++row) {
-      const WallPlan& here = plan_.wall_at(side, ticks(rows_.at(row)));  // of this storey
+      const WallPlan& here = plan_.wall_at(side, ticks(rows_.at(row)));  // the wall of this storey
       const double low = inner && here.meets[0] ? metres(here.corner) : 0.0;
       const double high = metres(here.length) - (inner && here.meets[1] ? metres(here.corner) : 0.0);
       for (int column = 0; column < s.columns; ++column) {
@@ -107,7 +107,7 @@ class Builder {
       }
     }
   }
-  /// Round the corner between the last columns of two walls, at their high or low ends.
+  /// Adds straps round the corner between the last columns of two walls, at their high or low ends.
   void join(const std::map<Side, Sheet>& sheets, Side a, bool a_high, Side b, bool b_high) {
     const auto first = sheets.find(a), second = sheets.find(b);
     if (first == sheets.end() || second == sheets.end()) return;

@@ -40,10 +40,10 @@ WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
       quoted(opening.wall) + " is no wall" + (storeys > 1 ? " of storey " + std::to_string(opening.storey) : "") + "; allowed: " + allowed);
 }
 
-/// Where a hole may lie: between the inner corners, because the wall it meets owns every second course of the corner.
+/// The range of a wall in which a hole may lie: between the inner corners, since the meeting wall has every second course of the corner.
 Interval between_corners(const WallPlan& wall) { return {wall.corner, wall.length - wall.corner}; }
 
-/// Inner walls that end in this wall or cross it, and piers at it, own every second course there.
+/// Refuses a hole at inner walls that end in this wall or cross it, and at piers: they run through in every second course.
 void refuse_crossing(const House& house, const Hole& hole, const char* field, double value, const WallPlan& wall, const HousePlan& plan) {
   for (const WallPlan& other : plan.walls) {
     const bool here = other.inner >= 0 || (other.pier >= 0 && wall.outer() && other.side == wall.side);
@@ -90,7 +90,7 @@ Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, 
   return {along, {wall.height.low + sill, wall.height.low + sill + height}, index, false, {0, wall.thickness}};
 }
 
-/// Centred on the opening.
+/// Range of a lintel, centred on the opening.
 Interval lintel_span(const Opening& opening) noexcept {
   const Tick from = ticks(opening.from);
   const Tick length = ticks(opening.lintel->length);
@@ -131,7 +131,7 @@ Hole lintel_hole(const House& house, const Hole& under, const HousePlan& plan, c
   return {along, {under.height.high, under.height.high + height}, index, true, {0, wall.thickness}};
 }
 
-/// The frame of an arch, between the corners of its wall and clear of other walls.
+/// The frame of an arch, checked to lie between the corners of its wall and clear of other walls.
 Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
   const Hole hole = arch_hole(house, under, plan, wall);
   const Interval room = between_corners(wall);
@@ -171,14 +171,14 @@ void add_holes(const House& house, HousePlan& plan) {
   }
 }
 
-/// A piece of wall shorter than half a brick, and the hole beside it.
+/// A piece of wall shorter than half a brick, and the hole beside the piece.
 struct ShortPiece {
   Interval piece;
   const WallPlan* wall = nullptr;
   const Hole* hole = nullptr;
 };
 
-/// Between two openings the later one in the case: the first was there already. A pocket before any opening.
+/// The hole at fault for a short piece: a pocket before an opening; of two openings the later one in the case.
 const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
   const Hole* found = nullptr;
   for (const Hole& hole : wall.holes) {
@@ -204,7 +204,7 @@ std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
   return std::nullopt;
 }
 
-/// True if the openings can be built; tried with changed openings to give advice that holds.
+/// Whether the openings can be built. Used on changed openings, so that advice in messages is valid.
 bool fits(const House& house, HousePlan plan) {
   for (WallPlan& wall : plan.walls) wall.holes.clear();
   try {
@@ -217,7 +217,7 @@ bool fits(const House& house, HousePlan plan) {
   return !find_short_piece(plan);
 }
 
-/// The nearest value of one length of the house with which everything fits, as the end of a message. `changes` are tried from the smallest.
+/// The nearest valid value of one length of the house, as the end of a message. `changes` are tried from the smallest.
 std::string advice(const House& house, const HousePlan& plan, const std::function<double&(House&)>& length, std::array<Tick, 2> changes) {
   std::sort(changes.begin(), changes.end(), [](Tick a, Tick b) { return std::abs(a) < std::abs(b); });
   for (const Tick change : changes) {
@@ -245,7 +245,7 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   }
   const std::size_t index = found->hole->opening;
   const Opening& opening = house.openings[index];
-  // A change takes the piece away, or makes it half a brick long.
+  // A change removes the piece, or makes it half a brick long.
   if (found->hole->lintel) {
     const auto length = [index](House& h) -> double& { return h.openings[index].lintel->length; };
     throw InputError(opening_key(index, "lintel.length"),  // both ends move: twice the change
@@ -262,7 +262,7 @@ void refuse_short_pieces(const House& house, const HousePlan& plan) {
   throw InputError(opening_key(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
 }
 
-/// Whether all of a stretch of a wall is open right above a height.
+/// Whether a stretch of a wall is entirely open just above a height.
 bool is_open_above(const WallPlan& wall, Interval along, Tick height) {
   Tick covered = along.low;
   for (const Hole& h : wall.holes) {  // ascending along the wall
@@ -271,7 +271,7 @@ bool is_open_above(const WallPlan& wall, Interval along, Tick height) {
   return covered >= along.high;
 }
 
-/// Masonry right above an opening: of its wall, of the same wall of the next storey, or a gable.
+/// Whether masonry lies just above an opening: of its wall, of the same wall in the next storey, or of a gable.
 bool has_masonry_above(const House& house, const HousePlan& plan, const WallPlan& wall, const Hole& opening) {
   const Tick top = opening.height.high;
   if (top < wall.height.high) return !is_open_above(wall, opening.along, top);

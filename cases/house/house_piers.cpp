@@ -20,7 +20,7 @@ Side side_of(const House& house, std::size_t index, const HousePlan& plan) {
   throw InputError(pier_key(index, "wall"), quoted(wanted) + " is no outer wall; allowed: front, rear, left, right");
 }
 
-/// Lengths of a pier, checked by themselves.
+/// Lengths of a pier, each checked.
 struct Sizes {
   Interval along;  // of the wall
   Tick depth = 0, height = 0;
@@ -42,7 +42,7 @@ Sizes sizes_of(const House& house, std::size_t index, const HousePlan& plan) {
   return s;
 }
 
-/// Half a brick at least must lie between a pier and what else the wall gives way to.
+/// Checks that at least half a brick lies between a pier and holes or crossing walls of its wall.
 void check_place(const House& house, std::size_t index, const WallPlan& wall, Interval along, const HousePlan& plan) {
   const Tick gap = plan.shortest_piece();
   const Interval room{wall.corner + gap, wall.length - wall.corner - gap};

@@ -14,10 +14,10 @@ namespace voussoir::cases {
 namespace {
 
 constexpr double kTicksPerMetre = 1e9;
-constexpr double kLongest = 1e4;       // m; far beyond any house, far below what overflows a Tick
-constexpr double kMostElements = 2e7;  // a mistyped brick size must not fill the machine's memory
+constexpr double kLongest = 1e4;       // m; far above any house, far below the overflow of a Tick
+constexpr double kMostElements = 2e7;  // limit, so that a mistyped brick size does not exhaust the memory
 
-/// Two widths and the joint between them are a length.
+/// Refuses a brick format in which two widths and the joint between them are not one length.
 [[noreturn]] void refuse_format(const House& house) {
   const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
   const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
@@ -58,7 +58,7 @@ Tick thickness_of(double value, const HousePlan& plan, const std::string& key) {
   return multiple_of(value, plan.brick_width, key, "brick widths");
 }
 
-/// Heights of the storeys, one upon the other.
+/// Sets the heights of the storeys, from the bottom up.
 void plan_storeys(const House& house, HousePlan& plan) {
   plan.height = positive_length(house.height, "house.height");
   plan.storeys = {{0, plan.height}};
@@ -69,7 +69,7 @@ void plan_storeys(const House& house, HousePlan& plan) {
   }
 }
 
-/// Thickness of the bearing and the other walls, by storey.
+/// Thicknesses of the bearing and the other walls, by storey.
 std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, const HousePlan& plan) {
   std::vector<std::array<Tick, 2>> all{
       {thickness_of(house.bearing_wall, plan, "house.bearing_wall"), thickness_of(house.nonbearing_wall, plan, "house.nonbearing_wall")}};
@@ -114,7 +114,7 @@ void plan_walls(const House& house, HousePlan& plan) {
   }
 }
 
-/// Which outer walls are built.
+/// Marks the outer walls that are built.
 void choose_walls(const House& house, HousePlan& plan) {
   std::array<bool, 4> built{};
   for (std::size_t i = 0; i < house.walls.size(); ++i) {
@@ -133,7 +133,7 @@ void choose_walls(const House& house, HousePlan& plan) {
   }
 }
 
-/// Where walls of a storey meet and cross: what the one takes of the other's length.
+/// Finds where walls of a storey meet and cross.
 void plan_crossings(HousePlan& plan) {
   for (WallPlan& wall : plan.walls) {
     if (wall.pier >= 0) continue;
@@ -146,7 +146,7 @@ void plan_crossings(HousePlan& plan) {
   }
 }
 
-/// How far piers on both sides together reach beyond the walls along an axis.
+/// Distance by which piers extend the house beyond the walls along an axis.
 Tick beyond(const HousePlan& plan, std::size_t axis) {
   Tick before = 0, behind = 0;
   for (const WallPlan& wall : plan.walls) {
@@ -208,7 +208,7 @@ const char* name(Side side) noexcept {
 }
 
 Tick positive_length(double value, const std::string& key) {
-  // Four ticks, so that a quarter of a brick is still one.
+  // At least four ticks, so that a quarter of a brick is not zero.
   if (!(value >= 4.0 / kTicksPerMetre && value <= kLongest)) {
     throw InputError(key, text(value) + " m is out of range; allowed: above 0, at most " + text(kLongest) + " m");
   }

@@ -10,14 +10,14 @@
 namespace voussoir::cases {
 namespace {
 
-/// Lengths of the reinforcement, checked by themselves.
+/// Lengths of the reinforcement, each checked.
 struct Sections {
   Tick column_x = 0, column_y = 0;
   Tick beam_width = 0, beam_height = 0;
   Interval column;  // heights
 };
 
-/// A column, and the key that placed it.
+/// A column, and the key that defines its position.
 struct Column {
   Interval x, y;
   std::string key;
@@ -54,14 +54,14 @@ Sections sections_of(const Reinforcement& r, const HousePlan& plan) {
   return s;
 }
 
-/// The column at one wall; `section` is its size along the wall, `depth` through the room.
+/// The column at one wall; `section` is its size along the wall, `depth` perpendicular to the wall.
 Column column_at(const HousePlan& plan, const WallPlan& wall, Tick axis, Tick section, Tick depth, std::string key) {
   const Interval along{axis - section / 2, axis - section / 2 + section};
   const HouseBox box = in_house(plan, wall, along, {wall.thickness, wall.thickness + depth}, {});
   return {box.x, box.y, std::move(key)};
 }
 
-/// The nearest place of an axis beside the openings of a wall, as the end of a message.
+/// The nearest position of an axis clear of the openings of a wall, as the end of a message.
 std::string advice(const WallPlan& wall, Tick axis, Tick section, Interval height, Interval room) {
   const auto fits = [&](Tick place) {
     const Interval along{place - section / 2, place - section / 2 + section};
@@ -117,12 +117,12 @@ void place_columns(const House& house, const HousePlan& plan, const Sections& s,
   }
 }
 
-/// What members have in common: timber, in elements along their length.
+/// Builds timber members, divided into elements along their length.
 class Carpenter {
  public:
   Carpenter(const Reinforcement& r, HouseParts& parts) : r_(r), parts_(parts) {}
 
-  /// A member along x (0), y (1) or z (2).
+  /// Adds a member along x (0), y (1) or z (2).
   void add(PartKind kind, const std::string& tag, HouseBox box, int along) {
     Interval& length = along == 0 ? box.x : along == 1 ? box.y : box.z;
     const Interval whole = length;
@@ -146,7 +146,7 @@ class Carpenter {
   HouseParts& parts_;
 };
 
-/// Those along x run through the corners. Upon the walls their axes are the walls' middles.
+/// Adds ring beams on the walls, over the middles of the walls. Beams along x run through the corners.
 void add_ring_beams_upon(const HousePlan& plan, const Sections& s, Carpenter& carpenter) {
   const Interval z{plan.height, plan.height + s.beam_height};
   for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {
@@ -158,7 +158,7 @@ void add_ring_beams_upon(const HousePlan& plan, const Sections& s, Carpenter& ca
   }
 }
 
-/// Those along x run through the inner corners.
+/// Adds ring beams at the inner faces. Beams along x run through the inner corners.
 void add_ring_beams(const HousePlan& plan, const Sections& s, Carpenter& carpenter) {
   const Interval z{plan.height - s.beam_height, plan.height};
   for (const Side side : {Side::front, Side::right, Side::rear, Side::left}) {

@@ -15,12 +15,12 @@ constexpr std::array kSides{Side::front, Side::right, Side::rear, Side::left};
 
 Side opposite(Side side) { return kSides[(static_cast<std::size_t>(side) + 2) % 4]; }
 
-/// Ends of a rod in the axes of the house.
+/// Ends of a rod in axes of the house.
 struct Rod {
   Vec3 from, to;
 };
 
-/// Walls and rods of one [[house.tie]].
+/// Selects the walls, and makes the rods, of one [[house.tie]].
 class Rods {
  public:
   Rods(const HousePlan& plan, const HouseTie& tie, std::string key)
@@ -51,7 +51,7 @@ class Rods {
     for (const Side side : walls_) {
       const Side other = opposite(side);
       const auto first = std::ranges::find(walls_, side), second = std::ranges::find(walls_, other);
-      if (second < first) continue;  // from there it has its rods already
+      if (second < first) continue;  // the rods were added from the opposite wall
       if (!plan_.wall(other).built)
         throw InputError(key_, "runs across from the " + std::string(name(side)) + " wall, but the " + name(other) + " wall is not built");
       for (std::size_t i = 0; i < tie_.at.size(); ++i) {
@@ -141,10 +141,10 @@ std::vector<InputError> rods_in_openings(const House& house) {
   const auto look = [&](const HouseTie& tie, const std::string& key, Side side, double height) {
     const Tick at = ticks(height);
     const WallPlan& wall = plan.wall_at(side, at);
-    if (tie.depth.value_or(0.0) >= metres(wall.thickness)) return;  // in the room
+    if (tie.depth.value_or(0.0) >= metres(wall.thickness)) return;  // inside the room
     for (const Hole& h : wall.holes) {
       if (h.lintel || h.floor >= 0 || h.ground >= 0) continue;
-      const Tick top = h.arch ? h.height.low + ticks(house.openings[h.opening].arch->rise) : h.height.high;  // of what is open
+      const Tick top = h.arch ? h.height.low + ticks(house.openings[h.opening].arch->rise) : h.height.high;  // upper edge of the open area
       if (h.height.low < at && at < top)
         found.emplace_back(key + ".heights", "the rod along the " + std::string(name(side)) + " wall at " + text(height) +
                                                  " m runs through " + indexed_key("house.opening", h.opening, ""));

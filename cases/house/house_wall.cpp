@@ -16,7 +16,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// Joins a leftover at the end of `pieces` (its back) to its neighbour. The other end is treated with the pieces mirrored.
+/// Joins a remainder at the back of `pieces` to its neighbour. The other end is treated with the pieces mirrored.
 void join_leftover(std::vector<Interval>& pieces, Tick brick_length, bool half_at_edge) {
   if (pieces.size() < 2 || pieces.back().length() >= brick_length / 2) return;
   const Tick end = pieces.back().high;
@@ -26,7 +26,7 @@ void join_leftover(std::vector<Interval>& pieces, Tick brick_length, bool half_a
     last.high = end;
     return;
   }
-  // Too long for a brick. Half a brick on the inside keeps the end piece the longer one, which ties the edge best.
+  // Together longer than a brick. Half a brick on the inside makes the end piece the longer one, which bonds the edge best.
   last.high = half_at_edge ? end - brick_length / 2 : last.low + brick_length / 2;
   pieces.push_back({last.high, end});
 }
@@ -36,7 +36,7 @@ void mirror(std::vector<Interval>& pieces) {
   std::reverse(pieces.begin(), pieces.end());
 }
 
-/// A lintel element or a brick, before it becomes a block.
+/// A lintel element or a brick before it becomes a block.
 struct Laid {
   Interval along, depth, height;
   bool whole = true;
@@ -45,7 +45,7 @@ struct Laid {
   bool through = false;
 };
 
-/// A lintel is as thick as its wall, in equal rows about a brick long through the wall; each row is a member of its own.
+/// Adds a lintel, as thick as its wall, in equal rows about a brick long through the wall; each row is a separate member.
 void add_lintel(const House& house, const HousePlan& plan, const WallPlan& wall, const Hole& hole, HouseParts& parts,
                 std::vector<Laid>& laid) {
   const Tick element = ticks(house.openings[hole.opening].lintel->element);
@@ -59,8 +59,8 @@ void add_lintel(const House& house, const HousePlan& plan, const WallPlan& wall,
   }
 }
 
-/// Flemish bond: the pieces of two neighbouring layers become a header where one lies: in the faces before each stretcher, between the
-/// faces all along. A piece that an end or an opening changed in one layer alone stays as it is.
+/// Joins pieces of two neighbouring layers to headers in Flemish bond: in the faces before each stretcher, between the faces everywhere. A
+/// piece that an end or an opening changed in one layer only is left as it is.
 void join_headers(const HousePlan& plan, int course, Interval leaf, bool full_height, std::vector<LaidBrick>& bricks) {
   const Tick width = plan.brick_width;
   const std::vector<Wythe> layers = wythes(plan, leaf.length(), course);
@@ -97,15 +97,15 @@ std::vector<Interval> without(const std::vector<Interval>& spans, const std::vec
   return left;
 }
 
-/// Places of stones through both leaves in a course, ascending. Where one would lie in a hole, or leave a piece shorter than half a brick
-/// beside it, there is none.
+/// Positions of stones through both leaves in a course, ascending. Positions in a hole, or with less than half a brick beside them, are
+/// left out.
 std::vector<Interval> through_stones(const House& house, const HousePlan& plan, const WallPlan& wall, int course) {
   if (wall.leaf == 0 || !house.leaves->through) return {};
   const ThroughStones& through = *house.leaves->through;
   if (course % through.every != through.every / 2) return {};
   const Tick spacing = ticks(through.spacing), width = plan.brick_width;
   const bool stretchers = plan.bond == Bond::running || wall.leaf == width;
-  const Tick grid = stretchers || course % 2 == 1 ? width / 2 : 0;  // so that no joint runs on beside it
+  const Tick grid = stretchers || course % 2 == 1 ? width / 2 : 0;  // so that no joint continues beside the stone
   const bool second_row = course / through.every % 2 == 1;
   const std::vector<Interval> spans = free_spans(plan, wall, course, {0, wall.thickness});
   const Interval between_corners{wall.meets[0] ? wall.corner : 0, wall.length - (wall.meets[1] ? wall.corner : 0)};
@@ -121,7 +121,7 @@ std::vector<Interval> through_stones(const House& house, const HousePlan& plan, 
   return stones;
 }
 
-/// What the pockets of beams leave of a layer of a course behind them.
+/// Fills the part of a layer of a course behind the pockets of beams.
 void fill_behind_beams(const HousePlan& plan, const WallPlan& wall, int course, const Wythe& wythe, std::vector<LaidBrick>& bricks) {
   for (const Hole& hole : wall.holes) {
     const bool cut = hole.floor >= 0 && hole.depth.overlaps(wythe.depth) && hole.depth.low > wythe.depth.low;
@@ -166,7 +166,7 @@ void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall,
   }
 }
 
-/// \param rubble  null: bricks
+/// Adds the blocks of one course. \param rubble  null: bricks
 void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, const RubbleWalls* rubble,
                   HouseParts& parts) {
   const Interval height = plan.courses[static_cast<std::size_t>(course)];
@@ -181,7 +181,7 @@ void build_course(const House& house, const HousePlan& plan, const WallPlan& wal
   }
   std::sort(laid.begin(), laid.end(),
             [](const Laid& a, const Laid& b) { return std::tie(a.along.low, a.depth.low) < std::tie(b.along.low, b.depth.low); });
-  // Going round the house, so that neighbours in number are neighbours in space.
+  // In order round the house, so that blocks of neighbouring numbers are neighbours in space.
   if (wall.outer() && (wall.side == Side::rear || wall.side == Side::left)) std::reverse(laid.begin(), laid.end());
   for (const Laid& l : laid) parts.blocks.push_back(block_of(house, plan, wall, l, parts));
   for (const Hole& hole : wall.holes) {

@@ -6,13 +6,13 @@
 
 #include "cases/house/house_plan.h"
 
-/// Bond: which bricks a course of a wall has. Internal to cases/.
+/// Bond: the bricks of a course of a wall. Internal to cases/.
 namespace voussoir::cases {
 
 /// A brick of a course in the wall's own coordinates.
 struct LaidBrick {
   Interval along, depth;
-  bool whole = true;     // false: cut, or a leftover joined to its neighbour
+  bool whole = true;     // false: cut, or a remainder joined to its neighbour
   bool through = false;  // a stone through both leaves
 };
 
@@ -21,37 +21,37 @@ struct LaidBrick {
 struct Wythe {
   Interval depth;
   Tick unit = 0, offset = 0;
-  Tick header = 0;  // length of what lies before each unit; 0: nothing
-  /// Where a leftover at an edge makes two pieces of one brick: the half brick at the edge. So it must be where the course above is half a
-  /// brick off: its own joint lies half a brick and the leftover from the edge.
+  Tick header = 0;  // length of the header before each unit; 0: none
+  /// Whether a remainder at an edge is divided with the half brick at the edge. Needed where the course above is shifted by half a brick:
+  /// its joint lies half a brick plus the remainder from the edge.
   bool half_at_edge = false;
 };
 
 /// The layers of a course from the outer face inwards.
 ///
 /// English bond, n = thickness / brick width. Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
-/// stretcher at the inner face, all a quarter brick off the even grid. With n odd the even course ends in a stretcher at the inner face and
-/// the odd course has none there. Running bond, and any wall one brick width thick: n stretchers, every second course half a brick off.
-/// Rubble has one layer here; its stones through the wall are walls/rubble.h's.
+/// stretcher at the inner face, all shifted by a quarter brick. With n odd the even course ends in a stretcher at the inner face and the
+/// odd course has none at the inner face. Running bond, and any wall one brick width thick: n stretchers, every second course shifted by
+/// half a brick. Rubble counts as one layer; walls/rubble.h divides it.
 /// Flemish bond, n even: n layers of a brick's width, headers and stretchers in turn in the faces, the odd course's headers over the middle
 /// of the even course's stretchers, headers between the faces; lay_course() makes headers of the layers' pieces.
 std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course);
 
-/// Those of a wall, of both its leaves if it has two.
+/// The layers of a course of a wall; of both leaves if it has two.
 std::vector<Wythe> wythes(const HousePlan& plan, const WallPlan& wall, int course);
 
-/// WallPlan::leaf of the outer walls that House::leaves is about. \throw InputError with the key at fault
+/// Sets WallPlan::leaf of the outer walls selected by House::leaves. \throw InputError with the key at fault
 void plan_leaves(const House& house, HousePlan& plan);
 
-/// Block::leaf of what lies in a layer of a wall.
+/// Block::leaf of bricks in a layer of a wall.
 std::int32_t leaf_of(const HousePlan& plan, const WallPlan& wall, Interval depth);
 
-/// Divides a span at the joints offset + unit * i. A leftover at an end shorter than half a brick joins its neighbour; if the two are
-/// longer than a brick, the inner part of them is half a brick and the rest is at the end, or the other way round (Wythe::half_at_edge).
+/// Divides a span at the joints offset + unit * i. A remainder at an end shorter than half a brick is joined to its neighbour; if the two
+/// are longer than a brick, their inner part is half a brick and the rest is at the end, or the other way round (Wythe::half_at_edge).
 /// \pre span.length() >= brick_length / 2
 std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_length);
 
-/// All bricks of a course, by their place along the wall, then through it.
+/// All bricks of a course, sorted by their position along the wall, then by depth.
 std::vector<LaidBrick> lay_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course);
 
 }  // namespace voussoir::cases

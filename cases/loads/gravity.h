@@ -6,7 +6,7 @@
 
 namespace voussoir::cases {
 
-/// Gravity in the axes of the base [m/s2], which stay level: a tilted base turns it (base.tilt).
+/// Gravity in axes of the base [m/s2]. The axes stay level; a tilted base (base.tilt) rotates gravity instead.
 Vec3 gravity_on_base(const Case& c) noexcept;
 
 }  // namespace voussoir::cases

@@ -11,16 +11,16 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // m: a point between two parts is on the first
+constexpr double kSamePlace = 1e-9;  // m: a point this near to two parts is on the first
 
-/// The block of this name, or the one in halves of which one has it.
+/// The block with this name, or the block one of whose halves has it.
 const BlockSpec* block_named(const Case& c, const std::string& name) {
   const auto found = std::ranges::find_if(
       c.blocks, [&](const BlockSpec& b) { return b.name == name || (b.halves && (b.name + "/1" == name || b.name + "/2" == name)); });
   return found == c.blocks.end() ? nullptr : &*found;
 }
 
-/// The part that holds the point, or is nearest to it.
+/// The part that contains the point, or is nearest to it.
 std::int32_t part_at(const Model& model, const std::vector<std::int32_t>& parts, Vec3 point) {
   const auto outside = [&](std::int32_t e) { return std::max(0.0, distance_outside(model.assembly, static_cast<std::size_t>(e), point)); };
   std::int32_t best = parts.front();
@@ -29,7 +29,7 @@ std::int32_t part_at(const Model& model, const std::vector<std::int32_t>& parts,
   return best;
 }
 
-/// A load on a whole that is in parts: its force and moment in all are as given.
+/// Divides a load on a whole among its parts; the total force and moment are as given.
 void share_out(const Model& model, const Load& load, const std::vector<std::int32_t>& parts, std::vector<LoadShare>& out) {
   const auto mass = [&](std::int32_t e) -> const geometry::MassProperties& {
     return model.assembly.elements[static_cast<std::size_t>(e)].mass;

@@ -8,15 +8,15 @@
 
 #include "cases/model.h"
 
-/// Friction of what touches without a bond.
+/// Friction of contacts without a bond.
 namespace voussoir::cases {
 
-/// Angles of friction [degrees] of all pairs: a symmetric table of (materials + 1)², row after row; the last material is the base.
-/// A material made from another has that one's.
-/// \throw InputError at contact.between[i] for a material that is not known, an angle out of range, or a pair that stands there twice.
+/// Angles of friction [degrees] of all pairs: a symmetric table of (materials + 1)², row after row; the last material is the base. A
+/// material made from another has the angles of the latter.
+/// \throw InputError at contact.between[i] for an unknown material, an angle out of range, or a duplicate pair.
 std::vector<double> contact_friction(const Contact& contact, std::span<const NamedMaterial> materials);
 
-/// Angle of friction [degrees] of a joint once its bond is gone: that of its law, else that of its two materials.
+/// Angle of friction [degrees] of a joint without its bond: that of its law, else that of its two materials.
 double friction_without_bond(const Model& model, std::size_t joint);
 
 }  // namespace voussoir::cases

@@ -12,14 +12,15 @@
 namespace voussoir::cases {
 namespace {
 
-/// The bricks are grown to the middle of the mortar, so its thickness is both a size and a stiffness (Eq. 3).
+/// Checks that the mortar's thickness agrees with the house: bricks are extended to the middle of the mortar, so the thickness is both a
+/// size and a stiffness (Eq. 3).
 void check_mortar(const House& house, const NamedLaw& law) {
   if (house.mortar == 0.0 || std::abs(house.mortar - law.value.thickness) < 1e-9) return;
   throw InputError("house.mortar", text(house.mortar) + " m, but joint_laws." + law.name + ".thickness is " + text(law.value.thickness) +
                                        " m; give both the same");
 }
 
-/// Members that are the first and the last beam of the roof, the same in all copies of the house. Beams are numbered along the roof.
+/// The first and the last beam of the roof, the same members in all copies of the house. Beams are numbered along the roof.
 std::array<std::int32_t, 2> end_beams(const Model& model) noexcept {
   std::array<std::int32_t, 2> ends{-1, -1};
   for (const Block& block : model.blocks) {
@@ -30,7 +31,7 @@ std::array<std::int32_t, 2> end_beams(const Model& model) noexcept {
   return ends;
 }
 
-/// Whether they lie in the two leaves of one wall.
+/// Whether two blocks lie in the two leaves of one wall.
 bool are_leaves(const Block& a, const Block& b) noexcept { return a.leaf >= 0 && b.leaf >= 0 && (a.leaf ^ b.leaf) == 1; }
 
 }  // namespace
@@ -45,7 +46,7 @@ JointRules::JointRules(const Case& c, const Model& model) {
       collar_ = find_law(model.laws, *c.house->leaves->joint, "house.leaves.joint");
       if (const NamedLaw& law = model.laws[static_cast<std::size_t>(collar_)]; law.value.thickness > 0.0) check_mortar(*c.house, law);
     }
-    // The keys of what a house does not have may name laws that the case does not have.
+    // Keys of parts that the house lacks may name laws that the case lacks.
     if (has_timber(*c.house)) {
       within_member_ = find_law(model.laws, c.house->wood.within_member, "house.wood.within_member");
       between_members_ = find_law(model.laws, c.house->wood.between_members, "house.wood.between_members");
@@ -126,7 +127,7 @@ std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
 
 namespace {
 
-/// Whether a table of stones gives their law: StoneLaws.
+/// Whether a table of stones determines the law of two blocks, see StoneLaws.
 bool is_of_stones(const Case& c, const Block& a, const Block* b) {
   if (b == nullptr || a.set < 0) return false;
   return a.stone == b->stone || (a.set == b->set && c.stones[static_cast<std::size_t>(a.set)].joint);
@@ -137,7 +138,7 @@ bool is_of_stones(const Case& c, const Block& a, const Block* b) {
 std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   const JointRules rules(c, model);
   const std::size_t n = c.joints.between.size();
-  std::vector<bool> used(n), taken(n);  // taken: two such faces touch, but something before the rule gives their law
+  std::vector<bool> used(n), taken(n);  // taken: faces that fit touch, but a rule with precedence gives their law
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
     const Block* b = beyond(model, joint);

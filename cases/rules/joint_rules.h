@@ -8,23 +8,23 @@
 
 #include "cases/model.h"
 
-/// Which law a joint has. Internal to cases/, but for unused_joint_rules.
+/// Choice of the law of a joint. Internal to cases/, except unused_joint_rules.
 namespace voussoir::cases {
 
-/// The joint keys of a case with every name resolved.
+/// The joint keys of a case with all names resolved.
 class JointRules {
  public:
   /// \throw InputError with the key of a name that is not known.
   JointRules(const Case& c, const Model& model);
 
   [[nodiscard]] std::int32_t default_law() const noexcept { return default_; }
-  /// Index into Model::laws for the joint of two blocks; `b` is null for the base. Without what stones say (StoneLaws).
+  /// Index into Model::laws for the joint of two blocks; `b` is null for the base. Rules of stones are not considered (see StoneLaws).
   [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
-  /// Whether joints.between[rule] is about the materials of these two.
+  /// Whether joints.between[rule] applies to the materials of the two blocks.
   [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;
-  /// Whether they are the halves of one unit.
+  /// Whether the two blocks are the halves of one unit.
   [[nodiscard]] static bool are_halves(const Block& a, const Block* b) noexcept;
-  /// Whether their joint is one of a house, which has keys of its own for it.
+  /// Whether the joint belongs to a house, which has separate keys for its joints.
   [[nodiscard]] static bool is_in_house(const Block& a, const Block* b) noexcept;
 
  private:
@@ -40,14 +40,14 @@ class JointRules {
   std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0,
                edge_beams_ = 0;                       // of the house
   std::array<std::int32_t, 2> edge_members_{-1, -1};  // the first and the last beam of a flat roof
-  std::vector<std::int32_t> inside_;                  // by material, between the halves of a unit; -1: none has any
-  std::vector<std::int32_t> floors_;                  // of beams with walls, by House::floors
+  std::vector<std::int32_t> inside_;                  // by material, between the halves of a unit; −1: none
+  std::vector<std::int32_t> floors_;                  // between beams and walls, by House::floors
   std::vector<std::int32_t> made_from_;               // by material
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };
 
-/// Rules of joints.between that give no joint its law, each with the reason: "joints.between[1] (stone, base) applies to no joint: ...".
+/// Rules of joints.between that determine no joint's law, each with the reason: "joints.between[1] (stone, base) applies to no joint: ...".
 /// \throw InputError as JointRules
 std::vector<std::string> unused_joint_rules(const Case& c, const Model& model);
 

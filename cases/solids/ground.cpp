@@ -11,8 +11,8 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kStiffer = 1e3;    // than the stiffest material: what falls on ground meets something rigid
-constexpr double kFarthest = 1e6;   // m, of any coordinate
+constexpr double kStiffer = 1e3;    // ratio to the stiffest material: makes ground rigid for anything that falls on it
+constexpr double kFarthest = 1e6;   // m, greatest coordinate
 constexpr double kRoundOff = 1e-9;  // m
 
 std::string key_of(std::size_t part, const char* field = "") { return indexed_key("base.part", part, field); }
@@ -26,7 +26,7 @@ std::string from_to(std::array<double, 2> i) { return "[" + text(i[0]) + ", " + 
 
 int quarter_turns(const House& house) { return ((static_cast<int>(std::lround(house.turn / 90.0)) % 4) + 4) % 4; }
 
-/// From the axes of the house to those of the case (1), or back (-1).
+/// Transforms a rectangle from axes of the house to those of the case (1), or back (-1).
 Rectangle turned(const House& house, Rectangle r, int way) {
   const auto shift = [&](double sign) {
     for (double& v : r.x) v += sign * house.origin[0];
@@ -39,7 +39,7 @@ Rectangle turned(const House& house, Rectangle r, int way) {
   return r;
 }
 
-/// A wall of the first storey in plan, axes of the house: across, along, and whether it runs along x.
+/// A wall of the first storey in plan, axes of the house: ranges across and along, and whether it runs along x.
 struct Strip {
   std::array<double, 2> across;
   double length = 0.0;
@@ -82,7 +82,7 @@ void check_rectangle(std::size_t index, const Rectangle& r) {
   }
 }
 
-/// Axes of the case.
+/// The rectangle of a part, in axes of the case.
 Rectangle place_of(const Case& c, std::size_t index) {
   const BasePart& part = c.base->parts[index];
   const std::string key = key_of(index);
@@ -164,7 +164,7 @@ void add_ground(const Case& c, Model& model) {
     block.name = block.tag = "ground " + std::to_string(i);
     block.material = static_cast<std::int32_t>(model.materials.size()) - 1;
     block.shape = geometry::make_box({x[0], y[0], c.base->z}, {x[1], y[1], c.base->z + part.level});
-    block.segment_size = std::max({x[1] - x[0], y[1] - y[0], part.level});  // it has no points
+    block.segment_size = std::max({x[1] - x[0], y[1] - y[0], part.level});  // unused, since ground has no points
     block.fixed = true;
     block.ground = static_cast<std::int32_t>(i);
     if (part.motion) {

@@ -10,7 +10,7 @@
 
 namespace voussoir::cases {
 
-/// From an element to the point [m]: its distance from that face which it is farthest outside of; below 0 inside.
+/// Signed distance of a point from an element [m]: the greatest distance outside any of its faces; below 0 inside.
 inline double distance_outside(const geometry::Assembly& a, std::size_t element, Vec3 point) {
   double most = -std::numeric_limits<double>::infinity();
   const geometry::Element& e = a.elements[element];

@@ -28,7 +28,7 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
                    model.materials.empty() ? "is missing, and the case has no materials" : "is missing: the case has several materials");
 }
 
-constexpr double kThinnest = 0.1;  // of the widest piece of a stone: thinner ones, which cuts leave over, get no finer segments
+constexpr double kThinnest = 0.1;  // of the widest piece of a stone: thinner remainders of cuts get no finer segments
 
 /// Appends one stone. \param number  of the stone in the model
 void add_stone(const Stone& stone, const Block& like, const std::string& part, Model& model) {

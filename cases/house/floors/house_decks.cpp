@@ -8,7 +8,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// Between two rows of nodes.
+/// Adds the panel between two rows of nodes.
 void add_panel(const std::vector<Vec3>& low, const std::vector<Vec3>& high, const Deck& deck, PlannedDeck& planned) {
   for (std::size_t n = 0; n < low.size(); ++n) {
     const double b = norm(high[n] - low[n]);
@@ -51,7 +51,7 @@ PlannedDeck house_deck(const House& house, std::size_t index, double foot) {
   const Floor& floor = house.floors[index];
   const FloorPlan& laid = plan.floors[index];
   const double bearing = metres(ticks(floor.bearing)), z = metres(laid.height.low) + 0.9 * metres(laid.height.length());
-  std::vector<double> nodes;  // along the beams: the middles of elements between the walls
+  std::vector<double> nodes;  // along the beams: middles of the elements between the walls
   for (const Interval part : cut_member(laid.length, ticks(floor.element))) {
     const double at = 0.5 * metres(part.low + part.high);
     if (at > metres(laid.length.low) + bearing && at < metres(laid.length.high) - bearing) nodes.push_back(at);

@@ -9,12 +9,12 @@
 namespace voussoir::cases {
 namespace {
 
-/// Axes of the house for a point by its place along the beams, across them, and its height.
+/// A point in axes of the house from its position along the beams, across the beams, and its height.
 Vec3 on_floor(const Floor& floor, double along, double across, double z) {
   return floor.along == PlanAxis::x ? Vec3{along, across, z} : Vec3{across, along, z};
 }
 
-/// The tie at the low or the high end of a beam, axes of the house.
+/// The tie at the low or the high end of a beam, in axes of the house.
 Tie anchor_at(const House& house, const HousePlan& plan, std::size_t index, Interval beam, bool high_end) {
   const Floor& floor = house.floors[index];
   const FloorPlan& laid = plan.floors[index];
@@ -27,7 +27,7 @@ Tie anchor_at(const House& house, const HousePlan& plan, std::size_t index, Inte
   tie.from = on_floor(floor, end + inwards * (bearing + floor.anchor->reach), across, middle);
   if (floor.anchorage == Anchorage::anchor) {
     tie.to = on_floor(floor, end - inwards * (wall - bearing), across, middle);
-  } else {  // the middle of the bed under its end, half a course down
+  } else {  // in the middle of the bed under the beam's end, half a course down
     tie.to = on_floor(floor, end + inwards * 0.5 * bearing, across, metres(laid.height.low) - 0.25 * metres(plan.brick_height));
   }
   return tie;

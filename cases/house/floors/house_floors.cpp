@@ -11,7 +11,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// The walls beside which beams lie.
+/// The walls along which no beam ends: those parallel to the beams.
 BeamEnds sides_of(const Floor& floor) {
   return floor.along == PlanAxis::y ? BeamEnds{Side::left, Side::right} : BeamEnds{Side::front, Side::rear};
 }
@@ -55,7 +55,7 @@ std::vector<Interval> beams_in(Interval room, Tick width, Tick spacing) {
   return beams;
 }
 
-/// What the floor takes of a wall under it: nothing where the beams run beside it.
+/// Depth of the pockets of a floor in a wall under it; nothing where the beams run parallel to the wall.
 std::optional<Interval> pocket_depth(const Floor& floor, std::size_t index, const WallPlan& wall, const HousePlan& plan) {
   if (wall.pier >= 0 || wall.along_x == (floor.along == PlanAxis::x)) return std::nullopt;
   if (wall.inner >= 0) return Interval{0, wall.thickness};
@@ -66,7 +66,7 @@ std::optional<Interval> pocket_depth(const Floor& floor, std::size_t index, cons
   return Interval{wall.thickness - depth, wall.thickness};
 }
 
-/// A pier runs through its wall in every second course, and leaves a beam no pocket there.
+/// Refuses pockets at piers: a pier runs through its wall in every second course.
 void check_piers(const House& house, const Hole& pocket, const WallPlan& wall, const HousePlan& plan) {
   for (const WallPlan& pier : plan.walls) {
     const bool here = wall.outer() && pier.pier >= 0 && pier.side == wall.side && pier.height.overlaps(pocket.height);
@@ -101,7 +101,7 @@ void check_walls(const House& house, std::size_t index, const HousePlan& plan) {
   }
 }
 
-/// The plan of a floor without its pockets.
+/// Plans a floor without its pockets.
 FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan) {
   const Floor& floor = house.floors[index];
   const int storey = floor.storey - 1;

@@ -16,16 +16,16 @@ namespace {
 
 using geometry::Polygon;
 
-/// A joint this close to a corner of the cut, in brick heights, goes through it, so that no face is a sliver.
+/// In brick heights: a joint within this distance of a corner of the cut goes through the corner, so that no face is a sliver.
 constexpr double kNear = 1e-3;
 
-/// A course of a gable: its number in the wall, and its height [m].
+/// A course of a gable: its number in the wall, and its heights [m].
 struct GableCourse {
   int number = 0;
   double low = 0.0, high = 0.0;
 };
 
-/// A brick of a course: joints along y [m] and what the vault leaves of it.
+/// A brick of a course: its joints along y [m] and its section as cut by the vault.
 struct Piece {
   double low = 0.0, high = 0.0;
   Polygon section;  // (y, z)
@@ -34,8 +34,8 @@ struct Piece {
 
 constexpr double kRoundOff = 1e-9;  // m
 
-/// What lies between two heights and two places along the wall. Corners made on these lines lie on them exactly: the round-off of a cut
-/// would make equal bricks unequal.
+/// The part of a polygon between two heights and two positions along the wall. Corners on these lines lie on them exactly, since the
+/// round-off of a cut would make equal bricks unequal.
 Polygon between(const Polygon& under, double low, double high, double from, double to) {
   Polygon section = under, scratch;
   geometry::clip(section, {0.0, -1.0}, -low, scratch);
@@ -52,14 +52,14 @@ Polygon between(const Polygon& under, double low, double high, double from, doub
   return section;
 }
 
-/// Corners that the cut made twice.
+/// Removes corners that the cut made twice.
 void drop_doubled(Polygon& section) {
   const auto same = [&](geometry::Point2 a, geometry::Point2 b) { return std::hypot(a.s - b.s, a.t - b.t) < kRoundOff; };
   section.erase(std::unique(section.begin(), section.end(), same), section.end());
   while (section.size() > 1 && same(section.front(), section.back())) section.pop_back();
 }
 
-/// Gables of a wall in Flemish bond are in English bond, those of rubble of bricks in running bond.
+/// Layers of a course. Gables of a wall in Flemish bond are in English bond, gables of rubble are of bricks in running bond.
 std::vector<Wythe> layers_of(const HousePlan& plan, const WallPlan& wall, int course) {
   if (plan.bond != Bond::flemish && plan.bond != Bond::rubble) return wythes(plan, wall, course);
   HousePlan other = plan;
@@ -67,7 +67,7 @@ std::vector<Wythe> layers_of(const HousePlan& plan, const WallPlan& wall, int co
   return wythes(other, wall, course);
 }
 
-/// The gable of one wall, in the plane (y, z). Works in metres: what the vault cuts lies on no grid.
+/// The gable of one wall, in the plane (y, z). Computed in metres, since the cut of the vault lies on no grid.
 class Gable {
  public:
   Gable(const HousePlan& plan, const WallPlan& wall, const Polygon& under) : plan_(plan), wall_(wall), under_(under) {
@@ -75,7 +75,7 @@ class Gable {
     brick_ = metres(plan.brick_length) * metres(plan.brick_width) * height_;
   }
 
-  /// From the top of the wall to the crown. What is too little for a course at the top makes the one below it higher.
+  /// Courses from the top of the wall to the crown. A remainder too low for a course raises the top of the course below.
   [[nodiscard]] std::vector<GableCourse> courses(double crown) const {
     std::vector<GableCourse> all;
     const double base = metres(plan_.height), near = kNear * height_;
@@ -93,8 +93,8 @@ class Gable {
     return all;
   }
 
-  /// Bricks of a layer through the wall: divided as any course is, at half its height; a piece of less than half a brick joins its
-  /// neighbour.
+  /// Bricks of a layer through the wall, divided at half the course's height like any other course; a piece of less than half a brick is
+  /// joined to its neighbour.
   [[nodiscard]] std::vector<Piece> pieces(const GableCourse& course, const Wythe& wythe) const {
     const Polygon section = between(under_, course.low, course.high, -kFar, kFar);
     const std::vector<double> corners = corners_of(section);
@@ -110,7 +110,7 @@ class Gable {
     return all;
   }
 
-  /// True if nothing of the unit is cut away.
+  /// Whether no part of the unit is cut away.
   [[nodiscard]] bool is_whole(const Piece& piece, const Wythe& wythe) const {
     return std::abs(piece.area / (metres(wythe.unit) * height_) - 1.0) < 1e-9 && geometry::as_rectangle(piece.section) &&
            std::abs(piece.high - piece.low - metres(wythe.unit)) < 1e-9;
@@ -144,7 +144,7 @@ class Gable {
     geometry::clip(above, {0.0, -1.0}, -z, scratch);
     const geometry::Rectangle box = geometry::bounds(above);
     const Interval span{ticks(box.low.s), ticks(box.high.s)};
-    // A crown narrower than half a brick is one piece all the same.
+    // A crown narrower than half a brick is still one piece.
     const Tick lack = std::max<Tick>(0, plan_.shortest_piece() - span.length());
     return {span.low - lack, span.high + lack};
   }
@@ -155,7 +155,7 @@ class Gable {
     piece.area = geometry::region(piece.section).area;
   }
 
-  /// Joins pieces below `least` to the smaller of their neighbours.
+  /// Joins pieces smaller than `least` to the smaller of their neighbours.
   void join_small(const Polygon& section, double least, std::vector<Piece>& all) const {
     while (all.size() > 1) {
       const auto small = std::find_if(all.begin(), all.end(), [&](const Piece& p) { return p.area < least; });
@@ -204,7 +204,7 @@ void add_course(const House& house, const HousePlan& plan, const WallPlan& wall,
 void build_gables(const House& house, const HousePlan& plan, HouseParts& parts) {
   const Polygon profile =
       house.roof.kind == RoofKind::pitched ? pitched_gable(rafter_profile(house, plan), plan) : vault_profile(house, plan).inner;
-  // The corners run from the front over the crown to the rear: clockwise in (y, z).
+  // The profile runs from the front over the crown to the rear: clockwise in (y, z).
   const Polygon under(profile.rbegin(), profile.rend());
   const double crown = height_of(profile);
   for (const Side side : {Side::right, Side::left}) {

@@ -18,7 +18,7 @@ using geometry::Point2;
 using geometry::Polygon;
 
 constexpr double kSteepest = 60.0, kFlattest = 5.0;  // degrees
-constexpr double kSeat = 0.5;                        // of a rafter's depth that its seat takes at most
+constexpr double kSeat = 0.5;                        // greatest depth of the seat, as a share of a rafter's depth
 
 void check_roof(const Roof& roof, const HousePlan& plan) {
   if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
@@ -35,7 +35,7 @@ void check_roof(const Roof& roof, const HousePlan& plan) {
     throw InputError("house.roof.spacing", text(roof.spacing) + " m is less than the width of a rafter, " + text(roof.beam[0]) + " m");
 }
 
-/// Flush with both ends of the house, at most `spacing` apart, unless they would overlap.
+/// Ranges of the rafters along x: flush with both ends of the house, at most `spacing` apart, unless they would overlap.
 std::vector<std::array<double, 2>> rafters_along(const Roof& roof, const HousePlan& plan) {
   const double length = metres(plan.outer[0]), width = roof.beam[0];
   const double wanted = std::ceil((length - width) / roof.spacing - 1e-9), most = std::floor((length - width) / width + 1e-9);
@@ -48,7 +48,7 @@ std::vector<std::array<double, 2>> rafters_along(const Roof& roof, const HousePl
   return all;
 }
 
-/// What of the section lies between two plumb planes.
+/// The part of a section between two plumb planes.
 Polygon between(const Polygon& section, double low, double high) {
   Polygon part = section, scratch;
   geometry::clip(part, {-1.0, 0.0}, -low, scratch);
@@ -70,7 +70,7 @@ std::vector<std::array<double, 2>> corners_of(const Polygon& section, double dep
   return corners;
 }
 
-/// A point of a pair of rafters, axes of the house.
+/// A point of a pair of rafters in axes of the house.
 Vec3 on_rafter(const HousePlan& plan, double x, double y, double z, bool rear) { return {x, rear ? metres(plan.outer[1]) - y : y, z}; }
 
 }  // namespace

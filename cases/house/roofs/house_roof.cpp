@@ -15,7 +15,7 @@ Tick roof_seat(const House& house, const HousePlan& plan) {
 
 namespace {
 
-/// How deep beams lie on a bearing wall, from its inner face.
+/// Length of beams on a bearing wall, from its inner face.
 Tick seat_of(const House& house, Tick wall, Tick brick) {
   if (!house.roof.bearing) return std::min(wall, brick);
   const Tick seat = positive_length(*house.roof.bearing, "house.roof.bearing");
@@ -41,7 +41,7 @@ void build_flat_roof(const House& house, const HousePlan& plan, HouseParts& part
   Block prototype;
   prototype.kind = PartKind::beam;
   prototype.material = parts.roof;
-  // Size of a whole unit, also where the last beam or element is cut.
+  // Segment size of a whole unit, used also for the last beam or element, which may be cut.
   prototype.segment_size = segment_size_of(std::min(width, plan.outer[0]), height, std::min(element, across.length()));
   int number = 0;
   for (const Interval x : cut_member({0, plan.outer[0]}, width)) {

@@ -12,7 +12,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// Corners on a circle about the axis of the vault. The springings lie exactly at the height of the walls.
+/// Corners on a circle about the axis of the vault. The springings are exactly at the height of the walls.
 geometry::Polygon arc(const HousePlan& plan, double radius, int voussoirs) {
   const double axis = 0.5 * metres(plan.outer[1]), springing = metres(plan.height);
   geometry::Polygon corners(static_cast<std::size_t>(voussoirs) + 1);
@@ -30,7 +30,7 @@ void check_voussoirs(const Roof& roof) {
     throw InputError("house.roof.voussoirs", std::to_string(roof.voussoirs) + " voussoirs in a ring; allowed: 3 to 1000");
 }
 
-/// The vault's feet lie on the bearing walls as a whole.
+/// Checks that the whole thickness of the vault's feet is on the bearing walls.
 void check_seat(const Roof& roof, const HousePlan& plan) {
   if (!plan.wall(Side::front).built || !plan.wall(Side::rear).built)
     throw InputError("house.roof.kind", "a vault stands on the front and the rear wall; house.walls leaves one of them out");
@@ -60,7 +60,7 @@ void check_gables(const Roof& roof, const HousePlan& plan) {
     throw InputError("house.roof.kind", "gables stand on the left and the right wall; house.walls leaves out both");
 }
 
-/// The prism between two rings' planes; the corners run round the voussoir.
+/// The prism of voussoir k between two planes of constant x; corners in order round the voussoir.
 geometry::Polyhedron voussoir_shape(const VaultProfile& profile, std::size_t k, Interval x) {
   const auto corner = [](geometry::Point2 p) { return std::array{p.s, p.t}; };
   const std::array corners{corner(profile.inner[k]), corner(profile.inner[k + 1]), corner(profile.outer[k + 1]), corner(profile.outer[k])};
@@ -96,7 +96,7 @@ void build_vault(const House& house, const HousePlan& plan, HouseParts& parts) {
   Block prototype;
   prototype.kind = PartKind::voussoir;
   prototype.material = parts.roof;
-  // A voussoir's nominal length is that of its mean line.
+  // The nominal length of a voussoir is that along its mean line.
   const double mean = std::numbers::pi * (house.roof.radius + 0.5 * house.roof.thickness) / house.roof.voussoirs;
   prototype.segment_size = 0.25 * std::min({mean, house.roof.thickness, metres(std::min(ring, plan.outer[0]))});
   int number = 0;

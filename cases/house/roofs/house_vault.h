@@ -5,16 +5,16 @@
 #include "cases/house/house_plan.h"
 #include "geometry/polygon.h"
 
-/// The barrel vault along x and the gables that end under it. Internal to cases/.
+/// The barrel vault along x and the gables under it. Internal to cases/.
 namespace voussoir::cases {
 
-/// Corners of the voussoirs of a ring in the plane (y, z) of the house [m], from the front springing over the crown to the rear one; a ring
-/// has one voussoir less than corners. Its two halves are mirror images bit by bit.
+/// Corners of the voussoirs of a ring in the plane (y, z) of the house [m], from the front springing over the crown to the rear springing;
+/// a ring has one voussoir less than corners. The two halves are mirror images bit by bit.
 struct VaultProfile {
   geometry::Polygon inner, outer;
 };
 
-/// m, the height of what gables end under, above its springing, where it begins.
+/// Rise [m] of the profile that gables end under, above its springing.
 double height_of(const geometry::Polygon& under) noexcept;
 
 /// The profile of house.roof, with its axis over the middle of the house at the height of the walls.
@@ -22,7 +22,7 @@ double height_of(const geometry::Polygon& under) noexcept;
 /// thickness, gables on the non-bearing walls.
 VaultProfile vault_profile(const House& house, const HousePlan& plan);
 
-/// Mass of a roof's surcharge smeared over what carries it: what it adds to the density of a beam or a voussoir [kg/m3].
+/// Density [kg/m3] that a roof's surcharge adds to its beams or voussoirs.
 double surcharge_density(const House& house) noexcept;
 
 }  // namespace voussoir::cases

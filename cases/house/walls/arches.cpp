@@ -17,16 +17,16 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kFlatSkew = std::numbers::pi / 6.0;  // of the skewbacks of a flat arch, from upright
-constexpr double kNear = 0.25;                        // of a course: a joint that ends so near to a corner of the frame ends there
-constexpr int kFewest = 3, kMost = 101;               // voussoirs
+constexpr double kFlatSkew = std::numbers::pi / 6.0;  // rad, angle of the skewbacks of a flat arch from upright
+constexpr double kNear = 0.25;           // of a course: a joint that ends within this distance of a corner of the frame ends at the corner
+constexpr int kFewest = 3, kMost = 101;  // voussoirs
 
 std::string arch_key(std::size_t opening, const char* field) { return indexed_key("house.opening", opening, "arch.") + field; }
 
-/// The soffit: a circle about a point below, or a line whose joints come from one.
+/// The soffit: a circle about a point below, or a line whose joints radiate from such a point.
 struct Soffit {
   double middle = 0.0, springing = 0.0, half = 0.0;  // m: along, height, half the span
-  double angle = 0.0;                                // of the springing, from the crown
+  double angle = 0.0;                                // of the springing, from the crown [rad]
   double radius = 0.0, centre = 0.0;                 // m; centre: height
   bool flat = false;
 
@@ -47,13 +47,13 @@ struct Soffit {
   }
 };
 
-/// Edges of the frame, m, and where its corners draw joints.
+/// Edges of the frame [m].
 struct FrameBox {
   double low, high, bottom, top, near;
 
-  /// Where the joint at a corner of the soffit leaves the frame.
+  /// The point where the joint from a corner of the soffit meets the frame.
   [[nodiscard]] Point2 exit(const Soffit& soffit, Point2 from, bool end) const {
-    const double ds = from.s - soffit.middle, dt = from.t - soffit.centre;  // away from the centre
+    const double ds = from.s - soffit.middle, dt = from.t - soffit.centre;  // from the centre
     const double side = ds < 0.0 ? low : high;
     const Point2 above{from.s + (top - from.t) * ds / std::max(dt, 1e-9), top};
     if (std::abs(above.s - side) < near) return {side, top};
@@ -75,7 +75,7 @@ int count_of(const House& house, std::size_t opening, const HousePlan& plan, con
   return *arch.voussoirs;
 }
 
-/// Springers and voussoirs from the low end to the high end; counter-clockwise.
+/// Springers and voussoirs from the low end to the high end; corners counter-clockwise.
 std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const Hole& hole) {
   const Opening& opening = house.openings[hole.opening];
   const Interval span{hole.along.low + ticks(opening.arch->springer), hole.along.high - ticks(opening.arch->springer)};
@@ -90,7 +90,7 @@ std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const 
   }
   std::vector<Polygon> pieces;
   const Point2 first = above.front(), last = above.back();
-  if (first.t > box.bottom) {  // else the first voussoir takes the place of the springer
+  if (first.t > box.bottom) {  // else the first voussoir replaces the springer
     pieces.push_back({{box.low, box.bottom}, below.front(), first});
     if (first.s > box.low) pieces.back().push_back({box.low, box.top});
   }

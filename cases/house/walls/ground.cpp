@@ -14,7 +14,7 @@ std::string part_key(std::size_t part, const char* field = "") { return indexed_
 
 Interval shared(Interval a, Interval b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
-/// What of the foot of a wall the ground takes; nothing if it lies beside the wall.
+/// The range of a wall whose foot the ground replaces; nothing if the ground is beside the wall.
 std::optional<Interval> taken(const House& house, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
   const GroundStep& step = house.ground[index];
   const HouseBox box = in_house(plan, wall, {wall.from, wall.from + wall.length}, {0, wall.thickness}, wall.height);

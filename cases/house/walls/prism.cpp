@@ -11,7 +11,7 @@
 namespace voussoir::cases {
 namespace {
 
-/// x and y change places: a mirror, so loops are turned and the two ends of the prism change places, and it stays a prism in its order.
+/// Exchanges x and y. As this is a reflection, loops are reversed and the two ends exchanged, so the result is a prism in vertex order.
 geometry::Polyhedron with_x_for_y(geometry::Polyhedron p) {
   const std::size_t half = p.vertices.size() / 2;
   std::rotate(p.vertices.begin(), p.vertices.begin() + static_cast<std::ptrdiff_t>(half), p.vertices.end());

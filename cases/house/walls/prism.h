@@ -6,10 +6,11 @@
 #include "geometry/polygon.h"
 #include "geometry/polyhedron.h"
 
-/// Pieces of walls that are no boxes. Internal to cases/.
+/// Pieces of walls other than boxes. Internal to cases/.
 namespace voussoir::cases {
 
-/// The prism through a wall, axes of the house. \param section  along the wall and height [m], counter-clockwise; \param depth  of the wall
+/// A prism through a wall in axes of the house. \param section  along the wall and height [m], counter-clockwise \param depth  range
+/// through the wall
 geometry::Polyhedron wall_prism(const HousePlan& plan, const WallPlan& wall, const geometry::Polygon& section, Interval depth);
 
 }  // namespace voussoir::cases

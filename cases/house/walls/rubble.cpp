@@ -14,25 +14,25 @@ namespace voussoir::cases {
 namespace {
 
 // In thousandths.
-constexpr Tick kHeights = 250;  // of a course's height, most that it is more or less than the mean
-constexpr Tick kLengths = 400;  // of a brick's length, likewise
-constexpr Tick kDepths = 150;   // of a stone's depth, by which a joint within the wall is off its place
-constexpr Tick kLean = 120;     // of a course's height, by which an upright joint is off at its ends
-constexpr Tick kBump = 150;     // of a course's height, by which a bed rises or falls
-constexpr Tick kSlope = 150;    // of a bed, at most
-constexpr Tick kClear = 200;    // of a brick's length, between joints of two courses
+constexpr Tick kHeights = 250;  // of a course's height, greatest deviation from the mean
+constexpr Tick kLengths = 400;  // of a brick's length, greatest deviation
+constexpr Tick kDepths = 150;   // of a stone's depth, greatest offset of a joint within the wall
+constexpr Tick kLean = 120;     // of a course's height, greatest offset of a head joint's ends
+constexpr Tick kBump = 150;     // of a course's height, greatest rise or fall of a bed
+constexpr Tick kSlope = 150;    // greatest slope of a bed
+constexpr Tick kClear = 200;    // of a brick's length, least distance between joints of two courses
 
 Tick thousandths(Tick of, Tick part) { return of * part / 1000; }
 
-/// Numbers by what they are for. Whole ones alone, so the same everywhere.
+/// Random numbers, seeded by their purpose. Integers only, so the same on every machine.
 class Dice {
  public:
   Dice(int seed, std::initializer_list<std::int64_t> what) : state_(static_cast<std::uint64_t>(std::int64_t{seed})) {
     for (const std::int64_t w : what) state_ = mixed(state_ ^ mixed(static_cast<std::uint64_t>(w)));
   }
-  /// From -most to most. \pre most < 2^31: two metres
+  /// A number from -most to most. \pre most < 2^31: two metres
   Tick within(Tick most) { return (2 * most * bits() >> 31) - most; }
-  /// From 0 to below 1.
+  /// A number from 0 to below 1.
   double share() { return static_cast<double>(bits()) * 0x1p-31; }
 
  private:
@@ -42,24 +42,24 @@ class Dice {
 
 Rubble rubble_of(const House& house) { return house.rubble.value_or(Rubble{}); }
 
-/// Which wall this is, whatever its storey.
+/// Identity of a wall, the same in all storeys.
 std::tuple<int, std::int32_t, std::int32_t> line_of(const WallPlan& wall) { return {static_cast<int>(wall.side), wall.inner, wall.pier}; }
 
-/// What lies between two upright joints of a course, through the whole wall or behind a beam.
+/// The space between two head joints of a course, through the whole wall or behind a beam.
 struct Cell {
-  std::array<Tick, 2> low, high;  // along: its ends at the bed below and at that above
+  std::array<Tick, 2> low, high;  // along the wall: ends at the bed below and at the bed above
   Interval depth;
   bool whole = true;  // through the wall; else behind a beam
 };
 
-/// A joint that ends on a bed: of the course below, that above, or both.
+/// A joint that ends on a bed, from the course below, from the course above, or both.
 struct Vertex {
   bool lower = false, upper = false;
   Tick height = 0;
 };
 using Bed = std::map<Tick, Vertex>;
 
-/// One wall of one storey.
+/// Lays one wall of one storey.
 class WallMason {
  public:
   WallMason(const House& house, const HousePlan& plan, const WallPlan& wall, std::vector<Tick> below)
@@ -80,7 +80,7 @@ class WallMason {
   }
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int end() const { return end_; }
-  /// Where upright joints end at the top of the wall.
+  /// Ends of the head joints at the top of the wall.
   [[nodiscard]] const std::vector<Tick>& top_joints() const { return below_; }
 
   [[nodiscard]] std::vector<RubbleStone> stones(int k) const {
@@ -96,7 +96,7 @@ class WallMason {
   }
 
  private:
-  /// A part of a length in thousandths, by how irregular the stones are.
+  /// A length times a share in thousandths times the irregularity of the stones.
   [[nodiscard]] Tick irregular(Tick of, Tick part) const { return thousandths(thousandths(of, part), irregularity_); }
   [[nodiscard]] Interval course(int k) const { return plan_.courses[static_cast<std::size_t>(k)]; }
   [[nodiscard]] Dice dice_for(int k, std::int64_t what, std::int64_t number) const {
@@ -118,7 +118,7 @@ class WallMason {
     return cells;
   }
 
-  /// Upright joints at random places, away from where those of the course below end.
+  /// Divides a span by head joints at random positions, clear of the ends of joints of the course below.
   void divide(int k, Interval span, std::vector<Cell>& cells) const {
     const Tick length = plan_.brick_length, half = plan_.shortest_piece();
     Dice dice = dice_for(k, 1, span.low - wall_.from);
@@ -136,7 +136,7 @@ class WallMason {
     cells.push_back({low, {span.high, span.high}, {0, wall_.thickness}, true});
   }
 
-  /// The place in the room nearest to that wanted and clear of all joints below; if there is none, that farthest from them.
+  /// The position in `room` nearest to `wanted` and clear of all joints below; if there is none, the one farthest from them.
   [[nodiscard]] Tick clear_of_below(Tick wanted, Interval room) const {
     const Tick clear = thousandths(plan_.brick_length, kClear);
     const auto distance = [&](Tick place) {
@@ -154,7 +154,7 @@ class WallMason {
     return *std::ranges::max_element(places, {}, worth);
   }
 
-  /// Where a bed is level: at walls that meet this one, and at all holes that end at it or go through it.
+  /// Whether a bed is level at a position: at meeting walls, and at holes that end at the bed or go through it.
   [[nodiscard]] bool is_level(int k, Tick along) const {
     if (k == first_ || k == end_) return true;
     const Interval near{course(k - 1).low, course(k).high};
@@ -188,7 +188,7 @@ class WallMason {
     return bed;
   }
 
-  /// A run of joints that end from one side, without one from the other between them: all at one height, so stones stay convex.
+  /// Moves a run of joints that end from one side, with none from the other side between them, to one height, so that stones stay convex.
   void raise(int k, Bed& bed, Bed::iterator from, Bed::iterator to, double part) const {
     if (from == bed.begin() || to == bed.end()) return;
     for (auto v = from; v != to; ++v)
@@ -210,7 +210,7 @@ class WallMason {
     std::reverse(corners.begin() + static_cast<std::ptrdiff_t>(top), corners.end());
     geometry::Polygon outline;
     const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {  // without those in the middle of a level edge
+    for (std::size_t i = 0; i < n; ++i) {  // without corners in the middle of a level edge
       const bool end = i == 0 || i + 1 == top || i == top || i + 1 == n;
       if (!end && corners[i - 1][1] == corners[i][1] && corners[i + 1][1] == corners[i][1]) continue;
       outline.push_back({metres(corners[i][0]), metres(corners[i][1])});
@@ -218,19 +218,19 @@ class WallMason {
     return outline;
   }
 
-  /// By chance; in a wall of two leaves by House::leaves alone: the stone at each place.
+  /// Whether a stone goes through the wall: by chance; in a wall of two leaves only at the positions given by House::leaves.
   [[nodiscard]] bool goes_through(int k, const Cell& c, double chance) const {
     if (!c.whole) return false;
     if (wall_.leaf == 0) return chance < rubble_.through;
     if (!house_.leaves->through || k % house_.leaves->through->every != house_.leaves->through->every / 2) return false;
     const Tick spacing = ticks(house_.leaves->through->spacing), from = k / house_.leaves->through->every % 2 == 1 ? spacing : spacing / 2;
-    const Tick low = c.low[0] + c.low[1], high = c.high[0] + c.high[1];  // twice the middle of its ends
+    const Tick low = c.low[0] + c.low[1], high = c.high[0] + c.high[1];  // twice the mean of the ends
     for (Tick at = from; 2 * at < high; at += spacing)
       if (2 * at >= low) return true;
     return false;
   }
 
-  /// Stones side by side through the wall: none deeper than three bricks are wide.
+  /// Ranges of stones side by side through the wall: no stone is deeper than three brick widths.
   [[nodiscard]] std::vector<Interval> layers(const Cell& c, bool through, Dice& dice) const {
     if (through) return {c.depth};
     std::vector<Interval> parts;
@@ -257,7 +257,7 @@ class WallMason {
   const WallPlan& wall_;
   Rubble rubble_;
   Tick irregularity_ = 0;    // thousandths
-  std::vector<Tick> below_;  // where upright joints of the course below end, ascending
+  std::vector<Tick> below_;  // ends of the head joints of the course below, ascending
   int first_ = 0, end_ = 0;  // courses
   std::vector<std::vector<Cell>> cells_;
   std::vector<Bed> beds_;  // under each course, and at the top
