@@ -27,8 +27,8 @@ struct RubbleStone {
   bool through = false;  // through both leaves, House::leaves
 };
 
-/// Random heights of the courses between two levels, about the height of a brick; none below the least course height. \param number  seed
-/// of the range
+/// Random heights of the courses between two levels, about the height of a brick; none below the least course height. \param number  of the
+/// range, part of the seed
 std::vector<Interval> rubble_courses(const House& house, const HousePlan& plan, Interval between, std::int64_t number);
 
 /// All walls of a house, storey upon storey.

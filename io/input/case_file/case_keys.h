@@ -16,8 +16,8 @@
 #include "geometry/vec3.h"
 #include "io/input/document/case_values.h"
 
-/// One option table per struct of the case: name, unit, allowed values, a sentence, and where the value lives. The same table reads,
-/// checks, writes the resolved case and prints the key reference.
+/// One option table per struct of the case: name, unit, allowed values, a sentence, and the location of the value. The table serves to
+/// read, to check, to write the resolved case and to print the key reference.
 namespace voussoir::io {
 
 // ---- Values of composed types: read_value (node to value), value_text (value to TOML, empty: absent), shape_of (words for messages).
@@ -90,7 +90,7 @@ template <class T, std::size_t N>
 bool read_value(const Node& node, std::array<T, N>& out, const KeyInfo& info, Reading& reading, const std::string& path);
 bool read_value(const Node& node, Vec3& out, const KeyInfo& info, Reading& reading, const std::string& path);
 
-/// As the overloads for plain values, for arrays: a fault names the element.
+/// Reads an element of an array like a plain value; a fault names the element.
 template <class T>
 bool read_element(const Node& node, T& out, const KeyInfo& info, Reading& reading, const std::string& path) {
   KeyInfo element = info;
@@ -140,7 +140,7 @@ bool read_value(const Node& node, std::optional<T>& out, const KeyInfo& info, Re
 
 // ---- Tables.
 
-/// Where a table stands in text: "house.opening" for headers, the same with <name> or [[ ]] for the reference.
+/// The name of a table in text: "house.opening" for headers, with <name> or [[ ]] for the reference.
 struct Header {
   std::string path;
   bool array = false;
@@ -153,7 +153,7 @@ struct Lines {
   bool markdown = false;
   void header(const Header& at, const std::string& sentence);
   void absent_table(const Header& at, const std::string& sentence);
-  /// name = text # comment; an empty text: a comment alone.
+  /// Appends "name = text # comment"; for an empty text, the comment only.
   void key(const KeyInfo& info, const std::string& text);
   void reference(const KeyInfo& info, const std::string& default_text);
 };
@@ -168,25 +168,25 @@ struct Key {
   std::function<void(Lines&, const std::string& path)> list;
 };
 
-/// What the rules of a table may ask and report; keys are relative to the table.
+/// Queries and reports for the rules of a table; keys are relative to the table.
 struct RuleCheck {
   const Node& table;
   Reading& reading;
   const std::string& path;
 
   [[nodiscard]] bool given(std::string_view key) const;
-  /// Both are given, and stand in one file (it may be an included one): none is an override or inherited from another file.
+  /// Whether both keys are given in one file (possibly an included one): neither is an override or inherited from another file.
   [[nodiscard]] bool given_together(std::string_view key, std::string_view other) const;
-  /// Reports the key, or the table if key is empty.
+  /// Reports a fault of the key, or of the table if key is empty.
   void fault(const std::string& key, const std::string& problem) const;
-  /// Likewise of what is let through, but is likely a slip.
+  /// Reports an accepted value that is probably a mistake.
   void doubt(const std::string& key, const std::string& problem) const;
 
  private:
   [[nodiscard]] Fault at(const std::string& key, const std::string& problem) const;
 };
 
-/// All keys of struct S, and the rules between them (called only when each key by itself is good).
+/// All keys of struct S, and the rules between keys (called only when each single key is valid).
 template <class S>
 struct Table {
   std::string sentence;
@@ -215,7 +215,7 @@ void read_table(const Table<S>& table, const Node& node, S& out, Reading& readin
       key->read(entry.node, out, reading, key_path);
     }
   }
-  // Only in a table without other faults: a misspelt key is the better message than the one it leaves missing.
+  // Only in a table without other faults: a misspelt key is a better message than the missing key that it causes.
   const RuleCheck check{node, reading, path};
   for (const Key<S>& key : table.keys) {
     if (reading.faults() == before && key.info.required && !check.given(key.info.name)) reading.missing_key(node, path, key.info);
@@ -245,7 +245,7 @@ void list_table(const Table<S>& table, Lines& lines, const Header& at) {
   }
 }
 
-// ---- How a table stands in its parent: always, sometimes, several in an array, several by name.
+// ---- Multiplicity of a table in its parent: always, optional, several in an array, several by name.
 
 template <class S>
 struct SubTable {
@@ -314,7 +314,7 @@ struct SubTable<std::map<std::string, S>> {
 template <class S, class Get>
 using Member = std::remove_cvref_t<std::invoke_result_t<Get, S&>>;
 
-/// A number, an array of numbers, a truth value, a string, ...
+/// A key for a number, an array of numbers, a truth value, a string, ...
 template <class S, class Get>
 Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::string sentence) {
   KeyInfo info{std::move(name), std::move(unit), std::move(sentence), limits, TomlShape<Member<S, Get>>::text(), false};
@@ -325,7 +325,7 @@ Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::st
           [=](const S& s) { return value_text(std::invoke(get, s)); }, nullptr, nullptr};
 }
 
-/// A positive number, or the word "auto" for none.
+/// A key for a positive number, or the word "auto" for none.
 template <class S>
 Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::string unit, std::string sentence) {
   Key<S> key = value<S>(std::move(name), get, std::move(unit), above(0.0), std::move(sentence));
@@ -341,7 +341,7 @@ Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::stri
   return key;
 }
 
-/// A word out of a few, each with the value it stands for; the words of a number are the number itself, without quotes.
+/// A key with a choice of words, each with its value; words for a number are the number itself, without quotes.
 template <class S, class Get, class T>
 Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair<std::string, T>> words, std::string sentence) {
   const auto toml = [](const std::string& word) { return std::is_same_v<T, double> || std::is_same_v<T, int> ? word : toml_string(word); };
@@ -366,7 +366,7 @@ Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair
   return {info, read, text, nullptr, nullptr};
 }
 
-/// A table, perhaps optional, or tables in an array or by name.
+/// A key for a table, possibly optional, or for tables in an array or by name.
 template <class S, class Get, class T>
 Key<S> table(std::string name, Get get, Table<T> of) {
   using Sub = SubTable<Member<S, Get>>;

@@ -8,15 +8,15 @@
 #include "cases/case.h"
 #include "io/input/document/case_tree.h"
 
-/// The paths to files and folders that a case names: one list for the document and for the case that was read from it.
+/// The paths to files and folders in a case: one list for the document and for the case read from it.
 namespace voussoir::io {
 
 using PathChange = std::function<void(std::string&)>;
 
-/// Calls `change` with each path; names of built-in records are none.
+/// Calls `change` with each path; names of built-in records are not paths.
 void for_each_path(cases::Case& value, const PathChange& change);
 
-/// The same of a document. What has another type than a path's is left to the option tables, which refuse it.
+/// Calls `change` with each path of a document. Values of a wrong type are skipped; the option tables refuse them.
 void for_each_path(Node& document, const PathChange& change);
 
 }  // namespace voussoir::io

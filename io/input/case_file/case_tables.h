@@ -5,10 +5,10 @@
 #include "cases/case.h"
 #include "io/input/case_file/case_keys.h"
 
-/// The option tables of the case file; `case_table` is the root and holds the others.
+/// The option tables of the case file; `case_table` is the root and contains the others.
 namespace voussoir::io {
 
-inline constexpr double kShortestVector = 1e-100;  // a shorter one has no direction: its square is 0
+inline constexpr double kShortestVector = 1e-100;  // shorter vectors have no direction, since their square is 0
 
 Table<cases::Case> case_table();
 Table<cases::House> house_table();
@@ -19,7 +19,7 @@ Table<cases::SupportMotion> support_motion_table();
 Table<cases::StonesSpec> stones_table();
 Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();
-/// What [analysis] asks of the rest of the case.
+/// Checks the keys of the case that [analysis] requires.
 void check_analysis(const cases::Case& c, const RuleCheck& check);
 Table<cases::Tie> tie_table();
 Table<cases::HouseTie> house_tie_table();

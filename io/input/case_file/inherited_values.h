@@ -8,9 +8,9 @@
 
 namespace voussoir::io {
 
-/// A case that changes the size of the house it includes has, without a word, what belongs to that other house. Which of these keys it
-/// still has from there: openings, places of columns, surcharge, followed points, damping.frequency. Empty: it has none, or changes no
-/// size.
+/// For a case that changes the size of an included house: the keys that still have the values of the included house, in a sentence.
+/// Considered are openings, inner walls, piers, columns, surcharge, followed points, damping.frequency. Empty if there are none, or no size
+/// is changed.
 std::string inherited_values(const LoadedCase& c);
 
 }  // namespace voussoir::io

@@ -9,16 +9,16 @@
 #include <variant>
 #include <vector>
 
-/// A TOML document as a plain tree in file order: what the option tables read. Keeps the TOML library to one source.
+/// A TOML document as a plain tree in file order, which the option tables read. Only one source includes the TOML library.
 namespace voussoir::io {
 
-/// Where a node was written: line and column from 1 in a file, or, if set >= 0, the override of that index.
+/// The place of a node: line and column from 1 in a file, or, if set >= 0, the index of an override.
 struct Source {
   int line = 0, column = 0;
   int set = -1;
   int file = 0;  // index of the file among those of the case
 
-  /// File order; overrides come after the file.
+  /// Whether this place precedes `o`: file order; overrides come after the file.
   [[nodiscard]] bool before(const Source& o) const noexcept {
     if ((set < 0) != (o.set < 0)) return set < 0;
     if (set != o.set) return set < o.set;
@@ -29,10 +29,10 @@ struct Source {
 
 struct Entry;
 
-/// A value of the document. Its source is where its key stands (its own place inside an array).
+/// A value of the document. Its source is the place of its key (in an array, of the value itself).
 struct Node {
-  struct Removed {};  // taken away by an override
-  struct Date {};     // a TOML date or time: no key takes one
+  struct Removed {};  // removed by an override
+  struct Date {};     // a TOML date or time, which no key accepts
   using Array = std::vector<Node>;
   using Table = std::vector<Entry>;
 
@@ -55,11 +55,11 @@ struct Entry {
   Node node;
 };
 
-/// The entry of that name, or nullptr.
+/// The entry with that name, or nullptr.
 const Entry* find_entry(const Node::Table& table, std::string_view name) noexcept;
 Entry* find_entry(Node::Table& table, std::string_view name) noexcept;
 
-/// A text that is not TOML.
+/// A syntax error in a TOML text.
 class SyntaxError : public std::runtime_error {
  public:
   SyntaxError(const std::string& reason, int line, int column) : std::runtime_error(reason), line_(line), column_(column) {}
@@ -70,20 +70,20 @@ class SyntaxError : public std::runtime_error {
   int line_, column_;
 };
 
-/// Reads a whole document; the result is a table with its entries in file order.
-/// \throw SyntaxError also for more than 64 dots in one key (a document must not nest without bound).
+/// Parses a document; the result is a table with its entries in file order.
+/// \throw SyntaxError for invalid TOML, and for more than 64 dots in one key (which limits the depth of nesting).
 Node parse_document(std::string_view text);
 
-/// Reads the value of an override: a TOML value, else the text itself as a string.
+/// Parses the value of an override: a TOML value, else the text itself as a string.
 Node parse_value(const std::string& text);
 
-/// What a TOML string can hold.
+/// Whether the text is valid UTF-8, as TOML strings must be.
 bool is_utf8(std::string_view text);
 
-/// Applies overrides "a.b[0].c=value" to the document. A number may stand for an index (a.b.0.c); missing tables are made, an index one
-/// past the end appends, and an empty value takes the key away. A source of the motion (motion.record, .x, ..., .V) takes the place of the
-/// other sources that the document names.
-/// \return what people should be told of: whole arrays of tables that were taken away
+/// Applies overrides "a.b[0].c=value" to the document. A number may stand for an index (a.b.0.c); missing tables are created, an index one
+/// past the end appends, and an empty value removes the key. A source of the motion (motion.record, .x, ..., .V) replaces the other sources
+/// in the document.
+/// \return notes for the user: whole arrays of tables that were removed
 /// \throw CaseFileError naming the override that cannot be applied.
 std::vector<std::string> apply_overrides(Node& document, const std::vector<std::string>& overrides);
 

@@ -13,20 +13,20 @@
 
 #include "io/input/document/case_tree.h"
 
-/// What the option tables are made of: limits, faults, and the way from a node to a typed value and back to text.
+/// Elements of the option tables: limits, faults, and conversion of nodes to typed values and back to text.
 namespace voussoir::io {
 
-/// Sizes that buildings have, without their sign.
+/// Usual range of the absolute value of a quantity in buildings.
 struct Usual {
   double low, high;
 };
 
-/// The range of a number, or of each number of an array. Every number must be finite anyway.
+/// The allowed range of a number, or of each number of an array. Every number must also be finite.
 struct Limits {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
   bool filled = false;  // a string must not be empty
-  // Of values that buildings have; 0 mostly means "none". What lies outside is let through, but told: its unit may be another.
+  // Usual absolute values; 0 is always usual, as it mostly means "none". Values outside are accepted but reported: their unit may be wrong.
   double usual_low = -std::numeric_limits<double>::infinity(), usual_high = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool contains(double v) const noexcept { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
@@ -36,11 +36,11 @@ struct Limits {
     l.usual_low = range.low, l.usual_high = range.high;
     return l;
   }
-  /// ">= 0", "in [0, 0.5)"; empty: any.
+  /// Text such as ">= 0", "in [0, 0.5)"; empty: any value.
   [[nodiscard]] std::string text() const;
-  /// "usually 200 to 12000"; empty: nothing is known of it.
+  /// Text such as "usually 200 to 12000"; empty: no usual range.
   [[nodiscard]] std::string usual_text() const;
-  /// Both: "> 0, usually 200 to 12000".
+  /// Both texts: "> 0, usually 200 to 12000".
   [[nodiscard]] std::string full_text() const;
 };
 inline Limits any() { return {}; }
@@ -78,7 +78,7 @@ inline Limits within(double low, double high) {
   return l;
 }
 
-/// What is known of a key besides its value.
+/// Properties of a key other than its value.
 struct KeyInfo {
   std::string name, unit, sentence;
   Limits limits;
@@ -95,7 +95,7 @@ struct Fault {
 /// "key = value: problem", joined so that it reads as a sentence.
 std::string sentence_of(const std::string& key, const std::string& value, const std::string& problem);
 
-/// The state of reading one document: where the keys stand, and the first fault in file order.
+/// The state of reading one document: places of keys, and the first fault in file order.
 class Reading {
  public:
   struct Known {
@@ -104,15 +104,15 @@ class Reading {
   };
 
   void fault(Fault fault);
-  /// A value of the wrong type or out of range: "found ..., wanted ...".
+  /// Reports a value of the wrong type or out of range: "found ..., wanted ...".
   void wrong_type(const Node& node, const std::string& path, const KeyInfo& info);
   void bad_value(const Node& node, const std::string& path, const KeyInfo& info, const std::string& problem);
   void unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed);
-  /// A value that is let through, but is likely a slip.
+  /// Records an accepted value that is probably a mistake.
   void doubt(Fault doubt) { doubts_.push_back(std::move(doubt)); }
   void missing_key(const Node& table, const std::string& table_path, const KeyInfo& info);
   void know(const std::string& path, const Node& node, const std::string& unit);
-  /// The entries of a table; otherwise a fault, and nullptr.
+  /// The entries of a table; for any other node records a fault and returns nullptr.
   const Node::Table* table_of(const Node& node, const std::string& path);
   const Node::Array* array_of(const Node& node, const std::string& path);
 
@@ -129,17 +129,17 @@ class Reading {
   int count_ = 0;
 };
 
-/// Shortest text that reads back as the same double, always with a point or an exponent.
+/// The shortest text that reads back as the same double, always with a point or an exponent.
 std::string toml_number(double v);
-/// A string in quotes, escaped.
+/// A quoted and escaped string.
 std::string toml_string(std::string_view text);
-/// A key, in quotes where it must be.
+/// A key, quoted where necessary.
 std::string toml_key(std::string_view name);
-/// A value as found, for messages: cut short if long.
+/// A value as found, for messages: truncated if long.
 std::string short_text(const Node& node);
-/// Whether a node is the value of that TOML text; 90.0 is 90.
+/// Whether a node has the value of a TOML text; 90.0 equals 90.
 bool same_word(const Node& node, std::string_view toml);
-/// The name nearest to a misspelt one, or empty if none is near.
+/// The name most similar to a misspelt one, or empty if none is similar.
 std::string nearest(std::string_view name, const std::vector<std::string>& names);
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& names, std::string_view separator = ", ");
@@ -147,7 +147,7 @@ std::string joined(const std::vector<std::string>& names, std::string_view separ
 std::string path_to(const std::string& table_path, const std::string& name);
 std::string path_to(const std::string& array_path, std::size_t index);
 
-/// Reads a value of the given type; false after a fault. Integers are taken for numbers, nothing else is converted.
+/// Reads a value of the given type; returns false after a fault. Integers are accepted as numbers; there is no other conversion.
 bool read_value(const Node& node, double& out, const KeyInfo& info, Reading& reading, const std::string& path);
 bool read_value(const Node& node, int& out, const KeyInfo& info, Reading& reading, const std::string& path);
 bool read_value(const Node& node, bool& out, const KeyInfo& info, Reading& reading, const std::string& path);

@@ -7,7 +7,7 @@
 
 namespace voussoir::io {
 
-/// Whether a history may have the name: a group of run.h5 is called by it, beside the column of their times.
+/// Whether a history may have the name: it becomes the name of a group of run.h5, beside the dataset of times.
 [[nodiscard]] inline bool can_name_history(const std::string& name) {
   const bool control = std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   return !name.empty() && name != "time" && name != "." && name != ".." && name.find('/') == std::string::npos && !control;

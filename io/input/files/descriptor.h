@@ -13,12 +13,12 @@
 
 #include "io/input/files/errors.h"
 
-/// What the sources of this folder that call the system directly share, and nobody else.
+/// Shared by the sources of this folder that use system calls; not for other code.
 namespace voussoir::io {
 
 inline std::string system_words(int error) { return std::generic_category().message(error); }
 
-/// A file descriptor that is closed in its turn.
+/// A file descriptor, closed by the destructor.
 class Descriptor {
  public:
   Descriptor(const std::string& path, int flags) : id_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {

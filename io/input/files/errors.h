@@ -8,7 +8,7 @@
 
 namespace voussoir::io {
 
-/// A file that cannot be read, written or understood. The message is "path: what", or "path:line: what".
+/// A fault of a file that cannot be read, written or understood. The message is "path: what", or "path:line: what".
 class FileError : public std::runtime_error {
  public:
   FileError(std::string path, const std::string& what) : std::runtime_error(path + ": " + what), path_(std::move(path)) {}
@@ -20,7 +20,7 @@ class FileError : public std::runtime_error {
   std::string path_;
 };
 
-/// A fault of a file that a key of the case names.
+/// A fault of a file that is named by a key of the case.
 class NamedFileError : public FileError {
  public:
   NamedFileError(const FileError& fault, std::string key) : FileError(fault), key_(std::move(key)) {}

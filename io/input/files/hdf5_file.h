@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-/// The one place that calls HDF5. Every fault becomes a FileError with the file, the object and HDF5's or the system's reason.
+/// The only interface to HDF5. Every fault becomes a FileError with the file, the object and the reason given by HDF5 or the system.
 namespace voussoir::io {
 
 enum class Hdf5Type : std::uint8_t { f64, f32, u8, i32, i64 };
 
-/// Bytes of one value.
+/// Size of one value in bytes.
 [[nodiscard]] std::size_t size_of(Hdf5Type type) noexcept;
 
 template <class T>
@@ -41,82 +41,83 @@ struct Hdf5TypeOf<std::int64_t> {
   static constexpr Hdf5Type value = Hdf5Type::i64;
 };
 
-/// Extents, slowest first. The first is the number of rows.
+/// Extents of a dataset, slowest first. The first is the number of rows.
 using Shape = std::vector<std::uint64_t>;
 
-/// How a dataset lies in the file. chunk_rows = 0: contiguous. A checksum or compression needs chunks; both are left out without them.
+/// Storage layout of a dataset. chunk_rows = 0: contiguous. Checksum and compression need chunks, and are ignored without chunks.
 struct Hdf5Layout {
   std::uint64_t chunk_rows = 0;
   bool checksum = false;  // Fletcher-32
   int deflate = 0;        // 1-9 with byte shuffle; 0: none
 };
 
-/// Of results: with checksums, so that no reader takes damaged numbers for good ones.
+/// Layout of results: with checksums, so that readers detect damaged data.
 Hdf5Layout checked_layout(std::size_t row_bytes);
 
-/// What a dataset says it is, and what of that is in the file.
+/// Type and size of a dataset as declared, and its size in the file.
 struct Hdf5Dataset {
   Shape shape;
-  std::optional<Hdf5Type> type;  // none: it holds something else than numbers of Hdf5Type
-  std::uint64_t claimed = 0;     // bytes that shape and type ask for; the largest number if it has more digits
-  std::uint64_t stored = 0;      // bytes that its values take in the file
+  std::optional<Hdf5Type> type;  // none: not numbers of an Hdf5Type
+  std::uint64_t claimed = 0;     // bytes by shape and type; the largest 64-bit number on overflow
+  std::uint64_t stored = 0;      // bytes used by its values in the file
 };
 
-/// What each dataset of ours says of itself, in the attributes `unit` and `description`. None without a unit.
+/// Attributes `unit` and `description` of each dataset written by this program. Without a unit no attributes are written.
 struct Hdf5Note {
   std::string unit, description;
 };
 
-/// Rows [0, rows) of `dataset` in another file; `file` is relative to the folder of the file that refers to it.
+/// Rows [0, rows) of `dataset` in another file; `file` is relative to the folder of the referring file.
 /// `dataset_rows` is the extent of that dataset.
 struct VirtualSource {
   std::string file, dataset;
   std::uint64_t rows = 0, dataset_rows = 0;
 };
 
-/// An open HDF5 file. Object names are paths from the root, "/a/b"; groups on the way are made when needed.
+/// An open HDF5 file. Object names are paths from the root, "/a/b"; missing groups are created.
 /// Files are opened without HDF5's file locks: a file under its final name is never written to.
 class Hdf5File {
  public:
-  /// Makes a new file, replacing what is there. \param head  bytes before it that HDF5 leaves alone: 0, 512, or twice as many, ...
+  /// Creates a file, replacing an existing one. \param head  bytes before the HDF5 contents that HDF5 leaves untouched: 0, 512, 1024, 2048,
+  /// ...
   /// \throw FileError
   static Hdf5File create(const std::string& path, std::uint64_t head = 0);
-  /// Opens for reading. \throw FileError (also when it is no HDF5 file)
+  /// Opens a file for reading. \throw FileError (also if it is not HDF5)
   static Hdf5File open(const std::string& path);
-  /// A file whose bytes are in memory, for reading; `name` is for messages. \throw FileError
+  /// Opens a file image in memory for reading; `name` is for messages. \throw FileError
   static Hdf5File open_in_memory(const std::string& name, std::span<const std::byte> image);
 
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
-  /// Closes; a fault of the last write is lost here, so writers call close().
+  /// Closes the file; errors of the last write are ignored here, so writers call close().
   ~Hdf5File();
 
-  /// Writes what is buffered and closes. A second call does nothing. \throw FileError
+  /// Writes buffered data and closes. A second call has no effect. \throw FileError
   void close();
-  /// Hands what is buffered to the system. \throw FileError
+  /// Passes buffered data to the system. \throw FileError
   void flush();
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   void make_group(const std::string& name);
   [[nodiscard]] bool exists(const std::string& name) const;
-  /// Names in a group, in order of the alphabet.
+  /// Names in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
-  /// A group, not a dataset.
+  /// Whether the object is a group.
   [[nodiscard]] bool is_group(const std::string& name) const;
-  /// A dataset of texts, not of numbers.
+  /// Whether the object is a dataset of texts.
   [[nodiscard]] bool is_text(const std::string& name) const;
 
   void create_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const Hdf5Layout& layout = {}, const Hdf5Note& note = {});
-  /// Creates and fills a dataset; `data` in the given type.
+  /// Creates and fills a dataset; `data` has the given type. \throw FileError
   void write_dataset(const std::string& name, Hdf5Type type, const Shape& shape, const void* data, const Hdf5Layout& layout = {},
                      const Hdf5Note& note = {});
-  /// Rows [first, first + rows) of a dataset; `data` holds them row by row in the given type.
+  /// Writes or reads rows [first, first + rows) of a dataset; `data` has them row by row in the given type. \throw FileError
   void write_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data);
   void read_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, void* data) const;
-  /// The whole dataset, converted to T.
+  /// Reads a whole dataset, converted to T. \throw FileError
   template <class T>
   [[nodiscard]] std::vector<T> read(const std::string& name) const {
     const Shape extent = shape(name);
@@ -126,22 +127,22 @@ class Hdf5File {
     read_rows(name, Hdf5TypeOf<T>::value, 0, extent.empty() ? 1 : extent[0], values.data());
     return values;
   }
-  /// One string a row, of fixed length in the file (UTF-8, padded with zeros).
+  /// Writes one string per row, of fixed length in the file (UTF-8, padded with zeros).
   void write_strings(const std::string& name, std::span<const std::string> values, const Hdf5Note& note = {});
   [[nodiscard]] std::vector<std::string> read_strings(const std::string& name) const;
 
-  /// A dataset whose rows are those of the sources, one after the other. What a missing source should have held reads as NaN, or as −1 (all
-  /// bits set) in integers. Without a row it is an ordinary empty dataset. \param row  shape of a row, empty for a scalar
+  /// Creates a virtual dataset whose rows are those of the sources, in order. Rows of a missing source read as NaN, or as −1 (all bits set)
+  /// in integers. Without rows the dataset is an ordinary empty one. \param row  shape of a row, empty for a scalar
   void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
                       const Hdf5Note& note = {});
 
   [[nodiscard]] Shape shape(const std::string& name) const;
-  /// \throw FileError if the dataset holds something else than numbers of Hdf5Type
+  /// The type of a dataset. \throw FileError if its values are not numbers of an Hdf5Type
   [[nodiscard]] Hdf5Type type(const std::string& name) const;
-  /// Look here before making room for a dataset: it may claim more than the file has.
+  /// Declared and stored size of a dataset. To be checked before allocating memory, since a dataset may claim more than the file contains.
   [[nodiscard]] Hdf5Dataset describe(const std::string& name) const;
 
-  /// Attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
+  /// Sets attributes of a group or dataset ("/": the file). Text is UTF-8 of any length.
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);
   void set_attribute(const std::string& object, const std::string& name, double value);
   void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
@@ -151,7 +152,7 @@ class Hdf5File {
   [[nodiscard]] std::string attribute_text(const std::string& object, const std::string& name) const;
   [[nodiscard]] double attribute_double(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::int64_t attribute_int(const std::string& object, const std::string& name) const;
-  /// All attributes of an object: texts as they are, numbers as their bytes.
+  /// All attributes of an object: texts unchanged, numbers as their bytes.
   [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:

@@ -8,10 +8,10 @@
 
 #include "io/input/files/hdf5_file.h"
 
-/// What the sources of Hdf5File share, and nobody else: handles and checks. HDF5's handles are 64-bit integers, its states ints.
+/// Shared by the sources of Hdf5File: handles and checks; not for other code. HDF5's handles are 64-bit integers, its status values ints.
 namespace voussoir::io::hdf5 {
 
-/// An HDF5 handle that is closed in its turn.
+/// An HDF5 handle, closed by the destructor.
 class Handle {
  public:
   using Close = int (*)(std::int64_t);
@@ -30,17 +30,17 @@ class Handle {
   Close close_;
 };
 
-/// What is being done to which object of which file, for messages.
+/// The current action, object and file, for messages.
 struct Doing {
   const std::string& path;
   const char* action;
   const std::string& object;
 
-  /// \throw FileError with HDF5's reason if the state is negative
+  /// \throw FileError with HDF5's reason if the status is negative
   void check(int status) const {
     if (status < 0) fail();
   }
-  /// Takes over a handle. \throw FileError with HDF5's reason if it is negative
+  /// Takes ownership of a handle. \throw FileError with HDF5's reason if the handle is negative
   [[nodiscard]] Handle own(std::int64_t id, Handle::Close close) const {
     if (id < 0) fail();
     return {id, close};
@@ -54,13 +54,13 @@ struct TypePair {
 };
 TypePair types_of(Hdf5Type type);
 
-/// For links to objects whose groups may not exist yet.
+/// Properties of links to objects whose groups may not exist yet.
 Handle link_properties(const Doing& doing);
-/// UTF-8 of so many bytes; H5T_VARIABLE: any.
+/// The type of UTF-8 text of `length` bytes; H5T_VARIABLE: any length.
 Handle text_type(const Doing& doing, std::size_t length);
-/// The space of a shape; of one value when it is empty.
+/// The dataspace of a shape; for an empty shape, of one value.
 Handle simple_space(const Doing& doing, const Shape& shape);
-/// Writes the note of a dataset that was just made.
+/// Writes the note of a newly created dataset.
 void write_note(const Doing& doing, std::int64_t dataset, const Hdf5Note& note);
 Shape extent_of(const Doing& doing, std::int64_t dataset);
 

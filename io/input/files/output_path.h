@@ -4,13 +4,14 @@
 
 #include <string>
 
-/// Checks of the name of an output file, made before the work of which it is to hold the result.
+/// Checks of the name of an output file, made before the work whose result it will contain.
 namespace voussoir::io {
 
-/// \throw FileError if the file exists, unless it is to be replaced
+/// \throw FileError if the file exists and `overwrite` is false
 void refuse_to_replace(const std::string& path, bool overwrite);
 
-/// The same, and if the folder of the file is not there. An empty name: no file is wanted. \throw FileError
+/// \throw FileError if the file exists and `overwrite` is false, or if its folder does not exist. An empty path means no file, and is
+/// accepted.
 void check_output(const std::string& path, bool overwrite);
 
 }  // namespace voussoir::io

@@ -10,15 +10,15 @@
 #include <string_view>
 #include <vector>
 
-/// Numbers made small enough to stand in a page: rounded, as differences, deflated, in base64.
+/// Compact encoding of numbers for a page: rounded, as differences, deflated, in base64.
 namespace voussoir::io {
 
-/// RFC 4648, with padding.
+/// Base64 by RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
-/// The bytes back; anything that is no digit of base64 ends them.
+/// Decodes base64; stops at the first character that is no base64 digit.
 [[nodiscard]] std::vector<std::byte> from_base64(std::string_view text);
 
-/// Deflates what is appended, piece by piece, in the zlib format (RFC 1950): a browser's DecompressionStream("deflate") reads it.
+/// Deflates data appended in pieces, in the zlib format (RFC 1950), which a browser's DecompressionStream("deflate") reads.
 class Deflater {
  public:
   Deflater();
@@ -27,7 +27,7 @@ class Deflater {
   Deflater& operator=(const Deflater&) = delete;
 
   void append(std::span<const std::byte> bytes);
-  /// All of it in base64. Nothing can be appended afterwards.
+  /// All compressed data in base64. Nothing can be appended afterwards.
   [[nodiscard]] std::string finish();
 
  private:
@@ -35,7 +35,7 @@ class Deflater {
   std::unique_ptr<State> state_;
 };
 
-/// The bytes of these values, deflated, in base64.
+/// The bytes of the values, deflated, in base64.
 template <class T>
 [[nodiscard]] std::string packed(std::span<const T> values) {
   Deflater d;
@@ -43,13 +43,14 @@ template <class T>
   return d.finish();
 }
 
-/// Steps of 16 bits to either side of zero.
+/// Greatest absolute value of a 16-bit step number.
 inline constexpr double kQuantaOfASide = 32767;
 
-/// `value` in units of `quantum`, rounded to the nearest; beyond the ends of 16 bits, the end.
+/// `value` in units of `quantum`, rounded to nearest and clamped to 16 bits.
 [[nodiscard]] std::int16_t quantised(double value, double quantum) noexcept;
 
-/// The step from one 16-bit number to the next, modulo 2^16, with small steps of either sign as small numbers: 0, -1, 1, -2 are 0, 1, 2, 3.
+/// The difference of two 16-bit numbers, modulo 2^16, in zigzag coding: 0, -1, 1, -2 become 0, 1, 2, 3, so that small steps of either sign
+/// are small numbers.
 [[nodiscard]] std::uint16_t zigzag_step(std::int16_t from, std::int16_t to) noexcept;
 
 }  // namespace voussoir::io

@@ -6,25 +6,26 @@
 #include <string>
 #include <string_view>
 
-/// The folder of one run, held by one process.
+/// The folder of one run, locked by one process.
 namespace voussoir::io {
 
-/// How every case.toml begins that a run wrote.
+/// First line of every case.toml written by a run.
 inline constexpr std::string_view kResolvedHead = "# All keys of the case with their values, as used.";
 
 /// The number in "checkpoint-000012.h5"; nothing for other names.
 std::optional<long> checkpoint_number(const std::string& name);
 
-/// A locked folder. Only one process can hold it; the lock goes with the process, however it ends.
+/// A locked folder. Only one process can hold the lock, which ends with the process.
 class RunFolder {
  public:
-  /// Makes the folder (and those above it) and locks it, for a new run.
-  /// \param overwrite  use the folder whatever it holds (but for a case.toml that no run wrote), and remove the results of an earlier run:
-  /// run.h5, parts/, checkpoint-*.h5, case.toml, and what was made of them under its usual name (report.html, run.xdmf, paraview.h5,
-  /// stills/VIEW-TIMEs.png); nothing else \throw FileError if another process holds the folder (with its number), it holds results or other
-  /// files that are not hidden and `overwrite` is false, it is a file, or it cannot be written to
+  /// Creates the folder (and its parents) and locks it, for a new run.
+  /// \param overwrite  accept a folder with contents (but not with a case.toml that no run wrote), and remove the results of an earlier
+  /// run: run.h5, parts/, checkpoint-*.h5, case.toml, and files made from them under their default names (report.html, run.xdmf,
+  /// paraview.h5, stills/VIEW-TIMEs.png); nothing else
+  /// \throw FileError if another process (named by its number) holds the folder, if it contains results or other files that are not hidden
+  /// and `overwrite` is false, if it is a file, or if it is not writable
   static RunFolder create(const std::string& path, bool overwrite);
-  /// Locks a folder that holds an earlier run, to go on with it. \throw FileError
+  /// Locks a folder with an earlier run, to continue the run. \throw FileError
   static RunFolder open(const std::string& path);
 
   RunFolder(RunFolder&& other) noexcept;

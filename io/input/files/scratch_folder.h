@@ -6,10 +6,10 @@
 
 namespace voussoir::io {
 
-/// A folder among the system's temporary ones, which goes with its owner.
+/// A folder in the system's folder for temporary files, removed by the destructor.
 class ScratchFolder {
  public:
-  /// \throw FileError if it cannot be made
+  /// \throw FileError if the folder cannot be created
   ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;

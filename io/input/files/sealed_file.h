@@ -10,12 +10,12 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 
-/// A file that knows whether it is whole: a header of 512 bytes, and contents. The header is text: what it is, its version, and the number
-/// and a hash (FNV-1a) of the bytes that follow. A file that is cut off or has changed in a single bit is known before anybody tries to
-/// understand it. HDF5's own tools look for their file behind a header of this size, too, and find it.
+/// A file with a checksum: a header of 512 bytes, and contents. The header is text: kind of file, version, and the number and a hash
+/// (FNV-1a) of the following bytes. A truncated file, or one with a single changed bit, is thus detected before its contents are
+/// interpreted. HDF5's own tools also look for HDF5 contents behind a header of this size.
 namespace voussoir::io {
 
-/// A sealed file that is cut off, changed, or none at all.
+/// A sealed file that is truncated or changed, or a file that is not sealed.
 class DamagedFile : public FileError {
  public:
   using FileError::FileError;
@@ -24,26 +24,26 @@ class DamagedFile : public FileError {
 inline constexpr std::size_t kSealBytes = 512;
 
 /// The contents of a sealed file in memory. \param name  for messages \param what  "voussoir checkpoint"
-/// \throw DamagedFile; FileError if it is whole and has another version
+/// \throw DamagedFile; FileError if the file is intact but has another version
 std::span<const std::byte> unsealed(const std::string& name, const std::string& what, std::int64_t version,
                                     std::span<const std::byte> bytes);
 
-/// Whether a file on disk is whole, read piece by piece: as unsealed().
+/// Checks that a file on disk is intact, reading it in pieces. \throw as unsealed()
 void check_seal(const std::string& path, const std::string& what, std::int64_t version);
 
-/// A sealed file on its way. HDF5 writes the contents to disk behind the room for the header, under a temporary name, so that they need no
-/// memory; seal() completes the file and gives it its name: whole and on disk, or not at all. Dropped before, it leaves nothing.
+/// A sealed file being written. HDF5 writes the contents to disk behind the space for the header, under a temporary name, so that they need
+/// no memory; seal() completes the file and renames it: complete and on disk, or not at all. Destroyed before seal(), it leaves no file.
 class SealedFile {
  public:
-  /// \param room  bytes that the contents will take, or more: asked from the disk before anything is written, since HDF5 cannot be trusted
-  /// to survive a full one \throw FileError
+  /// \param room  upper bound on the size of the contents in bytes: reserved on disk before anything is written, since HDF5 does not
+  /// reliably survive a full disk \throw FileError
   SealedFile(std::string path, std::uint64_t room);
   ~SealedFile();
   SealedFile(const SealedFile&) = delete;
   SealedFile& operator=(const SealedFile&) = delete;
 
   [[nodiscard]] Hdf5File& contents() noexcept { return contents_; }
-  /// \throw FileError
+  /// Completes the file and gives it its name. \throw FileError
   void seal(const std::string& what, std::int64_t version);
 
  private:

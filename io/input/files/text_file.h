@@ -7,25 +7,25 @@
 #include <string>
 #include <string_view>
 
-/// Small helpers of the readers of text files that others wrote, possibly damaged.
+/// Helpers for readers of text files from other programs, possibly damaged.
 namespace voussoir::io {
 
-/// The bytes of a regular file, memory bounded by its size.
-/// \throw FileError if it is missing, a folder, no regular file, larger than `largest` bytes or cannot be read.
+/// The bytes of a regular file; memory use is bounded by its size.
+/// \throw FileError if it is missing, a folder, not a regular file, larger than `largest` bytes, or unreadable.
 std::string read_text_file(const std::string& path, std::size_t largest);
 
-/// \throw FileError if the file exists and `overwrite` does not allow to replace it, or if it cannot be written.
+/// Writes a text file. \throw FileError if the file exists and `overwrite` is false, or if it cannot be written.
 void write_text_file(const std::string& path, std::string_view text, bool overwrite);
 
-/// Walks through a text line by line; LF, CRLF and a CR alone end a line, a UTF-8 byte order mark is skipped.
+/// Reads a text line by line; LF, CRLF and a single CR end a line, a UTF-8 byte order mark is skipped.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
   /// The next line without its end, or nothing after the last one.
   std::optional<std::string_view> next();
-  /// Number of the line last given, from 1.
+  /// Number of the last returned line, from 1.
   [[nodiscard]] long line() const noexcept { return line_; }
-  /// Whether the line last given is the last one and has no end: the file may have been cut within it.
+  /// Whether the last returned line is the last of the text and has no line end: the file may have been truncated within it.
   [[nodiscard]] bool ended_within() const noexcept { return rest_.empty() && !line_ended_; }
 
  private:
@@ -34,16 +34,16 @@ class LineReader {
   bool line_ended_ = true;
 };
 
-/// Without blanks at both ends.
+/// The text without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// Letters A to Z for a to z; other bytes stay.
+/// The text with letters a to z in capitals; other bytes are unchanged.
 std::string upper(std::string_view text);
 
-/// The number that the whole of `text` is (a plus sign and "-.5E-02" are fine), or nothing if it is none or not finite.
+/// The number that the whole text represents (a plus sign and "-.5E-02" are allowed), or nothing if it is none or not finite.
 std::optional<double> finite_number(std::string_view text);
 
-/// `text` in quotes for a message: at most 40 bytes of it, unprintable ones as '?'.
+/// `text` in quotes for a message: at most 40 bytes, unprintable ones as '?'.
 std::string shown(std::string_view text);
 
 }  // namespace voussoir::io

@@ -7,24 +7,24 @@
 #include <span>
 #include <string>
 
-/// Files that are whole and on disk under their name, or not there at all.
+/// Files that are complete and on disk under their name, or do not exist.
 namespace voussoir::io {
 
-/// The name of a temporary file for `path`, PATH.PROCESS.tmp, where several processes may write `path` at once. Files of such names that
-/// have not been written to for an hour are of killed processes, and are removed.
+/// The name of a temporary file for `path`, PATH.PROCESS.tmp, for use where several processes may write `path` at once. Removes files with
+/// such names that have not been written to for an hour, as their processes were killed.
 std::string own_temporary(const std::string& path);
-/// Makes `temporary` (closed, complete) take the place of `path`: its bytes reach the disk first, so after a crash `path` is the old
-/// file or the new one, never a part. \throw FileError; then `temporary` is gone
+/// Replaces `path` by `temporary` (closed, complete): its bytes reach the disk first, so after a crash `path` is the old file or the new
+/// one, never a part. \throw FileError after removing `temporary`
 void replace_file(const std::string& temporary, const std::string& path);
-/// Writes these bytes under `path` as replace_file does: whatever happens, `path` is the old file or the whole new one. \throw FileError
+/// Writes bytes to `path` by replace_file: in any event `path` is the old file or the complete new one. \throw FileError
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
-/// The same of a text. \throw FileError
+/// Writes a text to `path` by replace_file. \throw FileError
 void write_text_file(const std::string& path, const std::string& text);
 
-/// Reserves so many bytes of the disk for a file, whose size stays as it is. Does nothing on file systems that cannot reserve.
-/// \throw FileError if there are not as many
+/// Reserves `bytes` of disk space for a file without changing its size. Has no effect on file systems without reservation.
+/// \throw FileError if the disk has not enough space
 void claim_room(const std::string& path, std::uint64_t bytes);
-/// Frees what is reserved beyond the end of the file. \throw FileError
+/// Frees disk space reserved beyond the end of the file. \throw FileError
 void give_back_room(const std::string& path);
 
 }  // namespace voussoir::io

@@ -8,8 +8,8 @@
 
 namespace voussoir::io {
 
-/// Keys of [motion] that give way to `key` where it comes later, over an included case or on the command line: a motion has one source,
-/// and `unit`, `dt`, `from` and `to` are of its files.
+/// Keys of [motion] that are dropped when `key` is given later, over an included case or on the command line: a motion has one source, and
+/// `unit`, `dt`, `from` and `to` belong to the files of that source.
 inline std::span<const std::string_view> give_way_to(std::string_view key) {
   static constexpr std::array<std::string_view, 10> kToRecord{"x", "y", "z", "L", "T", "V", "unit", "dt", "from", "to"};
   static constexpr std::array<std::string_view, 9> kToAxes{"record", "L",    "T",  "V",        "unit",

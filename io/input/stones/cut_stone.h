@@ -11,12 +11,12 @@ namespace voussoir::io {
 
 struct CutStone {
   std::vector<geometry::Polyhedron> pieces;  // convex, in prism order
-  double dents = 0.0;                        // m: what is shallower was left out or filled; 0: nothing was
+  double dents = 0.0;                        // m: shallower dents were left out or filled; 0: none
 };
 
-/// A stone as convex pieces, itself if it is convex. Cuts go through corners within `snap` [m] (geometry::convex_pieces) or, where these
-/// leave slivers, do not. If neither does, dents and slivers are passed over, at first those below 3e-9 of the size, at most below 3e-6:
-/// faces that were meant to be plane, or to meet in a corner, do not because coordinates were rounded. \throw ModelError
+/// Cuts a stone into convex pieces; a convex stone is its only piece. Cuts go through corners within `snap` [m] (geometry::convex_pieces)
+/// or, where this leaves slivers, do not. If both leave slivers, dents and slivers below 3e-9 of the size, increased up to 3e-6, are
+/// ignored: they come from rounded coordinates of faces that should be plane or meet in a corner. \throw ModelError
 CutStone cut_stone(const geometry::Mesh& mesh, double snap);
 
 }  // namespace voussoir::io

@@ -5,20 +5,20 @@
 #include "cases/case.h"
 #include "io/input/stones/stone_file.h"
 
-/// From files to closed solids in metres, each by its name. Internal to io/input/stones/.
+/// From files to closed solids in metres, by name. Internal to io/input/stones/.
 namespace voussoir::io {
 
-/// A closed solid, turned outward, with its faces merged where they are exactly in one plane; or one that is at fault.
+/// A closed solid, oriented outward, with exactly coplanar faces merged; or a faulty one.
 struct RawStone {
   std::string name;
   std::vector<std::string> groups;
   geometry::Mesh mesh;  // global axes, m
   bool support = false;
-  std::size_t merged = 0;  // faces that are gone since they lay in one plane with others
-  std::string fault = {};  // why it bounds no solid, with the place and what to do; the mesh is then as it was read
+  std::size_t merged = 0;  // number of faces merged into coplanar ones
+  std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
 };
 
-/// All stones of one table, in the order of its file. \param key  of the table; \param notes  what was passed over
+/// All stones of one table, in file order. \param key  of the table \param notes  descriptions of skipped content are appended
 std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
                                  std::vector<std::string>& notes);
 

@@ -10,18 +10,18 @@
 
 namespace voussoir::io {
 
-/// A stone that is refused, and why.
+/// A refused stone, and the reason.
 struct StoneFault {
   std::size_t table = 0;
   std::string stone;
-  std::string message;  // with the stone's name, the place and what to do
+  std::string message;  // with the stone's name, the place and the remedy
   geometry::Mesh mesh;  // as read, global axes, m
 };
 
-/// "(and 2 more stones are at fault: "b", "c")", with a blank before it; empty for one fault.
+/// A clause for a message: " (and 2 more stones are at fault: "b", "c")"; empty for one fault.
 std::string other_faults(const std::vector<StoneFault>& faults);
 
-/// The surface of a stone at fault, to be looked at: each face as thin plates of triangles; the box about it where it has too many faces.
+/// The surface of a faulty stone, for display: each face as thin plates of triangles; its bounding box if it has too many faces.
 std::vector<cases::StonePiece> plates_of(const geometry::Mesh& mesh);
 
 }  // namespace voussoir::io

@@ -8,7 +8,7 @@
 
 namespace voussoir::io {
 
-/// Stones of files so large or small that their unit is hardly the one that the case states: one at each such `stones[i].unit`.
+/// Findings for stones of files so large or small that the unit of the case is probably wrong: one for each such `stones[i].unit`.
 std::vector<cases::InputError> unusual_sizes(const cases::Case& c);
 
 }  // namespace voussoir::io

@@ -7,21 +7,22 @@
 
 #include "cases/case.h"
 
-/// The stones that a case takes out of files.
+/// Loads the stones of a case from files.
 namespace voussoir::io {
 
-/// Reads the files of all [[stones]] of the case and fills in StonesSpec::stones and notes: turned, placed, mended, put against each other
-/// and the base, cut into convex pieces where they must be. Does nothing for tables that have their stones.
-/// \throw NamedFileError for a file that cannot be read; cases::InputError with the key at fault, naming the stone, where it is and what to
-/// do
+/// Reads the files of all [[stones]] of the case and fills in StonesSpec::stones and notes: turned, placed, repaired, made to touch each
+/// other and the base, cut into convex pieces where necessary. Skips tables that already have stones.
+/// \throw NamedFileError for a file that cannot be read; cases::InputError with the key at fault, naming the stone, its place and the
+/// remedy
 void load_stones(cases::Case& c);
 
-/// The same, to look at what is refused: every stone that is at fault is there by its surface alone, as thin plates, and is told. Names of
-/// supports that no stone has are passed over. \return by fault, the stone's place in StonesSpec::stones of its table
+/// A stone that load_stones refuses, shown by its surface as thin plates.
 struct ShownFault {
   std::size_t table = 0, stone = 0;
   std::string message;
 };
+/// Loads stones like load_stones, but does not refuse faulty ones: each is represented by its surface as thin plates, and reported. Names
+/// of supports that no stone has are ignored. \return one entry per fault, with the stone's index in StonesSpec::stones of its table
 std::vector<ShownFault> load_shown_stones(cases::Case& c);
 
 }  // namespace voussoir::io

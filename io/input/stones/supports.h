@@ -6,7 +6,7 @@
 
 namespace voussoir::io {
 
-/// Decides Stone::fixed of all tables by StonesSpec::supports. Before, `fixed` says what the file marks.
+/// Sets Stone::fixed of all tables by StonesSpec::supports. On entry, `fixed` is the mark in the file.
 /// \throw cases::InputError for a name that no stone or group has
 void choose_supports(cases::Case& c);
 

@@ -12,18 +12,18 @@ namespace voussoir::io {
 /// The arrays of an unstructured grid of VTK (XML): ASCII, base64 within the elements, or appended as base64 or raw; plain or deflated.
 class VtuArrays {
  public:
-  /// \throw FileError if it is no such file, has several pieces, or an order of bytes or a compression that is not read
+  /// \throw FileError if the text is no VTU file, has several pieces, or an unsupported byte order or compression
   VtuArrays(const std::string& path, std::string_view text);
 
-  /// Values of an array, whatever their type. \throw FileError if it is damaged, or (but for cell_data) missing
+  /// Values of an array of any type. \throw FileError if the array is damaged, or (except for cell_data) missing
   [[nodiscard]] std::vector<double> points() const;
   [[nodiscard]] std::vector<double> cell_part(const std::string& name) const;
-  [[nodiscard]] std::vector<double> cell_data(const std::string& name) const;  // empty: there is none
+  [[nodiscard]] std::vector<double> cell_data(const std::string& name) const;  // empty: no such array
 
  private:
   struct Array {
     std::string type, format;
-    std::size_t offset = 0;  // into the appended data
+    std::size_t offset = 0;  // in the appended data
     std::string_view text;   // within the element
   };
   [[nodiscard]] std::vector<double> values(const Array& a, const std::string& name) const;

@@ -7,7 +7,7 @@
 
 namespace voussoir::io {
 
-/// Words of a text, parted by blanks and ends of lines.
+/// Words of a text, separated by blanks and line ends.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}

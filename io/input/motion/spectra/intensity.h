@@ -7,23 +7,23 @@
 #include "cases/case.h"
 #include "cases/motion.h"
 
-/// How strong a motion is, as one number, and the factor that gives it another strength: what incremental dynamic analysis and fragility
-/// curves are drawn over.
+/// Intensity of a motion as one number, and the factor that scales it to another intensity, for incremental dynamic analysis and fragility
+/// curves.
 namespace voussoir::io {
 
-inline constexpr double kIntensityDamping = 0.05;  // of critical, of Sa
+inline constexpr double kIntensityDamping = 0.05;  // of critical, for Sa
 
-/// The measure of two horizontal components together: the geometric mean of the values of the two. A component without samples, or whose
-/// value is zero, does not count; 0 if neither has one. Taken over all samples, also where a run ends before the last one.
-///  - pga: peak ground acceleration, m/s2;  pgv: peak ground velocity, m/s, of the motion from rest (MotionFigures);
-///  - sa: pseudo-acceleration (2 pi / period)² Sd, m/s2, with 5 % of damping, Sd as spectral_displacement finds it.
+/// The intensity of two horizontal components: the geometric mean of their values. A component without samples, or whose value is zero, is
+/// ignored; 0 if both are. All samples count, even if a run ends before the last one.
+/// - pga: peak ground acceleration, m/s2; pgv: peak ground velocity, m/s, of the motion from rest (MotionFigures);
+/// - sa: pseudo-acceleration (2 pi / period)² Sd, m/s2, with 5 % of damping, Sd by spectral_displacement.
 /// \pre a period if the measure is sa
 double intensity(const cases::MotionIntensity& of, const cases::Accelerogram& a, const cases::Accelerogram& b);
 
-/// The factor that brings the two components to `of.level`. \throw InputError at "motion.intensity" if no factor does: neither moves.
+/// The factor that scales the two components to `of.level`. \throw InputError at "motion.intensity" if neither component moves.
 double factor_to_reach(const cases::MotionIntensity& of, const cases::Accelerogram& a, const cases::Accelerogram& b);
 
-/// "PGA = 3 m/s2", "Sa(0.3 s) = 4 m/s2".
+/// The intensity in words: "PGA = 3 m/s2", "Sa(0.3 s) = 4 m/s2".
 std::string described(const cases::MotionIntensity& of);
 
 }  // namespace voussoir::io

@@ -10,27 +10,28 @@
 
 #include "cases/motion.h"
 
-/// What is made of response spectra: two components together, target spectra, and the factor that brings a record to one.
+/// Combined spectra of two components, target spectra, and the factor that fits a record to a target.
 namespace voussoir::io {
 
-/// Relative displacement [m] of the oscillator of spectral_displacement at `samples` steps from rest; after its last sample the record is
+/// Relative displacement [m] of the oscillator of spectral_displacement at `samples` steps from rest; beyond its last sample the record is
 /// zero. \throw InputError as spectral_displacement.
 std::vector<double> displacement_response(const cases::Accelerogram& a, double frequency_hz, double damping_ratio, std::size_t samples);
 
-/// Peak relative displacements [m] of two horizontal components together.
+/// Peak relative displacements [m] of two horizontal components combined.
 struct CombinedDisplacement {
-  double geometric_mean = 0.0;         // of the two components' own; depends on how the instrument stood
-  double rotd50 = 0.0, rotd100 = 0.0;  // median and largest over the directions of the plane (Boore 2010)
+  double geometric_mean = 0.0;         // of the peaks of both components; depends on the orientation of the instrument
+  double rotd50 = 0.0, rotd100 = 0.0;  // median and maximum over the directions in the plane (Boore 2010)
 };
-/// RotD: the responses u, v are turned, u cos k + v sin k for k = 0, 1, ... 179 degrees; of the 180 peaks the median (mean of the 90th and
-/// the 91st) and the largest, which is short by at most 4e-5 of the true one. The shorter component is zero after its end.
+/// RotD: the responses u, v are rotated, u cos k + v sin k for k = 0, 1, ... 179 degrees; rotd50 is the median of the 180 peaks (mean of
+/// the 90th and the 91st), rotd100 the largest, which falls short of the true maximum by at most 4e-5. The shorter component is zero after
+/// its end.
 /// \throw InputError for different steps, and as spectral_displacement.
 CombinedDisplacement combined_displacement(const cases::Accelerogram& a, const cases::Accelerogram& b, double frequency_hz,
                                            double damping_ratio);
 
 /// The elastic horizontal spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended parameters of its Tables 3.2 and 3.3.
 struct Eurocode8 {
-  int type = 1;       // 1, or 2: earthquakes of magnitude up to 5.5
+  int type = 1;       // 1, or 2 for earthquakes of magnitude up to 5.5
   char ground = 'A';  // A to E
   double ag = 0.0;    // m/s2, design acceleration on ground A
 };
@@ -38,26 +39,26 @@ inline constexpr double kEurocode8LongestPeriod = 4.0;  // s
 /// S_e(T) [m/s2] for a period from 0 to 4 s; eta = sqrt(10 / (5 + 100 damping)), at least 0.55. \pre type, ground as above
 double eurocode8(const Eurocode8& e, double period, double damping_ratio) noexcept;
 
-/// A spectrum to compare with: Eurocode 8, or a table.
+/// A target spectrum for comparison: Eurocode 8, or a table.
 struct TargetSpectrum {
   std::string name;
   std::optional<Eurocode8> code;
-  std::vector<double> period, acceleration;  // s rising, m/s2; used without `code`
+  std::vector<double> period, acceleration;  // s ascending, m/s2; used without `code`
 };
-/// [m/s2], between the rows of a table linear in period; nothing outside of its range (Eurocode 8: 0 to 4 s).
+/// Spectral acceleration [m/s2], linear in period between the rows of a table; nothing outside its range (Eurocode 8: 0 to 4 s).
 std::optional<double> value_at(const TargetSpectrum& target, double period, double damping_ratio) noexcept;
 
-/// How a record stands to a target over some periods.
+/// Fit of a record to a target over some periods.
 struct SpectrumFit {
   double factor = 1.0;        // exp of the mean of ln(target / record): the least sum of squares of ln(target / (factor · record))
   double misfit = 0.0;        // root mean square of that logarithm
-  double lowest = 0.0;        // the least factor · record / target ...
-  std::size_t lowest_at = 0;  // ... and where
+  double lowest = 0.0;        // least value of factor · record / target
+  std::size_t lowest_at = 0;  // its index
 };
-/// \pre of one length, 1 or more, all above 0
+/// Fits a record to a target. \pre equal lengths of at least 1, all values above 0
 SpectrumFit fit(std::span<const double> record, std::span<const double> target);
 
-/// `count` periods from `shortest` to `longest`, in equal ratios.
+/// `count` periods [s] from `shortest` to `longest` in equal ratios.
 std::vector<double> periods_between(double shortest, double longest, int count);
 
 }  // namespace voussoir::io

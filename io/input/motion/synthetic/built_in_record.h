@@ -8,7 +8,7 @@
 
 #include "cases/motion.h"
 
-/// Records that are part of the program, by name.
+/// Records built into the program, by name.
 namespace voussoir::io {
 
 /// A three-component record; an absent component has no samples.
@@ -17,13 +17,13 @@ struct Record {
   std::array<cases::Accelerogram, 3> ltv;
 };
 
-/// What `is_built_in_record` knows, for messages.
+/// The names that `is_built_in_record` accepts, for messages.
 std::string built_in_records();
 
-/// True of "bam-like", "bam-like-1" and whatever begins with "bam-like#".
+/// Whether the name is "bam-like", "bam-like-1" or begins with "bam-like#".
 bool is_built_in_record(std::string_view name);
 
-/// "bam-like" and "bam-like-1": the one record; "bam-like#7": realisation 7 of the family.
+/// The record "bam-like" or "bam-like-1", which are equal, or "bam-like#7", realisation 7 of the family.
 /// \throw cases::InputError at `key` for a realisation that is no whole number from 1 to kMostRealisations.
 Record built_in_record(const std::string& name, const std::string& key);
 

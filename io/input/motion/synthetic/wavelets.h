@@ -9,20 +9,20 @@
 /// Accelerograms as sums of wavelets: one long one, the velocity pulse of a near-fault motion, and about a thousand short ones of random
 /// carrier, time and phase, whose amplitudes follow a table of bands and times.
 ///
-/// Every wavelet is the second derivative of a displacement that starts and ends at rest at zero, so the sum needs no baseline
-/// correction: its velocity and displacement end at zero by construction. Filtered noise under an envelope was the other road; it
-/// leaves a drift whose removal changes the low frequencies that the pulse is there for.
+/// Every wavelet is the second derivative of a displacement that starts and ends at rest at zero, so the sum needs no baseline correction:
+/// its velocity and displacement end at zero by construction. Filtered noise under an envelope, the alternative, leaves a drift whose
+/// removal would change the low frequencies of the pulse.
 namespace voussoir::io {
 
 inline constexpr double kWaveletStep = 0.005;         // s, between samples
 inline constexpr std::size_t kWaveletSamples = 4201;  // 21 s
 inline constexpr int kWaveletBands = 10;              // half octaves: 0.7, 0.99, 1.4, ... 22.4 Hz
-inline constexpr int kWaveletLowBands = 6;            // these (up to 5.6 Hz) follow the envelope `low`, the others `high`
+inline constexpr int kWaveletLowBands = 6;  // number of bands (up to 5.6 Hz) under the envelope `low`; the others are under `high`
 inline constexpr int kWaveletKnots = 10;
 inline constexpr std::array<double, kWaveletKnots> kWaveletKnotTimes{0, 1, 2, 3, 4, 6, 8, 10, 13, 19};  // s, of the envelopes
 
 /// Acceleration of d(t) = -A/w² W(u) cos(w u + phase), u = t - centre, W(u) = cos⁴(pi u / 2h) for |u| < h.
-/// For many cycles within h this is A W cos(w u + phase); the other terms keep the ends at rest.
+/// For many cycles within h the acceleration is A W cos(w u + phase); the other terms keep the ends at rest.
 struct Wavelet {
   double amplitude;    // A, m/s2
   double frequency;    // Hz
@@ -40,8 +40,8 @@ struct WaveletAmplitudes {
 /// Adds a wavelet to samples of kWaveletStep, [m/s2].
 void add(const Wavelet& wavelet, std::vector<double>& acceleration);
 
-/// Adds the short wavelets: one in each of 30 logarithmic intervals of the carrier in each half second; the seed draws place in the
-/// interval, time and phase.
+/// Adds the short wavelets: one in each of 30 logarithmic intervals of the carrier in each half second; place in the interval, time and
+/// phase are random numbers of the seed.
 void add_short_wavelets(const WaveletAmplitudes& amplitudes, std::uint64_t seed, std::vector<double>& acceleration);
 
 }  // namespace voussoir::io
