@@ -235,7 +235,7 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   put("proof", associated_proof(r.associated.proof));
   const bool both = asked.options.coulomb;
   put("multiplier, Coulomb", !both                ? "not asked for (--associated)"
-                             : r.coulomb_proven() ? multiplier(r.coulomb) + "; one of perhaps several"
+                             : r.coulomb_proven() ? multiplier(r.coulomb) + "; one of perhaps several, the order of blocks may give another"
                                                   : "NOT found: no forces and mechanism prove one; it is at most the associated one");
   if (both && r.coulomb_proven()) put("proof", coulomb_proof(r.coulomb.proof));
   put("programmes", std::to_string(r.associated.programmes + r.coulomb.programmes));
