@@ -8,7 +8,7 @@
 #include "io/output/assess/assessment.h"
 #include "io/output/assess/floor_spectra.h"
 
-/// What `voussoir assess` says, in words or as one object of JSON.
+/// Output of `voussoir assess`, as text or as one JSON object.
 namespace voussoir::io {
 
 std::string assessment_text(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base);

@@ -12,10 +12,10 @@
 
 #include "io/output/assess/wall_cracks.h"
 
-/// What engineers read off a run, from its results after the fact: definitions in io/MEASURES.md.
+/// Engineering figures of a run, computed from its results; definitions in io/MEASURES.md.
 namespace voussoir::io {
 
-/// A largest magnitude, with its sign, and when. A value that is no number does not count.
+/// The value of largest magnitude, with its sign, and its time. NaN values are ignored.
 struct Peak {
   double value = 0, time = 0;  // s
   void take(double v, double t) {
@@ -26,14 +26,14 @@ struct Peak {
 struct WallAssessment {
   std::string name;
   double thickness = 0;         // m
-  Peak out_of_plane;            // of the piece of about half a metre displaced most against the wall's foot, over the thickness
-  double out_of_plane_now = 0;  // the same at the moment looked at
-  CrackFigures cracks;          // at the moment looked at
-  std::size_t parted = 0;       // joints that are wider than any crack then
-  CrackFigures seats;           // slips of timber on the wall then
+  Peak out_of_plane;            // greatest displacement against the wall's foot of any piece of about half a metre, over the thickness
+  double out_of_plane_now = 0;  // out_of_plane at the assessed frame
+  CrackFigures cracks;          // at the assessed frame
+  std::size_t parted = 0;       // number of joints wider than any crack, at the assessed frame
+  CrackFigures seats;           // slips of timber on the wall, at the assessed frame
 };
 
-/// Horizontal displacement of a level against the one below it, over their height: a ratio.
+/// Horizontal displacement of a level relative to the one below, over their difference in height: a ratio.
 struct StoreyDrift {
   std::int32_t house = 0;
   double low = 0, high = 0;  // z, m
@@ -44,27 +44,29 @@ struct StoreyDrift {
 struct CutAssessment {
   std::string name;
   Vec3 normal;  // unit
-  // Largest in magnitude: tension; shear across the normal; moment in the plane, and about the normal (torsion).
+  // Largest magnitudes: tension; shear across the normal; moment in the plane, and about the normal (torsion).
   Peak axial, shear, bending, torsion;  // N, N m
-  Peak compression;                     // largest, as a negative tension
+  Peak compression;                     // largest compression, as a negative tension
 };
 
 struct Assessment {
-  double time = 0;    // s, of the frame looked at
+  double time = 0;    // s, time of the assessed frame
   double weight = 0;  // N, of all elements that are not fixed
-  Peak base_shear;    // N, horizontal, of the rows of /forces
+  Peak base_shear;    // N, horizontal, from the rows of /forces
   double base_shear_over_weight = 0;
   std::vector<WallAssessment> walls;
   std::vector<std::pair<OpeningCorner, CrackFigures>> corners;
   std::vector<StoreyDrift> storeys;
   std::vector<CutAssessment> cuts;
-  // Of the frame looked at, for crack maps.
+  // At the assessed frame, for crack maps.
   std::vector<JointWidth> joints;
   std::vector<std::uint8_t> fallen;
 };
 
-/// \param c  the case of the run \param time  of the frame nearest to it [s]; none: the last \param levels  heights of storeys above the
-/// base [m], none: the walls' foot and top \throw FileError
+/// Assesses a run at one frame.
+/// \param c  the case of the run \param time  of the frame, nearest one taken [s]; none: the last frame
+/// \param levels  heights of storeys above the base [m]; none: the walls' foot and top
+/// \throw FileError
 Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
                   const std::vector<double>& levels);
 

@@ -8,11 +8,11 @@
 
 #include "io/output/assess/wall_cracks.h"
 
-/// The crack map of a wall, as surveyors draw it: its elevation from outside, cracks by width, a legend and a scale bar, as SVG.
+/// The crack map of a wall: its elevation from outside, cracks by width, a legend and a scale bar, as SVG.
 namespace voussoir::io {
 
-/// Classes of width, of Burland, Broms and de Mello (1977) and BRE Digest 251: closed again or not to be seen, hair cracks, then the upper
-/// bounds of very slight (1 mm), slight (5 mm), moderate (15 mm) and severe damage (25 mm).
+/// Classes of width by Burland, Broms and de Mello (1977) and BRE Digest 251: closed again or invisible, hair cracks, then the upper bounds
+/// of very slight (1 mm), slight (5 mm), moderate (15 mm) and severe damage (25 mm).
 struct CrackClass {
   double from;  // m
   const char *words, *colour;
@@ -25,7 +25,8 @@ inline constexpr std::array<CrackClass, 6> kCrackClasses{{{0.0, "under 0.1 mm", 
                                                           {15e-3, "15 to 25 mm", "#d62828", 4.4},
                                                           {25e-3, "over 25 mm", "#6d0a1f", 5.6}}};
 
-/// \param joints  of the whole run at this moment (joint_widths) \param fallen  by element, 1: it has fallen
+/// The crack map of wall `wall` as an SVG document.
+/// \param joints  of the whole run at this time (joint_widths) \param fallen  by element, 1: fallen
 /// \throw FileError
 std::string crack_map(const Hdf5File& run, const std::string& title, const Building& building, std::int32_t wall, double time,
                       const std::vector<JointWidth>& joints, const std::vector<std::uint8_t>& fallen);

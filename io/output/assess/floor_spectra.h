@@ -9,27 +9,27 @@
 #include "cases/motion.h"
 #include "io/input/files/hdf5_file.h"
 
-/// Accelerations of followed points and what they do to what stands or hangs there: floor response spectra.
+/// Accelerations of followed points, and floor response spectra for objects that stand or hang there.
 namespace voussoir::io {
 
-/// Absolute acceleration of one followed point, x, y, z: that of the base and the rate of its velocity relative to it, by central
-/// differences of /history/<name>/velocity.
+/// Absolute acceleration of one followed point, x, y, z: acceleration of the base, plus the rate of the point's velocity relative to the
+/// base, by central differences of /history/<name>/velocity.
 struct FloorAcceleration {
   std::string name;
   std::array<cases::Accelerogram, 3> axis;
 };
 
-/// \param base  motion of the base, as in the run \throw FileError
+/// Accelerations of the named points. \param base  motion of the base, as in the run \throw FileError
 std::vector<FloorAcceleration> floor_accelerations(const Hdf5File& run, const std::vector<std::string>& names,
                                                    const cases::GroundMotion& base);
 
-/// Periods of the spectra, s: 61 from 0.02 to 4 in equal ratios.
+/// Periods of the spectra [s]: 61 from 0.02 to 4 in equal ratios.
 std::vector<double> spectrum_periods();
 
-/// Largest pseudo-acceleration ω² S_d at each period [m/s2].
+/// Largest pseudo-acceleration ω² S_d at each period [m/s2]. \param damping  fraction of critical
 std::vector<double> spectrum(const cases::Accelerogram& a, const std::vector<double>& periods, double damping);
 
-/// Rows "point,axis,damping,period,acceleration" of all points and, as the point "base", of the base's motion.
+/// CSV rows "point,axis,damping,period,acceleration" of all points and, as the point "base", of the base's motion.
 std::string spectra_csv(const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base, const std::vector<double>& dampings);
 
 }  // namespace voussoir::io

@@ -8,20 +8,21 @@
 #include "solver/limit/limit.h"
 #include "solver/limit/load_path.h"
 
-/// What `voussoir limit` says: a table in words, one object of JSON, and the mechanism element by element as CSV.
+/// Output of `voussoir limit`: a text table, one JSON object, or the mechanism element by element as CSV.
 namespace voussoir::io {
 
 struct LimitQuestion {
-  std::string title, live;  // of the case; what the multiplier multiplies, in words
+  std::string title, live;  // title of the case; description of the load that the multiplier scales
   solver::LimitOptions options;
 };
 
-/// \param path  of which `found` is the weakest place; null: the load does not move
+/// \param path  the path of a moving load, of which `found` is the weakest position; null: the load does not move
 std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found,
                        const solver::LoadPath* path = nullptr);
 std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found,
                        const solver::LoadPath* path = nullptr);
-/// A row an element and rule of flow: velocity of its centroid, rate of turning, and the part it moves with (0: the ground).
+/// CSV with one row per element and flow rule: velocity of its centroid, angular velocity, and the part to which it belongs (0: the
+/// ground).
 std::string limit_csv(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& found);
 
 }  // namespace voussoir::io

@@ -10,10 +10,10 @@
 /// A drawing of a model: four elevations and the plans of two courses, every block with its edges, as SVG.
 namespace voussoir::io {
 
-/// Elevations are seen from outside, what lies behind an opening darker. The plans are horizontal sections, for a house through as many
-/// openings as one course can meet, and through the course above it; else at half the model's height. Openings and thicknesses of a house
-/// that stands alone have their dimensions (m); every view has its axes, the sheet a scale bar. The elements that the case follows
-/// (output.history) are blue and named. Ties are green lines; straps of meshes stand in the elevations alone, on the faces seen.
+/// Elevations are seen from outside; parts behind an opening are darker. The plans are horizontal sections, for a house through the course
+/// that meets most openings and the course above; else at half the model's height. Openings and thicknesses of a single house have
+/// dimensions (m); every view has axes, the sheet a scale bar. The elements that the case follows (output.history) are blue and named. Ties
+/// are green lines; straps of meshes are drawn in the elevations only, on the visible faces.
 /// \pre the model has an element
 std::string draw(const cases::Case& c, const cases::Model& model);
 

@@ -12,36 +12,36 @@
 #include "cases/model.h"
 #include "io/input/files/hdf5_file.h"
 
-/// What measures of a collapse ask of the model of a run: which elements are a wall, where it stands, what room is between the walls.
+/// The building of a run as the collapse measures need it: elements and position of each wall, rooms between the walls.
 namespace voussoir::io {
 
-/// A box along the axes, m; `low` and `high` of x, y, z.
+/// An axis-aligned box [m]; `low` and `high` of x, y, z.
 struct Box {
   std::array<double, 3> low, high;
 
-  /// Nothing in it yet.
+  /// A box that contains nothing.
   static Box empty() noexcept;
   void include(const Box& other) noexcept;
   [[nodiscard]] double centre(std::size_t axis) const noexcept { return 0.5 * (low[axis] + high[axis]); }
   [[nodiscard]] double size(std::size_t axis) const noexcept { return high[axis] - low[axis]; }
 };
 
-/// One side of a storey of a house, or an inner wall of it: its bricks, its lintels and the gable upon it.
+/// One side of a storey of a house, or one of its inner walls: bricks, lintels and the gable on it.
 struct Wall {
   std::string name;        // "front wall"; "front wall, storey 1"; with "of house 1" where there are several houses
-  std::int32_t house = 0;  // copy of the house; −1: of free blocks that name it as their part
+  std::int32_t house = 0;  // copy of the house; −1: of free blocks with a part name
   int storey = 1;
   bool inner = false;
-  Box box;                                    // of its bricks without the gable
-  std::size_t across = 0;                     // axis normal to its plane: 0 x, 1 y
-  double outward = 1.0;                       // 1: out of the house is along that axis, −1: against it
-  std::vector<std::size_t> foot;              // elements of its lowest course
+  Box box;                        // bounding box of its bricks without the gable
+  std::size_t across = 0;         // axis normal to its plane: 0 x, 1 y
+  double outward = 1.0;           // 1: the outside of the house is in the positive direction of that axis, −1: in the negative
+  std::vector<std::size_t> foot;  // elements of its lowest course
   std::vector<std::vector<std::size_t>> top;  // elements of its uppermost course without the gable, in pieces of about 1 m along the wall
 
   [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
   [[nodiscard]] double thickness() const noexcept { return box.size(across); }
   [[nodiscard]] double height() const noexcept { return box.size(2); }
-  /// 1: the wall's axis runs to the right for somebody who looks at it from outside, −1: to the left.
+  /// 1: the wall's axis runs to the right when seen from outside, −1: to the left.
   [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
 };
 
@@ -53,43 +53,45 @@ struct Room {
   std::array<double, 2> low, high;  // x and y, m
   double floor = 0, ceiling = 0;    // z, m
   int storey = 1;
-  bool top = true;  // no storey stands upon its own
+  bool top = true;  // no storey above
 };
 
 struct Building {
-  static constexpr int kAll = std::numeric_limits<int>::max();  // in `covers`
+  static constexpr int kAll = std::numeric_limits<int>::max();  // value of `covers`
 
-  double base = 0;  // height of the base, m; without one 0
+  double base = 0;  // m, height of the base; 0 without a base
   bool has_base = false;
-  std::vector<double> mass;  // kg, an entry an element, as the next ones; fixed ones have none
+  std::vector<double> mass;  // kg, by element like the following vectors; 0 for fixed elements
   std::vector<cases::PartKind> kind;
-  std::vector<std::int32_t> wall;  // into walls; −1: of no wall
-  std::vector<int> covers;         // storeys from 1 to this one lie under it (floor, roof); 0: it is neither
+  std::vector<std::int32_t> wall;  // index into walls; −1: of no wall
+  std::vector<int> covers;         // number of storeys under the element (floor, roof), counted from the first; 0: neither floor nor roof
   std::vector<Box> box;            // in the reference configuration
-  std::vector<Wall> walls;         // none without a house
-  std::vector<Room> rooms;         // of the houses whose walls leave one
-  Box footprint;                   // of the houses; without a house: of all elements that are not fixed
+  std::vector<Wall> walls;         // empty without a house
+  std::vector<Room> rooms;         // of houses whose walls enclose one
+  Box footprint;                   // of the houses; without a house, of all elements that are not fixed
 
   [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
     return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
   }
-  /// Timber that lies on walls, in their pockets or beside them: a rafter, a beam of a roof or floor, a ring beam, a column. A lintel is of
-  /// its wall.
+  /// Whether the element is timber on walls, in their pockets or beside them: a rafter, a beam of a roof or floor, a ring beam, a column. A
+  /// lintel belongs to its wall instead.
   [[nodiscard]] bool is_timber(std::size_t element) const noexcept {
     using enum cases::PartKind;
     return kind[element] == beam || kind[element] == floor_beam || kind[element] == ring_beam || kind[element] == column;
   }
-  /// Whether timber meets a wall, the base or other timber between these elements: what opens there is its slip, and no crack of a wall.
-  /// \param b  -1: the base
+  /// Whether timber meets a wall, the base or other timber between these elements: an opening there is a slip of timber, not a crack of a
+  /// wall.
+  /// \param b  −1: the base
   [[nodiscard]] bool is_seat(std::int32_t a, std::int32_t b) const noexcept {
     return is_timber(static_cast<std::size_t>(a)) || (b >= 0 && is_timber(static_cast<std::size_t>(b)));
   }
 };
 
-/// The part of the building that an element with this tag is of: "roof beam 11" is of "roof beam", "front wall, storey 1" of itself.
+/// The part of the building from an element's tag: "roof beam 11" belongs to "roof beam", "front wall, storey 1" to itself.
 std::string part_of(const std::string& tag);
 
-/// \param run  its model and its case, of which the height of the base and the turn of the house are read \throw FileError
+/// Reads the building of a run. \param run  with its model and its case, for the height of the base and the rotation of the house \throw
+/// FileError
 Building building_of(const Hdf5File& run);
 
 }  // namespace voussoir::io

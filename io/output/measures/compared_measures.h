@@ -4,16 +4,15 @@
 
 #include <string>
 
-/// The measures of two runs side by side, for people and for programs.
+/// Measures of two runs side by side, as text and as JSON.
 namespace voussoir::io {
 
-/// A table: measure, its value in A and in B, B - A. Times that never came are "never", values that do not exist "-"; their difference is
-/// "-", too. Walls are matched by their names; of them only lines in which A and B are shown otherwise. \param a, b  summary_json of the
-/// runs
+/// A table: measure, its value in A and in B, B - A. Times that never came are "never", undefined values "-"; their difference is "-", too.
+/// Walls are matched by name; only their differing lines are included. \param a,  b summary_json of the runs
 std::string measures_beside(const std::string& a, const std::string& b);
 
-/// The same as a JSON array of {"name", "a", "b", "difference"}, in SI units and under the names of `voussoir summary --format json`; a
-/// wall's are "front wall: peak_drift". `difference` is null where there is none.
+/// The comparison as a JSON array of {"name", "a", "b", "difference"}, in SI units and with the names of `voussoir summary --format json`;
+/// measures of a wall are named "front wall: peak_drift". `difference` is null where undefined.
 std::string measures_beside_json(const std::string& a, const std::string& b);
 
 }  // namespace voussoir::io

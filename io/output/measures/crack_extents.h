@@ -12,15 +12,16 @@
 
 namespace voussoir::io {
 
-/// Area of a wall's open joints over that of its horizontal section (length times thickness): 1 is as much as one crack from end to end.
+/// Area of a wall's open joints over that of its horizontal section (length times thickness): 1 corresponds to one crack from end to end.
 struct CrackExtent {
-  double any = 0;    // joints that have come open since time zero, closed again or not
-  double fine = 0;   // joints whose faces are kFineCrack apart or more, now
-  double large = 0;  // the same with kLargeCrack
+  double any = 0;    // joints that have opened since time zero, closed again or not
+  double fine = 0;   // joints whose faces are at least kFineCrack apart, now
+  double large = 0;  // joints whose faces are at least kLargeCrack apart, now
 };
 
-/// How far cracks go in each wall. A crack's width is the distance, in opening and sliding together, of the two points that met in the
-/// middle of a joint. A joint between two walls counts for both; one with timber that lies on a wall (Building::is_seat) counts for none.
+/// Extent of cracks in each wall. The width of a crack is the distance, in opening and sliding together, of the two points that initially
+/// coincided in the middle of a joint. A joint between two walls counts for both; one with timber on a wall (Building::is_seat) counts for
+/// none.
 class Cracks {
  public:
   static constexpr double kFineCrack = 1e-3, kLargeCrack = 5e-3;  // m
@@ -28,20 +29,20 @@ class Cracks {
   /// \param start  poses in the reference configuration \throw FileError
   Cracks(const Hdf5File& run, const Building& building, const std::vector<Pose>& start);
 
-  /// One for each wall. \param time  of the poses [s]
+  /// Extents of all walls at one time. \param time  of the poses [s]
   [[nodiscard]] std::vector<CrackExtent> extents(double time, const std::vector<Pose>& poses) const;
 
-  /// When the first of a wall's joints came open, at or after time zero [s].
+  /// Time of the first opening of any of a wall's joints, at or after time zero [s].
   [[nodiscard]] std::optional<double> first_time(std::size_t wall) const;
 
  private:
   struct CrackedJoint {
     OpenJoint joint;
     double area;                  // m2
-    std::int32_t wall_a, wall_b;  // −1: none, or the other's
+    std::int32_t wall_a, wall_b;  // −1: none, or equal to the other
   };
   std::vector<CrackedJoint> joints_;
-  std::vector<double> section_;  // m2, of each wall
+  std::vector<double> section_;  // m2, by wall
 };
 
 }  // namespace voussoir::io

@@ -10,20 +10,20 @@
 
 #include "io/output/measures/measures.h"
 
-/// How measures are called, wherever they stand: in run.h5, in `voussoir summary`, on the report page.
+/// Names of measures, common to run.h5, `voussoir summary` and the report page.
 namespace voussoir::io {
 
-/// A measure that is one value: an attribute of /summary.
+/// A measure with a single value: an attribute of /summary.
 struct Figure {
   const char* name;
   std::variant<std::int64_t, double, std::string> value;
   const char* unit;
 };
 
-/// Those that no solver::Summary holds. Times below 0: never; NaN: there is no such thing.
+/// The measures other than those of solver::Summary. Times below 0: never; NaN: undefined.
 std::vector<Figure> figures_of(const Measures& m);
 
-/// A measure that every wall has: a dataset of /summary/wall.
+/// A measure by wall: a dataset of /summary/wall.
 struct WallColumn {
   const char* name;
   double WallMeasures::*value;
@@ -46,7 +46,7 @@ inline constexpr std::array kWallColumns{
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
 };
 
-/// Units of the figures, as the attribute `units` of /summary has them: "name, name: unit; ...".
+/// Units of the figures, for the attribute `units` of /summary: "name, name: unit; ...".
 std::string figure_units();
 
 /// Figures, `grade_time`, `walls` and `points` as one JSON object; null for NaN.

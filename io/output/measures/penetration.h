@@ -13,26 +13,26 @@
 
 namespace voussoir::io {
 
-/// Stands for the base in a pair of bodies.
+/// Index of the base in a pair of bodies.
 inline constexpr std::int32_t kBaseBody = -1;
 
-/// How deep elements are in each other, and in the base, in one frame. m.
+/// Overlap of elements with each other, and with the base, in one frame [m].
 struct Interpenetration {
-  double deepest = 0;                  // of any two bodies; 0: none overlap
-  std::int32_t a = -1, b = kBaseBody;  // that pair: a the element with the lower number; its a is -1 if none overlap
+  double deepest = 0;                  // of any two bodies; 0: no overlap
+  std::int32_t a = -1, b = kBaseBody;  // the deepest pair: a is the element with the lower number; -1 without overlap
   double deepest_in_base = 0;
-  std::int64_t deep_pairs = 0;  // deeper than half a segment, the larger one of both; -1: sizes of segments are not known
+  std::int64_t deep_pairs = 0;  // pairs deeper than half of the larger segment of both; -1: segment sizes are unknown
 };
 
-/// Looks at every pair of elements by the exact test of geometry/separation.h: bonded or not, fixed or not. For one thread; frames one
-/// after the other.
+/// Tests every pair of elements, bonded or not, fixed or not, by the exact method of geometry/separation.h. For use by one thread; frames
+/// in order.
 class InterpenetrationCheck {
  public:
   /// \param run  its /model \throw FileError
   InterpenetrationCheck(const Hdf5File& run, const Building& building, const std::vector<Pose>& start);
 
   [[nodiscard]] Interpenetration at(const std::vector<Pose>& poses);
-  /// Pairs of bodies, the base among them, that overlap or are no farther apart than 0.1 mm.
+  /// Number of pairs of bodies, including the base, that overlap or are at most 0.1 mm apart.
   [[nodiscard]] std::int64_t touching_pairs(const std::vector<Pose>& poses);
 
  private:
@@ -42,14 +42,14 @@ class InterpenetrationCheck {
   void take_pair(std::int32_t a, std::int32_t b, Interpenetration& now) const;
   [[nodiscard]] bool touch(std::int32_t a, std::int32_t b) const;
 
-  std::vector<geometry::ConvexBody> body_, placed_;  // about the centroid as at first; as they lie in the frame at hand
-  std::vector<double> half_segment_;                 // m; empty: not known
+  std::vector<geometry::ConvexBody> body_, placed_;  // relative to the initial centroid; as placed in the current frame
+  std::vector<double> half_segment_;                 // m; empty: unknown
   bool has_base_;
   double base_;
   std::vector<geometry::Box3> box_;
   geometry::UniformGrid grid_;
   std::vector<std::int32_t> near_;
-  std::int32_t last_a_ = kBaseBody, last_b_ = kBaseBody;  // the deepest pair of elements of the frame before
+  std::int32_t last_a_ = kBaseBody, last_b_ = kBaseBody;  // deepest pair of elements in the previous frame
 };
 
 }  // namespace voussoir::io

@@ -7,13 +7,13 @@
 
 #include "geometry/vec3.h"
 
-/// Accelerations of the followed points as an instrument there would write them.
+/// Accelerations of followed points, filtered like records of an instrument.
 namespace voussoir::io {
 
 class Hdf5File;
 
-/// A low-pass of Butterworth's, fourth order, causal: two second-order sections by the bilinear transform, its corner (-3 dB) kept in place
-/// (prewarped). It starts from rest.
+/// A causal Butterworth low-pass of fourth order: two second-order sections by the bilinear transform, with prewarped corner frequency (-3
+/// dB). Starts from rest.
 class LowPass {
  public:
   /// \pre 0 < corner [Hz] < half the rate [Hz]
@@ -30,10 +30,10 @@ class LowPass {
 
 inline constexpr double kInstrumentCorner = 50.0;  // Hz
 
-/// Of one followed element, in the rows of /history.
+/// Acceleration of one followed element, at the rows of /history.
 struct PointAcceleration {
   std::string name;
-  std::vector<Vec3> acceleration;  // m/s2, absolute: of the base and relative to it
+  std::vector<Vec3> acceleration;  // m/s2, absolute: base plus relative
   double peak_horizontal = 0.0;    // m/s2, largest sqrt(x² + y²)
 };
 
@@ -42,15 +42,15 @@ struct PointAccelerations {
   std::vector<PointAcceleration> points;
 };
 
-/// Between two rows of /history the velocity of the centroid, relative plus the base's, grows by the mean of its acceleration over that
-/// time, exactly: those means go through the low-pass of kInstrumentCorner; the first row is zero. So nothing above half the rate of the
-/// rows is folded into what is shown but what the mean lets through (of 950 Hz, rows at 1 kHz: a twentieth), and the curve lags by half an
-/// interval and the filter's delay, 8.3 ms for slow motion.
-/// \return nothing where /history has less than two rows, or fewer than four in a period of the corner. Of a run that has no /motion (an
-/// earlier version's) they are those relative to the base
+/// Accelerations of all followed points. The change of the centroid's absolute velocity between two rows of /history is exactly the mean of
+/// its acceleration over that time: these means pass the low-pass of kInstrumentCorner; the first row is zero. Frequencies above half the
+/// rate of the rows are therefore aliased only as far as the mean transmits them (950 Hz, rows at 1 kHz: a twentieth). The curve lags by
+/// half an interval plus the filter's delay, 8.3 ms for slow motion.
+/// \return empty if /history has fewer than two rows, or fewer than four per period of the corner. For a run without /motion (of an earlier
+/// version) accelerations are relative to the base
 PointAccelerations point_accelerations(const Hdf5File& run);
 
-/// The group /acceleration: `time`, and rows×3 by the names of the points. \throw FileError
+/// Writes the group /acceleration: `time`, and rows×3 by the names of the points. \throw FileError
 void write_accelerations(Hdf5File& file, const PointAccelerations& a);
 
 }  // namespace voussoir::io

@@ -8,9 +8,9 @@
 
 namespace voussoir::io {
 
-/// What people should know when bonds broke under the building's own weight: how many of how many, in which mode, since when, and in which
-/// parts of the building, those with the most first; empty if none broke.
-/// \param world  at the beginning of the shaking \param state  whose `settling` is known
+/// Warning about bonds that broke under the building's own weight: how many of how many, in which mode, since when, and in which parts of
+/// the building, those with the most first; empty if none broke.
+/// \param world  at the beginning of the shaking \param state  with `settling` set
 std::string settling_warning(const solver::World& world, const solver::RunState& state);
 
 }  // namespace voussoir::io

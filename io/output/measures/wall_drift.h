@@ -11,16 +11,16 @@
 
 namespace voussoir::io {
 
-/// Which way a wall's top is displaced.
+/// Direction of the displacement of a wall's top.
 enum class DriftDirection { out_of_plane, in_plane };
 
 /// Drift of a wall: displacement of its top, relative to its foot, over its height: normal to its plane, outward positive, or in its plane,
 /// along x or y, whichever the wall runs along.
-/// The top is cut into pieces of about 1 m, and the piece that is displaced most counts, by the mean over its elements that are part of the
-/// wall still: they have not fallen, are no more than 1 m in plan from where the middle (median) element of their piece has gone, and no
-/// farther from their own place than the wall is high. So a panel that leans between its neighbours is seen, and a brick that flew off is
-/// not, even if it rose. Nothing of a wall that does not stand: at least half of its uppermost course is gone.
-/// \param fallen  1 for each element that has
+/// The top is divided into pieces of about 1 m. The drift is that of the piece displaced most, as the mean over its elements that are still
+/// part of the wall: not fallen, at most 1 m in plan from the displaced median element of their piece, and displaced by no more than the
+/// wall's height. Thus a panel leaning between its neighbours counts, and a brick that flew off does not, even if it rose. Nothing for a
+/// wall that does not stand, i.e. has lost at least half of its uppermost course.
+/// \param fallen  by element, 1: fallen
 std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& start, const std::vector<Pose>& poses,
                                  const std::vector<std::uint8_t>& fallen, DriftDirection direction = DriftDirection::out_of_plane);
 

@@ -10,17 +10,17 @@
 /// Elements as cells of VTK, for files that ParaView opens.
 namespace voussoir::io {
 
-inline constexpr std::uint8_t kTetrahedron = 10, kHexahedron = 12, kWedge = 13;  // VTK's numbers
+inline constexpr std::uint8_t kTetrahedron = 10, kHexahedron = 12, kWedge = 13;  // cell types of VTK
 
-/// Corners that a cell of a type has.
+/// Number of corners of a cell type.
 int corners_of(std::uint8_t type) noexcept;
 
-/// A box or hexahedron is one cell; a prism over k corners is k - 2 wedges; any other polyhedron is tetrahedra from its first vertex, one
-/// to each triangle of the faces that do not have it. So elements and cells are counted apart.
+/// VTK cells of the elements. A box or hexahedron is one cell; a prism over k corners is k - 2 wedges; any other polyhedron is tetrahedra
+/// from its first vertex, one to each triangle of the faces without that vertex. Hence there may be more cells than elements.
 struct Cells {
-  std::vector<std::int32_t> corners;  // 8 a cell, rows of all vertices in the order of the elements; -1 where a cell has no more
-  std::vector<std::int32_t> element;  // of the cell
-  std::vector<std::uint8_t> type;     // VTK's
+  std::vector<std::int32_t> corners;  // 8 per cell, rows of all vertices in the order of the elements; -1 beyond the corners of a cell
+  std::vector<std::int32_t> element;  // by cell
+  std::vector<std::uint8_t> type;     // cell type of VTK
 };
 
 Cells cells_of(const cases::Model& model);

@@ -11,12 +11,12 @@
 namespace voussoir::io {
 
 struct CollapseParts {
-  std::uint64_t from = 0, to = 0;  // frames between which it was looked at
-  std::vector<std::int32_t> part;  // of each element the least element of its part; −1: it stands
+  std::uint64_t from = 0, to = 0;  // frames between which motion was compared
+  std::vector<std::int32_t> part;  // by element: least element of its part; −1: does not move
 };
 
-/// \param mass  kg, of each element; none: fixed \param peak  s, of the largest load factor: the frame at it or after it counts; the last
-/// one at the latest. Before there is a frame after it, or where nothing moves after it, it is the motion until then
+/// Finds the parts. \param mass  kg, by element; 0: fixed \param peak  s, of the largest load factor: motion is taken from the frame at or
+/// after it, at the latest the last one. If there is no later frame, or nothing moves later, motion until then is taken instead
 CollapseParts collapse_parts(const Hdf5File& run, const FrameReader& frames, const std::vector<double>& mass, double peak);
 
 }  // namespace voussoir::io

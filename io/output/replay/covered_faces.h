@@ -9,18 +9,18 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// Whether joints without bonds, of the law "dry", count as those that cover a face: they open without a trace, but not before all moves.
+/// Whether joints without bonds (law "dry") count as covering a face: they open without a trace, but not before all elements move.
 enum class DryJoints { cover, open };
 
-/// Faces that joints cover whole: of bonded joints, nobody sees them as long as no bond of their element is broken.
+/// Faces entirely covered by joints: with bonded joints, they are invisible as long as no bond of their element is broken.
 struct CoveredFaces {
   std::vector<std::int32_t> element;
-  std::vector<float> normal;  // outward, in the reference configuration; three a face
+  std::vector<float> normal;  // outward, in the reference configuration; three per face
 };
 
-/// \param run  its joints (a joint with the base counts) \throw FileError
+/// Finds the covered faces. \param run  with its joints (joints with the base count) \throw FileError
 CoveredFaces covered_faces(const Hdf5File& run, DryJoints dry = DryJoints::open);
-/// The same as a flag for every row of /model/face. \throw FileError
+/// Flags of covered faces, one for every row of /model/face. \throw FileError
 std::vector<std::uint8_t> covered_face_rows(const Hdf5File& run, DryJoints dry = DryJoints::open);
 
 }  // namespace voussoir::io

@@ -11,27 +11,26 @@
 
 namespace voussoir::io {
 
-/// /frames of a run, one frame after the other: every value it gives is a number. For one thread.
+/// Reads /frames of a run, one frame after the other, and refuses values that are NaN. For use by one thread.
 class FrameReader {
  public:
-  /// \param run  outlives the reader \param every  which frames it gives: the first, every so many after it, and the last
-  /// \throw FileError if /frames does not fit /model/element
+  /// \param run  must outlive the reader \param every  interval of the frames given: the first, every `every`-th after it, and the last
   explicit FrameReader(const Hdf5File& run, std::uint64_t every = 1);
 
   [[nodiscard]] std::uint64_t elements() const noexcept { return start_.size() / 3; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return times_.size(); }
   [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }  // s
   [[nodiscard]] std::uint64_t every() const noexcept { return every_; }
-  /// Centroids in the reference configuration, three an element, m.
+  /// Centroids in the reference configuration [m], three values per element.
   [[nodiscard]] const std::vector<double>& start() const noexcept { return start_; }
 
-  /// Of the centroids from the reference configuration, three an element, m. \throw FileError
+  /// Displacements of the centroids from the reference configuration [m], three values per element. \throw FileError
   [[nodiscard]] std::vector<double> displacement(std::uint64_t frame) const;
-  /// `width` values an element of /frames/NAME. \throw FileError for a value that is no number
+  /// Values of /frames/NAME, `width` per element. \throw FileError for NaN
   [[nodiscard]] std::vector<double> row(const char* name, std::uint64_t frame, std::uint64_t width) const;
 
  private:
-  /// Frames of one dataset that are at hand.
+  /// Buffered frames of one dataset.
   struct Block {
     std::uint64_t first = 0, frames = 0;
     std::vector<double> values;
@@ -39,9 +38,9 @@ class FrameReader {
   void read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const;
 
   const Hdf5File& run_;
-  std::uint64_t every_, last_row_;  // of the frames of the run
+  std::uint64_t every_, last_row_;  // in frames of the run
   std::vector<double> start_, times_;
-  mutable std::map<std::string, Block> blocks_;  // by name of the dataset
+  mutable std::map<std::string, Block> blocks_;  // by dataset name
 };
 
 }  // namespace voussoir::io

@@ -12,37 +12,37 @@
 
 namespace voussoir::io {
 
-/// Where an element is: of its centroid, m, and turned from the reference configuration.
+/// Pose of an element: centroid [m], and rotation from the reference configuration.
 struct Pose {
   Vec3 centre;
   Mat3 rotation;
 
-  /// Now, of a material point. \param from_centroid  in the reference configuration [m]
+  /// Current position of a material point [m]. \param from_centroid  in the reference configuration [m]
   [[nodiscard]] Vec3 point(Vec3 from_centroid) const noexcept { return centre + rotation * from_centroid; }
 };
 
-/// Of all elements in the reference configuration.
+/// Poses of all elements in the reference configuration.
 std::vector<Pose> first_poses(const FrameReader& frames);
-/// Of all elements in a frame. \throw FileError
+/// Poses of all elements in a frame. \throw FileError
 std::vector<Pose> poses_of(const FrameReader& frames, std::uint64_t frame);
 
-/// Of the spheres about the centroids that hold the elements, m. \throw FileError
+/// Radii [m] of the spheres about the centroids that enclose the elements. \throw FileError
 std::vector<double> element_radii(const Hdf5File& run, std::size_t elements);
 
-/// What of a vertical line lies in an element, m.
+/// The part of a vertical line inside an element [m].
 struct Chord {
   double low = 0, high = 0;
 };
 
-/// Elements as the half-spaces of their faces, so that vertical lines can be cut with them.
+/// Elements as half-spaces of their faces, for intersection with vertical lines.
 class ElementShapes {
  public:
-  /// \param run  its /model/face \throw FileError
+  /// \param run  with its /model/face \throw FileError
   ElementShapes(const Hdf5File& run, std::size_t elements);
 
-  /// The part of the vertical line through (x, y) within an element. \param pose  of this element
+  /// The part of the vertical line through (x, y) within an element. \param pose  of the element
   [[nodiscard]] std::optional<Chord> chord(std::size_t element, const Pose& pose, double x, double y) const noexcept;
-  /// Of the sphere about the centroid that holds the element, m.
+  /// Radius of the sphere about the centroid that encloses the element [m].
   [[nodiscard]] double radius(std::size_t element) const noexcept { return radius_[element]; }
 
  private:
@@ -51,7 +51,7 @@ class ElementShapes {
     double distance;  // from the centroid, m
   };
   std::vector<HalfSpace> faces_;
-  std::vector<std::size_t> first_;  // of an element's faces; one more at the end
+  std::vector<std::size_t> first_;  // index of each element's first face; one more entry at the end
   std::vector<double> radius_;
 };
 

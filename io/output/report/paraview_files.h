@@ -6,17 +6,17 @@
 
 namespace voussoir::io {
 
-/// Writes what ParaView (5.11 and newer, each of its three XDMF readers) opens beside the run.h5 of `folder`: run.xdmf, which says how
-/// things belong together, and paraview.h5, which holds them. ParaView knows nothing of orientations, so every frame has the coordinates of
-/// all vertices there, float32: hexahedra and wedges that share no vertices, with the cell arrays
+/// Writes the files for ParaView (5.11 and newer, each of its three XDMF readers) beside the run.h5 of `folder`: run.xdmf, the description,
+/// and paraview.h5, the data. As ParaView does not handle orientations, every frame has the coordinates of all vertices, float32: hexahedra
+/// and wedges that share no vertices, with the cell arrays
 ///
 ///   element, material   rows of /model/element and /model/material of run.h5
 ///   broken              fraction of the element's bonds
 ///   displacement        of the element's centroid from the reference configuration, m
 ///
-/// One dataset a step and array (ParaView's Xdmf3 readers show zeros for hyperslabs of a common one), and files without folders, so that
-/// DIR can be moved. \throw FileError if one of the two exists and `overwrite` does not allow to replace it, if run.h5 is no run, or if
-/// they cannot be written
+/// There is one dataset per step and array (ParaView's Xdmf3 readers show zeros for hyperslabs of a common one), and file names have no
+/// folders, so that DIR can be moved.
+/// \throw FileError if one of the two exists and `overwrite` is false, if run.h5 is no run, or if the files cannot be written
 void write_paraview(const std::string& folder, bool overwrite);
 
 }  // namespace voussoir::io

@@ -11,15 +11,15 @@ namespace voussoir::io {
 class FrameReader;
 class Hdf5File;
 
-/// The mechanism (measures/bodies.h) as the page has it.
+/// The mechanism (io/output/measures/debris/bodies.h) in the form of the report page.
 struct ReportBodies {
-  /// JSON: names: texts; bodies: for each frame pairs of a body's id and the place of its name; hinges: for each frame ten numbers a hinge:
-  /// its ends, m, in the reference configuration, then the two elements that each end goes with.
+  /// JSON: names: texts; bodies: for each frame pairs of a body's id and the index of its name; hinges: for each frame ten numbers per
+  /// hinge: its ends [m] in the reference configuration, then the two elements that each end follows.
   std::string json;
-  std::vector<std::uint8_t> id;  // of each element in one frame after the other; 0: of no body
+  std::vector<std::uint8_t> id;  // of each element, frame by frame; 0: no body
 };
 
-/// \throw FileError
+/// Finds the bodies of all frames of the reader. \throw FileError
 ReportBodies report_bodies(const Hdf5File& run, const FrameReader& frames);
 
 }  // namespace voussoir::io

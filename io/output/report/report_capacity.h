@@ -12,10 +12,10 @@
 
 namespace voussoir::io {
 
-/// What a quasi-static analysis has found, for the report page: a JSON object with `capacity` (the figures of io/MEASURES.md) and `limit`
-/// (a second opinion: limit.json beside the run, or null); its curves are added to `plots`. Nothing of a time history. \param c  the run's
-/// case, if it can be read: without it there is no second opinion \throw FileError if limit.json is not what `voussoir limit --format json`
-/// writes of this case and direction
+/// Results of a quasi-static analysis for the report page: a JSON object with `capacity` (the figures of io/MEASURES.md) and `limit` (limit
+/// analysis for comparison: limit.json beside the run, or null); appends its curves to `plots`. Nothing for a time history. \param c  the
+/// run's case, if readable: without it `limit` is null \throw FileError if limit.json is not the output of `voussoir limit --format json`
+/// for this case and direction
 std::optional<std::string> report_capacity(const Hdf5File& file, const cases::Case* c, std::vector<page::Plot>& plots);
 
 }  // namespace voussoir::io

@@ -10,16 +10,16 @@
 
 namespace voussoir::io {
 
-/// Mode shapes as the page has them.
+/// Mode shapes in the form of the report page.
 struct ReportModes {
-  /// JSON, a list: frequency, Hz; share: of the mass that moves along x, y, z; move, turn: units of the shape, m and rad.
+  /// JSON list: frequency [Hz]; share: fraction of the mass that moves along x, y, z; move, turn: units of the shape, m and rad.
   std::string json;
-  /// For one mode after the other and each of its elements displacement and rotation (x, y, z), in units of `move` and `turn`. The largest
-  /// component of a displacement in a mode is 1 m.
+  /// For each mode and element displacement and rotation (x, y, z), in units of `move` and `turn`. The largest component of a displacement
+  /// in a mode is 1 m.
   std::vector<std::int16_t> shape;
 };
 
-/// \param modes  with a displacement that is not zero
+/// Packs modes. \param modes  each with a nonzero displacement
 ReportModes report_modes(const std::vector<solver::Mode>& modes);
 
 }  // namespace voussoir::io

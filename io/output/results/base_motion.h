@@ -10,21 +10,21 @@
 #include "cases/motion.h"
 #include "io/output/results/results_model.h"
 
-/// The motion of the base as it shook the model: the group /motion of run.h5.
+/// The motion of the base as applied to the model: the group /motion of run.h5.
 namespace voussoir::io {
 
-/// Rows at equal times from zero on, in the case's axes.
+/// Rows at equal intervals from time zero, in axes of the case.
 struct BaseMotion {
   std::vector<double> time;                                // s
   std::vector<Vec3> acceleration, velocity, displacement;  // m/s2, m/s, m
 };
 
-/// Accelerations are linear between the samples and zero after the last one (cases::acceleration_at), as the solver takes them; velocity
-/// and displacement are their exact integrals from rest at time zero. Rows at every `every`-th step of `dt` [s], from 0 to `last`.
+/// Motion of the base. Accelerations are linear between the samples and zero after the last one (cases::acceleration_at), as in the solver;
+/// velocity and displacement are exact integrals from rest at time zero. Rows at every `every`-th step of `dt` [s], from 0 to `last`.
 BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_t every, std::int64_t last);
 
 /// The datasets of /motion: rows at the times of /history, up to the case's duration.
-/// \param dt  the step of the run, s \param cycle  Simulation::cycle of the run \return nothing for a case without motion
+/// \param dt  the step of the run [s] \param cycle  Simulation::cycle of the run \return empty for a case without motion
 std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt, std::int64_t cycle);
 
 }  // namespace voussoir::io

@@ -8,10 +8,10 @@
 
 namespace voussoir::io {
 
-/// The case that a run was made of, from its results. \throw FileError
+/// The case of a run, from its results. \throw FileError
 cases::Case case_of_run(const Hdf5File& run);
 
-/// The acceleration of the base as it was applied: /motion of the run; of runs that have none, that of the case's records. \throw FileError
+/// The acceleration of the base as applied: /motion of the run; for runs without /motion, from the case's records. \throw FileError
 cases::GroundMotion base_of_run(const Hdf5File& run, const cases::Case& c);
 
 }  // namespace voussoir::io

@@ -14,26 +14,26 @@
 #include "io/output/results/results_schema.h"
 #include "solver/state/saved_state.h"
 
-/// One checkpoint, one file: all that going on with a run needs. The files that the case was read from may be gone.
+/// A checkpoint in one file: all data needed to continue a run, even if the input files of the case no longer exist.
 ///
-/// An HDF5 file behind a seal: see sealed_file.h.
+/// The file is HDF5 behind a seal: see sealed_file.h.
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
 inline constexpr std::int64_t kCheckpointSchema = 7;
 
-/// Everything but the state.
+/// All data of a checkpoint except the state.
 struct CheckpointFacts {
   std::string case_toml;                        // resolved
-  cases::GroundMotion motion;                   // as used: turned, scaled, at its intensity
+  cases::GroundMotion motion;                   // as used: rotated, scaled, at its intensity
   std::vector<cases::SupportHistory> supports;  // of the model, in order
-  StoneTables stones;                           // of the files that the case names
+  StoneTables stones;                           // from the files named in the case
   double step = 0.0;                            // s, Δt
   bool reference_kernels = false;
-  std::string program;           // version, compiler and flags of the program that wrote it
+  std::string program;           // version, compiler and flags of the writing program
   std::uint64_t model_hash = 0;  // see solver::model_hash
   double time = 0.0;             // s, of the next step
-  RowCounts rows{};              // of the results up to here
+  RowCounts rows{};              // of the results up to this checkpoint
 };
 
 struct Checkpoint {
@@ -41,16 +41,16 @@ struct Checkpoint {
   solver::SavedState state;
 };
 
-/// Writes a checkpoint under its final name: whole and on disk, or not at all. \throw FileError
+/// Writes a checkpoint under its final name: complete and on disk, or not at all. \throw FileError
 void write_checkpoint(const std::string& path, const CheckpointFacts& facts, std::span<const solver::Field> state);
 
-/// \throw DamagedFile if it is cut off, changed or no checkpoint (an older one may serve); FileError if it cannot be read, or is of another
-/// version of layout or physics, which it names
+/// Reads a checkpoint. \throw DamagedFile if it is truncated, changed or no checkpoint (an older one may be used instead); FileError if it
+/// cannot be read, or has another version of layout or physics, which the message names
 Checkpoint read_checkpoint(const std::string& path);
 
-/// The same of a file in memory; `name` is for messages.
+/// Reads a checkpoint from memory; `name` is for messages. \throw as read_checkpoint
 Checkpoint parse_checkpoint(const std::string& name, std::span<const std::byte> bytes);
-/// Of what is behind the seal.
+/// Reads the HDF5 contents behind the seal. \throw as read_checkpoint
 Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std::byte> hdf5);
 
 }  // namespace voussoir::io

@@ -18,42 +18,42 @@
 #include "io/output/results/results_parts.h"
 #include "solver/run/recorder.h"
 
-/// Results of a run: `DIR/run.h5`, readable by any HDF5 reader at every moment of the run and after a kill.
+/// Results of a run: `DIR/run.h5`, readable by any HDF5 reader at any time during the run and after a kill.
 ///
-/// Rows are buffered; from time to time they become a file parts/NNNN.h5 and run.h5 is replaced by one that refers to it too. A file under
-/// its final name is never written to. So run.h5 shows the rows up to the last part, and a kill costs those since.
+/// Rows are buffered; from time to time they become a file parts/NNNN.h5, and run.h5 is replaced by one that also refers to that file. A
+/// file under its final name is never written to. Therefore run.h5 shows the rows up to the last part, and a kill loses only later rows.
 namespace voussoir::io {
 
 struct ResultsOptions {
-  double interval = 10;            // s of wall-clock between two parts; grows to a twentieth of the run so far, which bounds their number
-  std::size_t bytes = 32UL << 20;  // of buffered rows that make a part at once; grows to a twentieth of those on disk
-  bool merge = true;               // finish() puts all rows into run.h5
-  std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which it does not
+  double interval = 10;            // s of wall-clock time between parts; grows to a twentieth of the run so far, which bounds their number
+  std::size_t bytes = 32UL << 20;  // of buffered rows at which a part is written; increased to a twentieth of the bytes on disk
+  bool merge = true;               // finish() copies all rows into run.h5
+  std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which finish() does not merge
   std::vector<StaticDataset> motion;      // of the base: motion_datasets
   std::vector<std::string> cuts;          // names, one for each sample of cuts(), in order
-  /// Go on with the results in the folder. Absent: a new run.
+  /// Rows to continue with in the folder. Absent: a new run.
   std::optional<EarlierRows> earlier;
 };
 
 class ResultsWriter final : public solver::Recorder {
  public:
-  /// Writes run.h5 with the model and no rows, so that readers have it from the start.
+  /// Writes run.h5 with the model and no rows, so that readers find it from the start.
   ///
-  /// \param folder         of the run, existing (see RunFolder)
-  /// \param case_toml      the resolved case
+  /// \param folder  of the run, existing (see RunFolder)
+  /// \param case_toml  the resolved case
   /// \param history_names  one for each sample of history(), in order
-  /// \throw FileError if the folder holds results already (and `earlier` is absent) or cannot be written to
+  /// \throw FileError if the folder has results already (and `earlier` is absent) or is not writable
   /// \throw std::invalid_argument for a bad history name (see row_schema) or an element that is no cell (see model_datasets)
   ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml, std::span<const std::string> history_names,
                 Provenance provenance, const ResultsOptions& options = {});
   ResultsWriter(const ResultsWriter&) = delete;
   ResultsWriter& operator=(const ResultsWriter&) = delete;
-  /// Writes what is buffered, and keeps silent if that fails: call flush() or finish() to know.
+  /// Writes buffered rows and ignores errors; call flush() or finish() to get them.
   ~ResultsWriter() override;
 
-  /// Each of these may write a part. A second row at the time of the last one is left out (cracks apart).
-  /// \throw FileError if the part or run.h5 cannot be written; parts on disk stay as they are and the rows stay buffered
-  /// \throw std::logic_error if time runs backwards, or a sample or frame has another size than the model
+  /// Recorder functions, each of which may write a part. A second row with the time of the last row is left out (except cracks).
+  /// \throw FileError if the part or run.h5 cannot be written; parts on disk and buffered rows are kept
+  /// \throw std::logic_error if time decreases, or the number of samples or the frame size does not fit the model
   void history(double time, std::span<const solver::HistorySample> samples) override;
   void ties(double time, std::span<const solver::TieSample> samples) override;
   void energy(const solver::EnergyRow& row) override;
@@ -63,34 +63,35 @@ class ResultsWriter final : public solver::Recorder {
   void cracks(std::span<const solver::CrackRow> rows) override;
   void frame(const solver::FrameView& frame) override;
   void assessment(const solver::AssessmentRow& row) override;
-  /// Stands in run.h5 from the next part on, as attributes of /assessment.
+  /// Sets attributes of /assessment, written to run.h5 with the next part.
   void drive(const solver::Drive& d) override;
-  /// Stands in run.h5 from the next part on.
+  /// Sets the summary, written to run.h5 with the next part.
   void summary(const solver::Summary& s) override;
-  /// Of the end (solver::state_hash): stands in run.h5 beside the summary from the next part on.
+  /// Sets the final solver::state_hash, written to run.h5 beside the summary with the next part.
   void state_hash(std::uint64_t hash);
-  /// Why a run ended before its end: stands in run.h5 beside the summary from the next part on.
+  /// Sets the reason why a run ended early, written to run.h5 beside the summary with the next part.
   void failure(std::string why);
 
-  /// Takes the measures of a collapse (measures.h) from all rows so far: they stand in run.h5 beside the summary from the next part on. For
+  /// Computes the measures of a collapse (measures.h) from all rows so far, written to run.h5 beside the summary with the next part. For
   /// the end of a run or a stop. \throw FileError
   void measure();
 
-  /// What a quasi-static analysis has found, once measure() has looked.
+  /// Results of a quasi-static analysis, set by measure().
   [[nodiscard]] const std::optional<Capacity>& capacity() const noexcept { return capacity_; }
 
-  /// Writes buffered rows as a part and replaces run.h5. Call it before a checkpoint is written: then a resume finds all rows up to it.
+  /// Writes buffered rows as a part and replaces run.h5. To be called before a checkpoint is written, so that a resumed run finds all rows
+  /// up to it.
   /// \throw FileError
   void flush();
-  /// The end of a run: flushes, says so in run.h5, and merges all rows into it if options allow. The writer takes no rows after this.
-  /// A kill at any moment of it loses nothing.
-  /// \return true if merged; false: the rows stay in parts, also when merging fails (say, for want of space)
-  /// \throw FileError if the last rows cannot be written, or earlier ones no longer be read
+  /// Ends a run: flushes, marks run.h5 as finished, and merges all rows into it if options allow. The writer accepts no rows afterwards. A
+  /// kill at any time during the call loses nothing.
+  /// \return true if merged; false: the rows stay in parts, also when merging fails (e.g. for lack of space)
+  /// \throw FileError if the last rows cannot be written, or earlier ones can no longer be read
   bool finish();
 
-  /// Rows so far, on disk or buffered.
+  /// Number of rows so far, on disk or buffered.
   [[nodiscard]] RowCounts rows() const noexcept;
-  /// Parts on disk.
+  /// Number of parts on disk.
   [[nodiscard]] std::size_t parts() const noexcept { return parts_.size(); }
 
  private:
@@ -107,7 +108,7 @@ class ResultsWriter final : public solver::Recorder {
 
   std::string folder_, case_toml_;
   std::size_t elements_, histories_;
-  std::vector<solver::TieSample> ties_;  // of the row to come
+  std::vector<solver::TieSample> ties_;  // of the next row
   RowSchema schema_;
   std::vector<StaticDataset> model_;
   Provenance provenance_;
@@ -120,7 +121,7 @@ class ResultsWriter final : public solver::Recorder {
   std::optional<std::string> failure_;
   std::optional<Measures> measures_;
   std::optional<Capacity> capacity_;
-  bool stale_ = false;  // run.h5 does not say all there is to say
+  bool stale_ = false;  // run.h5 is not up to date
   bool finished_ = false;
   std::uint64_t bytes_on_disk_ = 0;
   Clock::time_point start_ = Clock::now(), last_write_ = start_;

@@ -9,16 +9,16 @@
 #include "cases/model.h"
 #include "io/input/files/hdf5_file.h"
 
-/// The group /model of run.h5: what does not change during a run.
+/// The group /model of run.h5, which is constant during a run.
 namespace voussoir::io {
 
-/// A dataset ready to be written: numbers as bytes of `type`, or texts.
+/// A dataset to be written: numbers as bytes of `type`, or texts.
 struct StaticDataset {
   std::string name;
   Hdf5Type type = Hdf5Type::f64;
   Shape shape;
   std::vector<std::byte> bytes;
-  std::vector<std::string> texts;  // where is_text
+  std::vector<std::string> texts;  // used if is_text
   bool is_text = false;
   Hdf5Note note;
 };
@@ -28,9 +28,9 @@ struct StaticDataset {
 /// Cells are in VTK's terms: /model/cells is n×8, rows of vertex numbers into /model/vertex, −1 where a cell has no more corners;
 /// /model/cell_type is 10 (tetrahedron), 12 (hexahedron) or 13 (wedge); /model/cell_element is the element a cell belongs to. Hexahedra and
 /// triangular prisms are one cell each; a prism over k corners is k − 2 wedges; any other polyhedron is tetrahedra (cells.h), and
-/// /model/face/corners has its faces as they are. Corners are turned where needed, so that each cell has the orientation VTK asks for.
+/// /model/face/corners has its original faces. Corners are reordered where needed, so that each cell has the orientation VTK asks for.
 ///
-/// \throw std::invalid_argument if the assembly is not of the blocks
+/// \throw std::invalid_argument if assembly and blocks do not match
 std::vector<StaticDataset> model_datasets(const cases::Model& model);
 
 void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets);

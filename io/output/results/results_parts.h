@@ -12,41 +12,41 @@
 
 #include "io/output/results/results_schema.h"
 
-/// Rows on disk: the files parts/NNNN.h5, each complete in itself, written once and never opened for writing again.
+/// Rows on disk: the files parts/NNNN.h5, each self-contained, written once and never opened for writing again.
 namespace voussoir::io {
 
-/// A file of rows. It holds the datasets of tables that have rows, under the names of run.h5 (units stand there), and in attributes of its
-/// root: rows_<table>, time_first and time_last [s], schema_version.
+/// A file of rows. It contains the datasets of tables with rows, under the names of run.h5 (which has the units), and the attributes of its
+/// root rows_<table>, time_first and time_last [s], schema_version.
 struct Part {
   std::string file;  // relative to the folder of the run
   RowCounts rows{};
   double first_time = 0, last_time = 0;  // s, over all tables
 };
 
-/// "parts/0012.h5"
+/// File name as "parts/0012.h5".
 [[nodiscard]] std::string part_name(std::size_t number);
 
-/// Rows of all of them.
+/// Total numbers of rows of the parts.
 [[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
 
-/// Makes a file under a temporary name by `fill`, and gives it its name once it is complete and on disk (see replace_file).
-/// \param temporary  none: PATH.tmp, which is of one process alone in the folder of a run that it has locked
-/// \throw FileError, or what `fill` throws; then the file under this name is as it was
+/// Creates a file under a temporary name by `fill`, and renames it once it is complete and on disk (see replace_file).
+/// \param temporary  none: PATH.tmp, unique since only one process uses the locked folder of a run
+/// \throw FileError, or the exception of `fill`; the existing file with this name is then unchanged
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
 
 /// Writes the buffered rows as the file `folder`/`part.file`. \throw FileError
 Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,
                 std::span<const RowBuffer, kRowTables> buffers);
 
-/// All rows of the parts, as virtual datasets that refer to them.
+/// Adds all rows of the parts as virtual datasets that refer to the parts.
 void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> parts);
-/// The same rows, copied.
+/// Copies all rows of the parts.
 void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schema, std::span<const Part> parts);
 
-/// What of an earlier run's rows stays.
+/// Rows of an earlier run to be kept.
 struct EarlierRows {
-  double until = 0.0;             // s; rows at or before this time stay, the later ones go
-  std::optional<RowCounts> rows;  // as many as must be there up to then; absent: whatever there is
+  double until = 0.0;             // s; rows at or before this time are kept, later ones are dropped
+  std::optional<RowCounts> rows;  // number of rows that must exist up to then; absent: any
 };
 
 /// The parts of an earlier run up to a time, with the later rows cut off, in files parts/0000.h5, 0001, ... without a gap.
@@ -54,11 +54,11 @@ struct EarlierRows {
 /// \throw FileError, also if the results are of another model, have other histories or fewer rows than they must; no row is lost then
 std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier);
 
-/// Removes the files of parts number `from` and later, temporary ones too, and the folder parts/ if it is empty then. Never throws:
-/// what stays is not referred to.
+/// Removes the files of parts number `from` and later, temporary ones too, and the folder parts/ if empty. Never throws, since remaining
+/// files are not referred to.
 void remove_parts(const std::string& folder, std::size_t from) noexcept;
 
-/// Time of the last row of a table, −infinity without one. \throw FileError
+/// Time of the last row of a table [s], −infinity without rows. \throw FileError
 double last_time(const std::string& folder, RowTable table, std::span<const Part> parts);
 
 }  // namespace voussoir::io

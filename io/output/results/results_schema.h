@@ -12,30 +12,30 @@
 
 #include "io/input/files/hdf5_file.h"
 
-/// The rows that a run writes: one table for each group of run.h5, walked by writer, index, merge and resume.
+/// The rows written by a run: one table for each group of run.h5, used by writer, index, merge and resume.
 namespace voussoir::io {
 
 /// Version of the layout of run.h5, its attribute `schema_version`.
 inline constexpr std::int64_t kResultsSchema = 4;
 
-/// The group of a table is "/" and its name: see table_name.
+/// The table NAME has the group /NAME: see table_name.
 enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts, assessment };
 inline constexpr std::size_t kRowTables = 8;
 
 [[nodiscard]] const char* table_name(RowTable table) noexcept;
 
-/// Rows of each table.
+/// Number of rows of each table.
 using RowCounts = std::array<std::uint64_t, kRowTables>;
 
-/// A dataset that grows by rows.
+/// A dataset extended row by row.
 struct ColumnSpec {
   std::string name;  // path from the root
   Hdf5Type type = Hdf5Type::f64;
-  Shape row;  // of one row; empty: a number
+  Shape row;  // shape of one row; empty: a number
   Hdf5Note note;
-  std::vector<std::string> names;  // of the values 0, 1, ... where they are choices
+  std::vector<std::string> names;  // meaning of the values 0, 1, ... of a choice
 
-  /// Bytes of one row.
+  /// Size of one row in bytes.
   [[nodiscard]] std::size_t row_bytes() const noexcept;
 };
 
@@ -43,24 +43,25 @@ struct ColumnSpec {
 using TableSpec = std::vector<ColumnSpec>;
 using RowSchema = std::array<TableSpec, kRowTables>;
 
+/// The tables of a run.
 /// \param history_names  of the followed elements, in the order of Recorder::history
 /// \param cut_names  in the order of Recorder::cuts
-/// \param ties  of the model: their rows stand in /ties and belong to the table of histories
-/// \throw std::invalid_argument if a name is empty, "time", given twice, or holds '/' or a control character, or is "." or ".."
+/// \param ties  number in the model: their rows are in /ties and belong to the table of histories
+/// \throw std::invalid_argument if a name is empty, "time", a duplicate, contains '/' or a control character, or is "." or ".."
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names = {},
                      std::uint64_t ties = 0);
 
-/// Rows of one table that are not yet on disk.
+/// Rows of one table not yet on disk.
 class RowBuffer {
  public:
   RowBuffer() = default;
   explicit RowBuffer(const TableSpec& columns);
 
-  /// Starts a row and writes its time. Times may not run backwards.
-  /// \return false if a row of this time is there already: leave this one out (`repeats`: the table may have many rows of one time)
+  /// Begins a row and writes its time. Times must not decrease.
+  /// \return false if a row of this time exists and the new row is to be left out (`repeats`: the table may have several rows of one time)
   /// \throw std::logic_error if `time` [s] is before the last row's
   bool begin(double time, bool repeats = false);
-  /// Appends to a column; values in the type and number of its row.
+  /// Appends to a column; values have the type and number of the column's row.
   void put(std::size_t column, const void* data, std::size_t bytes);
   template <class T>
   void put(std::size_t column, const T& value) {
@@ -70,18 +71,18 @@ class RowBuffer {
   [[nodiscard]] std::uint64_t rows() const noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept;
   [[nodiscard]] const std::byte* column(std::size_t i) const noexcept { return columns_[i].data(); }
-  /// Of the first row here, s. \pre rows() > 0
+  /// Time of the first buffered row [s]. \pre rows() > 0
   [[nodiscard]] double first_time() const noexcept;
-  /// Of the last row ever begun, s; −infinity before.
+  /// Time of the last row ever begun [s]; −infinity before the first.
   [[nodiscard]] double last_time() const noexcept { return last_; }
-  /// Says which rows are on disk already.
+  /// Sets the time of the last row already on disk [s].
   void continue_after(double time) noexcept { last_ = time; }
-  /// Drops the rows, keeps the memory.
+  /// Removes the rows, keeps the memory.
   void clear() noexcept;
 
  private:
   std::vector<std::vector<std::byte>> columns_;
-  std::size_t last_row_bytes_ = sizeof(double);  // of the last column
+  std::size_t last_row_bytes_ = sizeof(double);  // in the last column
   double last_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -11,13 +11,13 @@
 
 #include "cases/analysis.h"
 
-/// What a quasi-static analysis has found: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and their
-/// sources: io/MEASURES.md.
+/// Results of a quasi-static analysis: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and sources:
+/// io/MEASURES.md.
 namespace voussoir::io {
 
 class Hdf5File;
 
-/// Rows of /assessment and the energies of the same times.
+/// Rows of /assessment, and energies at the same times.
 struct CapacityCurve {
   std::vector<double> time;                                            // s
   std::vector<double> factor, displacement, drift, moved, base_shear;  // 1, m, 1, m, N
@@ -31,52 +31,52 @@ struct Bilinear {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One cycle: from where the displacement of the forces passes zero upwards to where it does so again.
+/// One cycle: between two upward zero crossings of the displacement of the forces.
 struct Loop {
   double begin = 0.0, end = 0.0;                 // s
-  double most = 0.0, least = 0.0;                // m, of the displacement
-  double most_factor = 0.0, least_factor = 0.0;  // load factor
-  double first_factor = 0.0, last_factor = 0.0;  // load factor at its two ends: the loop is closed where they are equal
-  double area = 0.0;                             // J, work of the forces that grow
+  double most = 0.0, least = 0.0;                // m, largest and smallest displacement
+  double most_factor = 0.0, least_factor = 0.0;  // largest and smallest load factor
+  double first_factor = 0.0, last_factor = 0.0;  // load factor at both ends: equal for a closed loop
+  double area = 0.0;                             // J, work of the growing forces
   double dissipated = 0.0;                       // J, all losses of the ledger
-  double stored = 0.0;                           // J, what the stores have gained
-  double other_work = 0.0;                       // J, of the other loads: what the ledger was given beside the area
-  double viscous_damping = 0.0;                  // equivalent: the area over 4π times the elastic energy of the loop's secant
+  double stored = 0.0;                           // J, growth of the stored energy
+  double other_work = 0.0;                       // J, of the other loads: input of the ledger other than the area
+  double viscous_damping = 0.0;  // equivalent viscous damping: the area over 4π times the elastic energy of the loop's secant
 };
 
 struct Capacity {
   cases::AnalysisKind kind = cases::AnalysisKind::pushover;
   double drop = 0.2;                // analysis.drop
-  std::string ended;                // why: see MEASURES.md
+  std::string ended;                // reason for the end of the run: see MEASURES.md
   double multiplier = 0.0;          // the largest load factor
-  double multiplier_at_rest = 0.0;  // the largest mean over a tenth of the pace, without what inertia and mass damping bore
-  double motion_share = 0.0;        // of that mean, what inertia and mass damping bore
-  double kinetic_share = 0.0;       // the largest kinetic energy over the work put in, until then
-  double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of that at rest: s, m of the control point
+  double multiplier_at_rest = 0.0;  // largest mean over a tenth of the pace, without the part borne by inertia and mass damping
+  double motion_share = 0.0;        // of that mean, the part borne by inertia and mass damping
+  double kinetic_share = 0.0;       // largest kinetic energy over the work put in until then
+  double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of multiplier_at_rest: s, m of the control point
   double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
   double first_stiffness = Bilinear::kNone;                                          // N/m
   double ultimate_displacement = Bilinear::kNone, ultimate_drift = Bilinear::kNone;  // m, 1
   Bilinear ec8, ntc;
-  double least_factor = 0.0;                               // cyclic: the largest the other way
-  double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; what stores have gained
-  std::vector<Loop> loops;                                 // cyclic: its whole cycles
-  double collapse_movement = Bilinear::kNone, collapse_time = Bilinear::kNone;  // settlement: m of a support, s, from which on it falls
-  std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, and what they do
-  double mechanism_time = 0.0;                                                  // s, of the frame
+  double least_factor = 0.0;                               // cyclic: largest factor in the opposite direction
+  double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; growth of the stored energy
+  std::vector<Loop> loops;                                 // cyclic: complete cycles
+  double collapse_movement = Bilinear::kNone, collapse_time = Bilinear::kNone;  // settlement: m of a support, s, at which it begins to fall
+  std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, with their motion
+  double mechanism_time = 0.0;                                                  // s, time of the frame
   CapacityCurve curve;
 };
 
-/// Cycles that are whole. \param weight  N, of all forces at a load factor of 1
+/// Complete cycles of a curve. \param weight  N, of all forces at a load factor of 1
 std::vector<Loop> loops_of(const CapacityCurve& curve, double weight);
 
-/// Nothing of a time history, or of an analysis that has no rows yet. \throw FileError
+/// The capacity of a run with its mechanism; nothing for a time history, or for an analysis without rows. \throw FileError
 std::optional<Capacity> capacity_of(const Hdf5File& run);
-/// The same without the mechanism.
+/// The capacity of a run without the mechanism.
 std::optional<Capacity> capacity_figures(const Hdf5File& run);
-/// Whether a load grows up to a largest one, after which a mechanism moves.
+/// Whether the analysis has a largest load, after which a mechanism moves.
 inline bool has_peak(const Capacity& c) noexcept { return c.kind == cases::AnalysisKind::pushover || c.kind == cases::AnalysisKind::tilt; }
 
-/// The curve alone, without frames: for tests and what needs no mechanism.
+/// The capacity from a curve, without frames and mechanism.
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve);
 
 }  // namespace voussoir::io

@@ -8,19 +8,19 @@
 #include "io/output/measures/capacity/capacity.h"
 #include "io/output/measures/measures_file.h"
 
-/// How the results of a quasi-static analysis are called, wherever they stand: in run.h5, in `voussoir summary`, on the report page.
+/// Names of the results of a quasi-static analysis, common to run.h5, `voussoir summary` and the report page.
 namespace voussoir::io {
 
-/// As `analysis.kind` says it.
+/// The value of `analysis.kind`.
 const char* name_of(cases::AnalysisKind kind);
 
-/// Those that the kind of the analysis has. NaN: there is no such thing.
+/// The figures that apply to the kind of the analysis. NaN: not defined.
 std::vector<Figure> figures_of(const Capacity& c);
 
-/// Figures and mechanism as one JSON object, null for NaN; with the curve if wanted.
+/// Figures and mechanism as one JSON object, null for NaN; with the curve if `with_curve`.
 std::string capacity_json(const Capacity& c, bool with_curve);
 
-/// Lines for people, each ended.
+/// Lines of text for the user, each with a line end.
 std::string capacity_text(const Capacity& c);
 
 /// Writes the group /capacity: figures as attributes, `mechanism` and `mechanism_at_end`. \throw FileError

@@ -10,17 +10,17 @@
 
 namespace voussoir::io {
 
-/// How far what has fallen is scattered.
+/// Extent of the debris of a collapse.
 struct Debris {
-  /// How far beyond the building's footprint it lies: the largest horizontal distance of a fallen element's centroid, and the distance
-  /// within which 95 % of the fallen mass lies, m; 0 if nothing has fallen or all of it inside. The footprint is the rectangle along x and
-  /// y about the houses in the reference configuration (without a house: about all elements that are not fixed).
+  /// Distance of debris beyond the building's footprint [m]: the largest horizontal distance of a fallen element's centroid, and the
+  /// distance that contains 95 % of the fallen mass; 0 if nothing has fallen or everything fell inside. The footprint is the rectangle
+  /// along x and y around the houses in the reference configuration (without a house: around all elements that are not fixed).
   double reach = 0, reach_95 = 0;
-  /// Seen from above: cells of 0.05 m whose centres lie under or in fallen elements, m2.
+  /// Area in plan [m2]: cells of 0.05 m whose centres lie under or in fallen elements.
   double area = 0;
 };
 
-/// \param fallen  1 for each element that has
+/// Computes the debris of one frame. \param fallen  by element, 1: fallen
 Debris debris_of(const Building& building, const ElementShapes& shapes, const std::vector<Pose>& poses,
                  const std::vector<std::uint8_t>& fallen);
 

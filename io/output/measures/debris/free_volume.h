@@ -10,28 +10,28 @@
 
 namespace voussoir::io {
 
-/// The volume that a collapse leaves to those inside. A room's plan is cut into cells of about kCell; over each cell there is free the
-/// height from the floor to the lowest element of the roof on one vertical line (never above where the roof was at first), less what other
-/// elements take of that line.
+/// Volume that a collapse leaves free in rooms. A room's plan is divided into cells of about kCell; the free height over a cell is that
+/// from the floor to the lowest roof element on one vertical line (at most to the initial position of the roof), less the part of the line
+/// inside other elements.
 class FreeVolume {
  public:
   static constexpr double kCell = 0.1;  // m
 
-  /// \param start  poses in the reference configuration. Building and shapes outlive this.
+  /// \param start  poses in the reference configuration. Building and shapes must outlive the object.
   FreeVolume(const Building& building, const ElementShapes& shapes, const std::vector<Pose>& start);
 
-  /// In the reference configuration, of all rooms together, m3; 0 without a room.
+  /// Free volume in the reference configuration, of all rooms together [m3]; 0 without a room.
   [[nodiscard]] double initial() const noexcept { return initial_; }
-  /// m3
+  /// Free volume of all rooms together at given poses [m3].
   [[nodiscard]] double at(const std::vector<Pose>& poses) const;
 
  private:
-  /// The cells of a room, x fastest.
+  /// Cells of a room, x fastest.
   struct Grid {
     Room room;
     std::size_t nx, ny;
     double dx, dy;
-    std::vector<double> ceiling;  // of each cell, m
+    std::vector<double> ceiling;  // m, by cell
   };
   [[nodiscard]] geometry::UniformGrid in_plan(const std::vector<Pose>& poses) const;
   [[nodiscard]] static std::vector<std::int32_t> over(const Room& room, const geometry::UniformGrid& plan);

@@ -7,23 +7,22 @@
 
 namespace voussoir::io {
 
-/// A Chromium without a window, told what to do over a socket of its own in the DevTools protocol (https://chromedevtools.github.io): no
-/// port is opened, and nothing is guessed about when a page is ready. It draws without a graphics card, so that pictures are the same
-/// everywhere.
+/// A Chromium without a window, controlled over a private socket by the DevTools protocol (https://chromedevtools.github.io): no port is
+/// opened, and page events tell when a page is ready. Rendering is in software, so that pictures are the same on every machine.
 class Browser {
  public:
-  /// Starts the program that the environment variable CHROMIUM names, else chromium, chromium-browser or google-chrome of the PATH.
-  /// \param scratch  an empty folder for its profile and log, to be removed once the browser is gone \throw FileError if there is none
+  /// Starts the program named by the environment variable CHROMIUM, else chromium, chromium-browser or google-chrome of the PATH.
+  /// \param scratch  an empty folder for its profile and log, to be removed after the browser has ended \throw FileError if no browser is
+  /// found
   explicit Browser(const std::string& scratch);
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
-  /// Ends it, by force if it does not end by itself.
+  /// Ends the browser, by force if necessary.
   ~Browser();
 
-  /// Opens a page of this machine and waits until it is loaded. \param file  absolute path \param fragment  what follows '#' \throw
-  /// FileError
+  /// Opens a page of this machine and waits until it is loaded. \param file  absolute path \param fragment  text after '#' \throw FileError
   void open(const std::string& file, const std::string& fragment);
-  /// The text that an expression of JavaScript gives, or the promise that it gives. \throw FileError, also for what the page throws
+  /// The value of a JavaScript expression, or of the promise that it gives, as text. \throw FileError, also for exceptions of the page
   std::string evaluate(const std::string& expression);
 
  private:

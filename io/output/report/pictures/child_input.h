@@ -11,20 +11,20 @@
 
 namespace voussoir::io {
 
-/// A program that reads what it is given from its standard input; what it says goes to a file.
+/// A child process that reads its standard input; its output goes to a file.
 class ChildInput {
  public:
-  /// Starts it. \param words  the program, of the PATH or with its folders, and its arguments \param log  file for both of its outputs
-  /// \param hint  what to do if it cannot be started, for the message \throw FileError
+  /// Starts the process. \param words  program (of the PATH or with its folder) and arguments \param log  file for both of its outputs
+  /// \param hint  remedy if it cannot be started, for the message \throw FileError
   ChildInput(std::vector<std::string> words, std::string log, const std::string& hint);
   ChildInput(const ChildInput&) = delete;
   ChildInput& operator=(const ChildInput&) = delete;
-  /// Ends it, if it has not been waited for.
+  /// Ends the process unless finish() was called.
   ~ChildInput();
 
-  /// \throw FileError with its last words if it takes no more
+  /// Writes to its standard input. \throw FileError with its last output if the process does not accept the data
   void write(std::span<const std::byte> bytes);
-  /// Closes its input and waits until it is done. \throw FileError with its last words if it fails
+  /// Closes its standard input and waits for its end. \throw FileError with its last output if the process fails
   void finish();
 
  private:
