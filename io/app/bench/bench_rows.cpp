@@ -8,7 +8,7 @@ namespace voussoir::io {
 
 namespace {
 
-/// Work that a part is known to have; none: 0, 0.
+/// Known work of a part of a step; unknown: 0, 0.
 solver::Work work_of(StepPart part, const solver::StepWork& w) {
   switch (part) {
     case StepPart::whole_joints:

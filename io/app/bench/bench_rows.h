@@ -13,23 +13,23 @@
 /// The tables of `voussoir bench`.
 namespace voussoir::io {
 
-/// What a step takes with some number of threads.
+/// The table of step times, one row per number of threads.
 Cells timing_header();
 Cells timing_row(bool gather, const Timing& t, const cases::Census& n);
 
-/// What a machine can do with some number of threads at best.
+/// Best performance of a machine for a number of threads.
 struct MachineLimits {
   double flops = 0.0, bandwidth = 0.0;  // flop/s, byte/s
 };
 
-/// Where it goes, and what that is of the limits: a row for each part, and one for all.
+/// The table of step times by part, and their share of the limits: a row for each part, and one for the sum.
 Cells stage_header();
 std::vector<Cells> stage_rows(bool gather, const StepSplit& split, MachineLimits best);
 
-/// What the model of the schedule (solver/bench/schedule.h) says of more cores.
+/// The table of step times predicted for more cores (solver/bench/schedule.h).
 Cells schedule_header();
-/// \param scale  of all its times, since looking at clocks took some of what it was made from
-/// \param on_one  s, of a step on one core \param measured  s, on as many as these; 0: not measured
+/// \param scale  of all predicted times, since reading clocks took part of the time from which they were derived
+/// \param on_one  s, of a step on one core \param measured  s, of a step on the predicted number of cores; 0: not measured
 Cells schedule_row(const solver::PredictedStep& p, double scale, double on_one, double measured);
 
 }  // namespace voussoir::io

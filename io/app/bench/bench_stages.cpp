@@ -13,15 +13,15 @@ namespace voussoir::io {
 
 namespace {
 
-/// What a batch took, s a step.
+/// Times of a batch [s per step].
 struct StagesBatch {
   std::int64_t steps = 0;
   StepParts parts{};
-  solver::StepWork work;  // of its last step
+  solver::StepWork work;  // of the last step
   solver::StageTimes stages{};
   solver::ForceTimes forces{};
   std::vector<double> tasks;
-  double alone = 0.0;  // s, of forces by one thread alone
+  double alone = 0.0;  // s, of forces on one thread
 };
 
 template <std::size_t n>
@@ -30,7 +30,7 @@ std::array<double, n> a_step(const std::array<double, n>& before, std::array<dou
   return now;
 }
 
-/// Of all sides that hand out forces, the share of those in whole blocks.
+/// Share of sides in whole blocks among all sides with forces.
 double whole_share(const solver::StepWork& work) {
   const double sides = work.whole_sides + work.damaged_sides;
   return sides > 0.0 ? work.whole_sides / sides : 0.0;
@@ -47,7 +47,7 @@ StagesBatch take_batch(const RunInHand& run, const cases::Case& endless, int ste
   double scatter = 0.0;
   int scatters = 0;
   solver::run(sim, run.plan, endless, kNever, run.results, [&](const solver::RunStatus& at) {
-    if (!sim.world().options.gather && at.step > first) {  // not of a step that another team has done
+    if (!sim.world().options.gather && at.step > first) {  // the first step was done by another team
       scatter += solver::assembly_time(sim.world(), tasks), ++scatters;
     }
     return at.step < first + steps;
@@ -115,7 +115,7 @@ double mean_alone(const std::vector<StagesBatch>& batches) {
   return mean;
 }
 
-/// All that was measured with one number of threads.
+/// All measurements with one number of threads.
 struct StagesTeam {
   int threads = 1, steps_in_a_batch = 1;
   std::vector<StagesBatch> batches;
@@ -162,7 +162,7 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   }
   run.sim.time_parts(false);
   run.sim.set_threads(before);
-  // A run writes its rows to the disk every so often.
+  // A run writes its rows to disk at intervals.
   const double start = omp_get_wtime();
   run.results.flush();
   const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;

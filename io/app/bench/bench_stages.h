@@ -12,45 +12,45 @@
 #include "solver/bench/step_work.h"
 #include "solver/run/run.h"
 
-/// Where the time of a step goes: a pass of its own, since looking at clocks costs some hundredths of a step.
+/// Times of the parts of a step, measured separately, since reading clocks costs some hundredths of a step.
 namespace voussoir::io {
 
-/// `scatter`: what elements take from the slots of contacts, and by gather from those of sides; by colour also what handing out the forces
-/// of all joints takes alone (solver::assembly_time), which is taken off the joints' parts. `waiting`: what is left of the stage of forces.
-/// `ledger`, `output`: at the intervals of the case, as in a run.
+/// Parts of a step. `scatter`: transfer of contact forces from slots to elements, and by gather of the forces of sides; by colour also the
+/// transfer of the forces of all joints, measured separately (solver::assembly_time) and subtracted from the parts of the joints.
+/// `waiting`: the remainder of the stage of forces. `ledger`, `output`: at the intervals of the case, as in a run.
 enum class StepPart : std::size_t { whole_joints, damaged_joints, contacts, assembly, waiting, search, damage, update, ledger, output };
 inline constexpr std::array<const char*, 10> kStepPartNames = {"joints whole", "joints damaged", "contacts", "scatter", "waiting",
                                                                "search",       "damage",         "update",   "ledger",  "output"};
 using StepParts = std::array<double, kStepPartNames.size()>;
 
-/// Of one number of threads.
+/// Times for one number of threads.
 struct StepSplit {
   int threads = 1;
-  StepParts parts{};      // s a step: medians over batches; of search, ledger and output, which few steps have, means over all of them
-  solver::StepWork work;  // of a step: the mean over batches
-  // Means over all batches, s a step.
+  StepParts parts{};  // s per step: medians over batches; of search, ledger and output, which only few steps have, means over all batches
+  solver::StepWork work;  // of a step: mean over batches
+  // Means over all batches [s per step].
   solver::StageTimes stages{};
   solver::ForceTimes forces{};
-  std::vector<double> tasks;  // of joints by colour, by task
-  double alone = 0.0;         // of forces, by one thread alone
+  std::vector<double> tasks;  // by task: of joints by colour
+  double alone = 0.0;         // of forces, on one thread
   [[nodiscard]] double step() const;
 };
 
-/// From what stages and parts of the forces took [s].
-/// \param scatter  s, of joints, by colour: not more than their parts
-/// \param whole_share  of it, for those in whole blocks
+/// Times of the parts from the times of stages and forces [s].
+/// \param scatter  s, of joints, by colour: at most the sum of their parts
+/// \param whole_share  share of it for joints in whole blocks
 StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& forces, double scatter, double whole_share);
 
-/// A run to be measured; it goes on meanwhile.
+/// A run that is measured; it advances meanwhile.
 struct RunInHand {
   const cases::Case& value;
   solver::Simulation& sim;
   solver::RunState& plan;
-  ResultsWriter& results;  // that writes to the disk only when it is told to
+  ResultsWriter& results;  // writes to disk only on request
 };
 
-/// The numbers of threads take turns, as in time_steps.
-/// \param steps  in a batch, by number of threads; rounded up to what a run's tick allows
+/// Measures all numbers of threads in turn, as time_steps.
+/// \param steps  in a batch, by number of threads; rounded up to a multiple of the run's tick
 std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> counts, std::span<const int> steps, int batches);
 
 }  // namespace voussoir::io

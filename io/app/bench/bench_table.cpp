@@ -38,7 +38,7 @@ void BenchTable::print(const Cells& cells) const {
 void BenchTable::write(const Cells& cells) {
   file_ << cells.front();
   for (std::size_t k = 1; k < cells.size(); ++k) file_ << ',' << cells[k];
-  file_ << std::endl;  // at once: a bench that is stopped has what it had
+  file_ << std::endl;  // flushed at once, so that a stopped bench keeps its rows
 }
 
 }  // namespace voussoir::io

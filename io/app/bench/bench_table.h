@@ -8,16 +8,16 @@
 
 namespace voussoir::io {
 
-/// Text by column; what has not been measured is empty.
+/// Text by column; empty where nothing was measured.
 using Cells = std::vector<std::string>;
 
-/// Appends a number; printf's format.
+/// Appends a number in a printf format.
 void put(Cells& cells, const char* format, double value);
 
-/// A table of which the screen shows each row as soon as it is there, and a CSV file, if one is wanted, keeps all.
+/// A table printed row by row, and, if requested, also written to a CSV file.
 class BenchTable {
  public:
-  /// \param path  of the file, which is replaced; empty: none \throw FileError if it cannot be written
+  /// \param path  of the CSV file, which is replaced; empty: none \throw FileError if it cannot be written
   BenchTable(Cells header, const std::string& path);
 
   void print_header() const { print(header_); }

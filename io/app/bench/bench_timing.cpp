@@ -13,18 +13,18 @@ namespace voussoir::io {
 
 namespace {
 
-constexpr double kBatch = 0.1;  // s, of steps
-constexpr int kSamples = 10;    // in a batch: what neighbours do changes within less than that
+constexpr double kBatch = 0.1;  // s, of all steps of a batch
+constexpr int kSamples = 10;    // in a batch: the load of a machine changes within less than a batch
 constexpr int kEnoughQuiet = 30;
-constexpr double kQuiet = 1.05;  // of what a core took at best: one whose other half is at work for others takes 1.1 to 2
+constexpr double kQuiet = 1.05;  // ratio to the best time of a core: a core whose other hardware thread is busy takes 1.1 to 2
 
-/// What was measured with one number of threads in one turn.
+/// Measurements with one number of threads in one turn.
 struct Batch {
   std::vector<Sample> samples;
   double handover = 0.0;  // s
 };
 
-/// All that was measured with it.
+/// All measurements with one number of threads.
 struct Team {
   int threads = 1, steps = 1;
   std::vector<Batch> batches;
@@ -65,7 +65,7 @@ double median(std::vector<double> values) {
   return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
-/// What a step took in a batch, over the samples chosen; 0: none is.
+/// Time of a step in a batch, over the chosen samples; 0: none.
 double step_of(const Batch& b, const std::vector<bool>& chosen) {
   double sum = 0.0;
   std::int64_t steps = 0;
@@ -75,7 +75,7 @@ double step_of(const Batch& b, const std::vector<bool>& chosen) {
   return steps > 0 ? sum / static_cast<double>(steps) : 0.0;
 }
 
-/// By batch and sample: was it quiet?
+/// By batch and sample: whether it was quiet.
 std::vector<std::vector<bool>> quiet_samples(const Team& team) {
   std::vector<Sample> all;
   for (const Batch& b : team.batches) all.insert(all.end(), b.samples.begin(), b.samples.end());
@@ -105,7 +105,7 @@ bool enough(const std::vector<Team>& teams, const TimingOptions& o) {
          });
 }
 
-/// What a step takes, and how often it fits one on one thread, over the batches that have a sample which counts.
+/// Time of a step and speed-up relative to one thread, over the batches with a chosen sample.
 struct Steps {
   double step = 0.0, speedup = 0.0;
 };
@@ -120,7 +120,7 @@ Steps steps_of(const Team& team, const std::vector<std::vector<bool>>& chosen, c
   return {median(steps), median(speedups)};
 }
 
-/// \param one  the team of one thread, with a batch beside each of these
+/// \param one  the team of one thread, with a batch beside each of `team`
 Timing timing_of(const Team& team, const Team& one) {
   const std::vector<bool> all(kSamples, true);
   const std::vector<std::vector<bool>> every(team.batches.size(), all), those = quiet_samples(team);

@@ -7,29 +7,29 @@
 
 #include "solver/run/simulation.h"
 
-/// How long a step takes, on a machine that others use, too.
+/// Measurement of the time of a step on a machine that is also used by others.
 namespace voussoir::io {
 
-/// Some steps, a tenth of a batch.
+/// A tenth of a batch of steps.
 struct Sample {
   int steps = 0;
-  double time = 0.0;          // s, of all of them
-  std::vector<double> cores;  // s, by thread: solver::core_times beside them, the longer of before and after; 0: not given
+  double time = 0.0;          // s, of all its steps
+  std::vector<double> cores;  // s, by thread: longer solver::core_times of before and after the steps; 0: not available
 };
 
-/// Which of these samples of one team were quiet: each of its cores was as fast beside them as beside any, or nearly.
+/// By sample of one team (one number of threads): whether it was quiet, i.e. each core was about as fast as in the best sample.
 std::vector<bool> quiet(std::span<const Sample> samples);
 
-/// What a step takes with so many threads: medians over batches.
+/// Time of a step for a number of threads: medians over batches.
 struct Timing {
   int threads = 1;
   int steps = 1;  // in a batch
-  // Whatever the machine did.
+  // All samples.
   double step = 0.0;      // s
-  double speedup = 1.0;   // against one thread, of batches beside each other
+  double speedup = 1.0;   // relative to one thread, from batches measured in succession
   double handover = 0.0;  // s, solver::handover_now
-  // The same by those samples of each batch that were quiet; none with more threads than the machine has cores.
-  int samples = 0, quiet = 0;                    // all, and these
+  // Quiet samples of each batch only; none with more threads than the machine has cores.
+  int samples = 0, quiet = 0;                    // number of all samples, and of quiet ones
   double quiet_step = 0.0, quiet_speedup = 0.0;  // s; 0: none
 };
 
@@ -38,8 +38,8 @@ struct TimingOptions {
   int steps = 0;              // in a batch; 0: as many as take 0.1 s
 };
 
-/// The numbers of threads take turns, batch by batch, so that whatever else the machine does meets them all. The simulation has its own
-/// number of threads again afterwards.
+/// Measures all numbers of threads in turn, batch by batch, so that other load of the machine affects all equally. Restores the
+/// simulation's number of threads.
 /// \param counts  numbers of threads, the first of them 1
 std::vector<Timing> time_steps(solver::Simulation& sim, std::span<const int> counts, const TimingOptions& o);
 

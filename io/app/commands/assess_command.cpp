@@ -27,23 +27,23 @@ namespace {
 
 struct AssessOptions {
   std::string folder;                 // of the run
-  std::optional<double> time;         // s, of cracks and of what is "now"; none: the last frame
+  std::optional<double> time;         // s, of cracks and current values; none: the last frame
   std::vector<double> levels;         // m above the base, of storeys; none: foot and top of the walls
   std::vector<double> damping{0.05};  // of the spectra
-  std::string maps, spectra;          // folder of crack maps; CSV file; empty: none
+  std::string maps, spectra;          // folder for crack maps; CSV file for spectra; empty: none
   bool json = false, overwrite = false;
 };
 
-/// The name of a wall as that of a file: "front-wall". Letters of any alphabet stay, being bytes beyond ASCII.
+/// A wall's name for use in a file name: "front-wall". Letters of any alphabet are kept, as bytes beyond ASCII.
 std::string file_stem(std::string wall) {
   const auto stays = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c > 127; };
   for (char& c : wall)
     if (!stays(static_cast<unsigned char>(c))) c = '-';
-  if (wall.starts_with('.')) wall.front() = '_';  // else hidden, or the folder above
+  if (wall.starts_with('.')) wall.front() = '_';  // the file would be hidden, or the parent folder
   return wall;
 }
 
-/// "front-wall-2.000s.svg" \param taken  stems of the maps so far
+/// File name of a map: "front-wall-2.000s.svg" \param taken  names used so far
 std::string map_name(const std::string& wall, double time, std::set<std::string>& taken) {
   std::string stem = file_stem(wall);
   while (!taken.insert(stem).second) stem += '_';
@@ -64,7 +64,8 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
   }
 }
 
-/// What engineers read off a run (io/MEASURES.md), crack maps of its walls, floor response spectra. \throw cases::InputError, FileError
+/// Prints engineering figures of a run (io/MEASURES.md), writes crack maps of its walls and floor response spectra. \throw
+/// cases::InputError, FileError
 int assess(const AssessOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const cases::Case c = case_of_run(run);

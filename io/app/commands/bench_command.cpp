@@ -44,15 +44,15 @@ namespace voussoir::io {
 namespace {
 
 struct BenchOptions {
-  double after = 0.0;      // s of shaking until the measurement; 0: intact, under the first of gravity
-  int batches = 0;         // a figure is the median of so many; 0: 15, or up to 60 on a machine that is seldom quiet
+  double after = 0.0;      // s of shaking before the measurement; 0: intact, at the beginning of gravity
+  int batches = 0;         // number of batches for a median; 0: 15, or up to 60 on a machine that is seldom quiet
   int steps = 0;           // in a batch; 0: as many as take about 0.1 s
-  std::string csv;         // also write the table here, if not empty
-  std::string stages_csv;  // and that of the stages here
+  std::string csv;         // CSV file for the table; empty: none
+  std::string stages_csv;  // CSV file for the table of stages; empty: none
   bool overwrite = false;
 };
 
-/// Sides by what they are now.
+/// Numbers of sides by state.
 struct Sides {
   std::int64_t whole = 0, open = 0, damaged = 0, steady = 0, points = 0, contacts = 0;
 };
@@ -72,7 +72,7 @@ Sides sides_now(const solver::World& w) {
   return n;
 }
 
-/// Brings a simulation to where it is to be measured.
+/// Advances a simulation to the state to be measured.
 void advance_to(solver::Simulation& sim, double after) {
   if (after <= 0.0) return;
   while (sim.phase() == solver::Phase::settling && !sim.at_rest() && !sim.settled_too_long()) sim.step({false, sim.steps() % 200 == 0});
@@ -105,9 +105,9 @@ void print_subject(const cases::Census& census, const solver::World& w) {
               per(use.segments, static_cast<std::int64_t>(w.sides.bond.size())), 1e-6 * static_cast<double>(use.patches));
 }
 
-/// What more cores would do, by the model of the schedule.
+/// Prints step times for more cores, predicted by the model of the schedule.
 void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> splits, std::span<const Timing> timings) {
-  constexpr double kNear = 60e-9;  // s: of cores that share a cache, where there is a single one
+  constexpr double kNear = 60e-9;  // s, for cores that share a cache, if there is only one core
   constexpr std::array kCores{1, 2, 4, 8, 16, 32};
   const auto split_of = [&](int threads) { return std::ranges::find(splits, threads, &StepSplit::threads); };
   const auto one = split_of(1), two = split_of(2);
@@ -132,7 +132,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
   }
 }
 
-/// Where the time goes, in a pass of its own. \param folder  for results that nobody reads
+/// Prints the times of parts of a step, from a separate measurement. \param folder  for temporary results
 template <class Run>
 void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<MachineLimits>& best,
                   int batches, BenchTable& table) {
@@ -151,7 +151,7 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
   print_schedule(run.sim->joint_tasks(), splits, timings);
 }
 
-/// By number of threads; more of them than cores can do no more.
+/// Machine limits by number of threads; threads beyond the number of cores add nothing.
 std::vector<MachineLimits> limits_of(std::span<const int> counts) {
   std::vector<MachineLimits> limits;
   for (const int n : counts) {
@@ -164,7 +164,7 @@ std::vector<MachineLimits> limits_of(std::span<const int> counts) {
   return limits;
 }
 
-/// The tables of one subject: `build(gather)` makes it again.
+/// Prints all tables of one case or checkpoint: `build(gather)` creates its run.
 template <class Build>
 void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   namespace fs = std::filesystem;
@@ -202,7 +202,7 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   }
 }
 
-/// As RestoredRun is, of a case that has just been read.
+/// A new run of a case, in the form of RestoredRun.
 struct FreshRun {
   const cases::Case& value;
   const cases::Model& model;
@@ -210,12 +210,12 @@ struct FreshRun {
   std::unique_ptr<solver::Simulation> sim;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, up to those that use_threads has set, by colour and by gather, and prints tables: what a step
-/// takes, where it goes, and, by colour, what a model of the schedule says of more cores. \throw cases::InputError, FileError before
-/// anything runs
+/// Steps the case with 1, 2, 4, ... threads, up to the number set by use_threads, by colour and by gather, and prints tables: times of a
+/// step and of its parts, and, by colour, the predictions of a model of the schedule for more cores. \throw cases::InputError, FileError
+/// before anything runs
 int bench_case(const LoadedCase& c, const BenchOptions& o) {
   const cases::Model model = prepared_model(c.value);
-  cases::GroundMotion motion;  // none where nothing is to happen, even if it comes to rest meanwhile
+  cases::GroundMotion motion;  // without a motion nothing happens, even after settling
   if (o.after > 0.0) motion = ground_motion(c.value);
   const auto build = [&](bool gather) {
     solver::Options options;
@@ -229,7 +229,7 @@ int bench_case(const LoadedCase& c, const BenchOptions& o) {
   return kDone;
 }
 
-/// The same at the state of a checkpoint. \throw FileError, and cases::InputError if o.after is given
+/// Benchmarks the state of a checkpoint. \throw FileError, and cases::InputError if o.after is given
 int bench_checkpoint(const std::string& path, const BenchOptions& o) {
   if (o.after > 0.0)
     throw cases::InputError("--after", "= " + cases::text(o.after) + " s; a checkpoint is measured as it stands, leave it out");

@@ -38,7 +38,7 @@ namespace voussoir::io {
 namespace {
 
 struct CheckOptions {
-  std::string draw;  // SVG file of a drawing; empty: none
+  std::string draw;  // SVG file for a drawing; empty: none
   bool overwrite = false;
   bool json = false;
 };
@@ -48,16 +48,16 @@ struct CheckWords {
   CheckOptions o;
 };
 
-// For the estimate: steps of the intact model are timed here and now; a house that collapses took ten times as long (perf/README.md).
-constexpr double kTrialTime = 0.3;  // s of wall-clock
+// The estimate of a run's time: steps of the intact model are timed here; a collapsing house took ten times as long (perf/README.md).
+constexpr double kTrialTime = 0.3;  // s of wall-clock time
 constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
 constexpr double kCollapse = 10.0;
-constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s simulated: the default ramp, a typical wait
+constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s, simulated: the default ramp, a typical waiting time
 constexpr double kMegabyte = 1e6;
 
 double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
 
-/// What the rule of centres does to levers: a share of 1/n of each, THEORY.md (2).
+/// Prints the shortening of levers under SegmentRule::centres: a share of 1/n, THEORY.md (2).
 void print_levers(const cases::Case& c, const cases::Model& m) {
   const std::vector<cases::Lever> levers = cases::levers(c, m);
   for (const cases::Lever& l : levers) {
@@ -98,7 +98,7 @@ void print_bill(const cases::Census& n, const cases::Model& m) {
   }
 }
 
-/// The laws that joints have, as runs see them: strength of the bond, and the friction that is left without it.
+/// Prints the laws of joints as used by runs: strength of the bond, and the friction that remains without it.
 void print_joint_laws(const cases::Model& m) {
   struct Row {
     std::int64_t joints = 0;
@@ -125,7 +125,7 @@ void print_joint_laws(const cases::Model& m) {
   }
 }
 
-/// One friction for all pairs of materials, and those that have their own.
+/// Prints the friction common to all pairs of materials, and the pairs with their own friction.
 void print_friction(const cases::Contact& c) {
   std::printf("\nfriction of contacts     %s degrees", cases::text(c.friction).c_str());
   for (const cases::ContactRule& r : c.between) {
@@ -152,7 +152,7 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   }
 }
 
-/// s of wall-clock that a step of the intact model takes. Takes a few.
+/// Wall-clock time of a step of the intact model [s]. Makes a few steps.
 double time_a_step(solver::Simulation& sim) {
   using Clock = std::chrono::steady_clock;
   for (int i = 0; i < kWarmUp; ++i) sim.step({});
@@ -167,14 +167,14 @@ double time_a_step(solver::Simulation& sim) {
   return taken / steps;
 }
 
-/// s simulated before the shaking begins.
+/// Simulated time before the shaking begins [s].
 double settling_time(const cases::Case& c) {
   if (!c.gravity.settle) return 0.0;
   const double ramp = c.gravity.ramp.value_or(c.damping.frequency ? 5.0 / *c.damping.frequency : kRamp);
   return ramp + std::min(c.gravity.settle_limit, kWaitForRest);
 }
 
-/// \return whether the first steps can be made
+/// Prints the estimated time of a run. \return whether the first steps succeed
 bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
   const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
   const double sides = static_cast<double>(n.joint_sides);
@@ -200,7 +200,7 @@ bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   return sound;
 }
 
-/// What the files of stones gave, and what was done to them.
+/// Prints the contents of stone files, and changes made to them.
 void print_stones(const cases::Case& c) {
   for (const cases::StonesSpec& spec : c.stones) {
     const auto fixed = std::count_if(spec.stones.begin(), spec.stones.end(), [](const cases::Stone& s) { return s.fixed; });
@@ -215,7 +215,7 @@ void print_stones(const cases::Case& c) {
   }
 }
 
-/// The motion, or the analysis that leaves it out.
+/// Prints the motion, or the analysis that does not use it.
 void print_loading(const cases::Case& c, const cases::GroundMotion& motion) {
   if (is_assessment(c.analysis))
     std::printf("\nanalysis                 %s%s\n", name_of(c.analysis.kind), c.motion ? "; [motion] is left out" : "");
@@ -223,10 +223,10 @@ void print_loading(const cases::Case& c, const cases::GroundMotion& motion) {
     std::printf("\n%s", c.motion ? motion_lines(c, motion).c_str() : "motion                   none\n");
 }
 
-/// All that is likely a slip: of values, and of the model and the motion.
+/// All findings: of values, of the model and of the motion.
 std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion) {
   const std::vector<std::string> slips = likely_slips(c, model, motion);
-  warn_of(slips);  // those of values have been told as the case was read
+  warn_of(slips);  // findings of values were printed when the case was read
   std::vector<std::string> all = c.findings;
   all.insert(all.end(), slips.begin(), slips.end());
   return all;
@@ -250,7 +250,7 @@ int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::G
   return fault.empty() ? kDone : kInputFault;
 }
 
-/// Reads, builds and reports; runs nothing. \throw cases::InputError, FileError
+/// Reads, builds and reports, without a run. \throw cases::InputError, FileError
 int check(const LoadedCase& c, const CheckOptions& o) {
   check_output(o.draw, o.overwrite);
   const cases::Model model = prepared_model(c.value);

@@ -37,15 +37,14 @@ std::string as_json(const Comparison& c, const std::string& a, const std::string
   }
   try {
     out["measures"] = Json::parse(measures_beside_json(summary_of(a), summary_of(b)));
-  } catch (const FileError&) {  // no runs: null
+  } catch (const FileError&) {  // not runs: null
   }
   return out.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Says on standard output whether two runs are the same; if not, where they part, and their measures side by side
-/// (compared_measures.h).
-/// \param a, b  folders of runs, or files. \param json  one object for programs: identical, datasets, differing, first, measures (always;
-/// null if a file is no run). \return 0: the same; 1: not \throw FileError
+/// Prints whether two runs are equal; if not, the first difference, and their measures side by side (compared_measures.h).
+/// \param a,  b folders of runs, or files. \param json  one JSON object: identical, datasets, differing, first, measures (always; null if a
+/// file is no run). \return 0: equal; 1: not \throw FileError
 int compare(const std::string& a, const std::string& b, bool json) {
   const Comparison c = compare_files(results_of(a), results_of(b));
   const bool same = c.differing == 0;
@@ -70,7 +69,7 @@ int compare(const std::string& a, const std::string& b, bool json) {
   try {
     std::printf("\n%s", measures_beside(summary_of(results_of(a)), summary_of(results_of(b))).c_str());
   } catch (const FileError& e) {
-    std::printf("\nno measures: %s\n", e.what());  // files that are no runs can be compared, too
+    std::printf("\nno measures: %s\n", e.what());  // files other than runs can also be compared
   }
   return 1;
 }

@@ -30,15 +30,15 @@ namespace voussoir::io {
 namespace {
 
 struct LimitCommandOptions {
-  std::string direction;         // x, -x, y, -y, z, -z, degrees from x towards y, or a vector X,Y,Z; empty: x, of point loads -z
-  std::vector<std::string> on;   // blocks that are loaded
-  std::optional<double> force;   // N, in place of weights
-  std::vector<double> at, path;  // m, coordinates of a point; of the corners of a path, one after the other
-  int positions = 21;            // on the path
+  std::string direction;         // x, -x, y, -y, z, -z, degrees from x towards y, or a vector X,Y,Z; empty: x, for point loads -z
+  std::vector<std::string> on;   // loaded blocks
+  std::optional<double> force;   // N, instead of weights
+  std::vector<double> at, path;  // m, coordinates of a point; of the corners of a path, in order
+  int positions = 21;            // number of positions on the path
   int facets = 8;                // of the friction cone
-  bool outer = false;            // round the cone instead of in it
-  std::string mechanism;         // CSV file of the mechanism; empty: none
-  bool associated = false;       // alone
+  bool outer = false;            // facets outside the cone instead of inside
+  std::string mechanism;         // CSV file for the mechanism; empty: none
+  bool associated = false;       // associated flow only
   bool json = false, overwrite = false, quiet = false;
 };
 
@@ -49,7 +49,7 @@ struct LimitWords {
 
 using solver::LiveLoad;
 
-/// "x", "-z", "30" (degrees from x towards y) or "0.6,0,-0.8" as a unit vector.
+/// Direction from "x", "-z", "30" (degrees from x towards y) or "0.6,0,-0.8" as a unit vector.
 Vec3 direction_of(const std::string& words) {
   const auto refuse = [&] {
     throw cases::InputError("--direction", "\"" + words +
@@ -119,7 +119,7 @@ std::string words_of(const LiveLoad& live, const LimitCommandOptions& o) {
   return "multiplier x weight" + (on.empty() ? "" : " of" + on.substr(3)) + ", along " + along;
 }
 
-/// A line of progress that is written over.
+/// Prints a line of progress that is overwritten.
 std::function<void(int, double)> ticker(bool coulomb) {
   const int least = coulomb ? solver::LimitResult::kLeastProgrammes : 1, most = coulomb ? solver::LimitResult::kMostProgrammes : 1;
   return [least, most](int programmes, double multiplier) {
@@ -127,7 +127,7 @@ std::function<void(int, double)> ticker(bool coulomb) {
   };
 }
 
-/// Prints what was found and writes the mechanism. \return the exit code
+/// Prints the result and writes the mechanism. \return the exit code
 int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::Model& model, const solver::LimitResult& found,
          const solver::LoadPath* path) {
   std::fputs((o.json ? limit_json(asked, model, found, path) : limit_text(asked, model, found, path)).c_str(), stdout);
@@ -138,7 +138,7 @@ int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::
   return proven ? kDone : kNumericalFailure;
 }
 
-/// The collapse multiplier of a live load and its mechanism, by limit analysis of dry rigid blocks (solver/limit/limit.h).
+/// Finds the collapse multiplier of a live load and its mechanism, by limit analysis of dry rigid blocks (solver/limit/limit.h).
 /// \throw cases::InputError, FileError
 int limit(const LoadedCase& c, const LimitCommandOptions& o) {
   if (!solver::has_linear_programmes()) {

@@ -17,7 +17,7 @@
 namespace voussoir::io {
 namespace {
 
-/// Writes the manual pages into a folder, which is made if it is missing; pages that are there are replaced. \throw FileError
+/// Writes the manual pages into a folder, which is created if missing; existing pages are replaced. \throw FileError
 int write_pages(const OptionTable& table, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

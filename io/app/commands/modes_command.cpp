@@ -29,7 +29,7 @@ struct ModesOptions {
   int count = 6;
   std::string shapes;       // file for ParaView; empty: none
   bool no_impulse = false;  // eigenvalues only: seconds instead of minutes
-  bool closed = false;      // joints without a bond count as if bonded, in the eigenvalues
+  bool closed = false;      // eigenvalues count joints without a bond as bonded
   bool overwrite = false, quiet = false;
 };
 
@@ -56,7 +56,7 @@ void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
   }
 }
 
-/// Points to listen at where the case names none.
+/// Points whose motion is analysed if the case names none.
 std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes) {
   std::vector<cases::HistoryPoint> points;
   for (int axis = 0; axis < 2; ++axis) {
@@ -95,8 +95,9 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
                 static_cast<long long>(broken));
 }
 
-/// First natural frequencies from the eigenvalues of the assembled stiffness, and from the impulse and Fourier transform of the paper's
-/// section 3.5 at the points that the case follows (without any: the element that the mode with the largest share of mass moves most).
+/// Prints first natural frequencies from the eigenvalues of the assembled stiffness, and from the impulse and Fourier transform of the
+/// paper's section 3.5 at the points that the case follows (if it follows none: at the element that the mode with the largest share of mass
+/// moves most).
 /// \throw cases::InputError, FileError, solver::NumericalError
 int modes(const LoadedCase& loaded, const ModesOptions& o) {
   check_output(o.shapes, o.overwrite);

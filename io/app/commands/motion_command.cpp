@@ -61,7 +61,7 @@ void cut(cases::Accelerogram& a, double until) {
   if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
 }
 
-/// Cut, corrected, tapered.
+/// Cuts, corrects and tapers the components.
 void prepare(MotionSource& s, const MotionOptions& o) {
   if (o.until) {
     for (auto& a : s.record.ltv) cut(a, *o.until);
@@ -124,7 +124,7 @@ std::vector<Component> components_of(std::vector<MotionSource>& sources) {
   return all;
 }
 
-/// A name that several arguments share says nothing: these are called by what the user called them.
+/// Renames sources that share a name by the arguments of the user.
 void tell_apart(std::vector<MotionSource>& sources, const std::vector<std::string>& arguments) {
   const auto name_of = [](MotionSource& s) -> std::string& { return s.of_file.empty() ? s.record.name : s.of_file.front().record; };
   std::map<std::string, int> uses;
@@ -168,7 +168,7 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   }
 }
 
-/// What motion.intensity may ask for, of each pair of horizontal components as they are.
+/// Prints the measures of motion.intensity for each pair of horizontal components, as recorded.
 void print_intensities(const std::vector<Component>& components, const std::vector<double>& periods, std::ostream& out) {
   using cases::IntensityMeasure;
   std::vector<cases::MotionIntensity> measures{{IntensityMeasure::pga, 1.0, {}}, {IntensityMeasure::pgv, 1.0, {}}};
@@ -188,7 +188,7 @@ void print_intensities(const std::vector<Component>& components, const std::vect
   }
 }
 
-/// The keys of [motion] of the same names.
+/// Adds options for the keys of [motion] with the same names.
 void add_treatment(CLI::App& command, cases::MotionTreatment& t) {
   command.add_option("--from", t.from, "s: begin there, and call it time zero")->check(number_range(0.0, 1e9));
   command.add_option("--to", t.to, "s, of the record: end there")->check(number_range(1e-9, 1e9));
@@ -224,7 +224,7 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
   Spectra spectra{components, {}, o.damping, {}, o.fit};
   if (o.combine) spectra.pairs = horizontal_pairs(components, "--combine");
   if (o.target) spectra.target = read_target(*o.target, o.unit);
-  std::ostringstream fits;  // whatever is wrong with them is found before anything is written
+  std::ostringstream fits;  // printed later, so that faults are found before anything is written
   if (!o.periods.empty()) print_intensities(components, o.periods, fits);
   if (o.target) print_fits(spectra, fits);
   if (o.write) write_record(sources[0], arguments[0], o);

@@ -23,7 +23,7 @@
 namespace voussoir::io {
 namespace {
 
-/// Numbers of words that commas part, too: {"1.2,2", "3,"}. \throw cases::InputError
+/// Numbers from words, which commas may divide further: {"1.2,2", "3,"}. \throw cases::InputError
 std::vector<double> numbers(const char* key, const std::vector<std::string>& words) {
   std::vector<double> all;
   for (const std::string& word : words)
@@ -40,7 +40,7 @@ std::vector<double> numbers(const char* key, const std::vector<std::string>& wor
   return all;
 }
 
-/// Modes of the structure that the run was made of, before anything of it was damaged.
+/// Modes of the undamaged structure of a run.
 std::vector<solver::Mode> modes_of(const std::string& run, int count) {
   if (count == 0) return {};
   const Hdf5File file = Hdf5File::open(run);

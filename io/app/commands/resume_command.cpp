@@ -31,11 +31,11 @@ namespace {
 
 struct ResumeOptions {
   std::string folder;           // of the run
-  std::optional<double> until;  // s of shaking; absent: as the run was meant
-  int threads = 0;              // 0: as OpenMP decides
+  std::optional<double> until;  // s of shaking; absent: the end of the earlier run
+  int threads = 0;              // 0: the default of OpenMP
   bool quiet = false;
   CheckpointSchedule checkpoints;
-  Views views;  // to write at the end
+  Views views;  // written at the end
 };
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ Found newest_good(const std::string& folder) {
                   "holds no checkpoint: nothing to go on from; run the case anew ('voussoir run CASE -o " + folder + " --overwrite')");
 }
 
-/// The first line in which two texts differ, as "'a' there, 'b' here"; empty if none does.
+/// The first line in which two texts differ, as "'a' there, 'b' here"; empty if they are equal.
 std::string difference(const std::string& there, const std::string& here) {
   std::istringstream a(there), b(here);
   for (std::string p, q;;) {
@@ -74,15 +74,15 @@ std::string difference(const std::string& there, const std::string& here) {
   }
 }
 
-/// The same of two cases, but for their ends.
+/// The first difference of two cases, except for their ends.
 std::string difference(const cases::Case& there, cases::Case here) {
   here.set_end(there.end());
   here.time.after_collapse = there.time.after_collapse;
   return difference(resolved_toml(there), resolved_toml(here));
 }
 
-/// A folder's case.toml says whose results these are. Only the end may differ, and is taken over: a resume that --until sent further may
-/// have been killed before its first checkpoint.
+/// Checks that a folder's case.toml is that of the checkpoint. Only the end may differ, and is adopted: a resume with --until may have been
+/// killed before its first checkpoint.
 void take_end(const std::string& folder, const Found& found, cases::Case& saved) {
   const std::string path = folder + "/case.toml";
   if (!fs::exists(path)) return;
@@ -92,13 +92,13 @@ void take_end(const std::string& folder, const Found& found, cases::Case& saved)
   if (there.end() > found.checkpoint.facts.time) saved.set_end(there.end()), saved.time.after_collapse = there.time.after_collapse;
 }
 
-/// The results in run.h5 must be of the same case, too.
+/// Checks that the results in run.h5 are of the same case as the checkpoint.
 void check_results(const std::string& run, const Found& found, const cases::Case& saved) {
   const std::string what = difference(case_of_run(Hdf5File::open(run)), saved);
   if (!what.empty()) throw FileError(run, "is not of the case of " + found.path + ": " + what + "; results of two runs do not go together");
 }
 
-/// How far results say that they came.
+/// Progress recorded in the results.
 struct Extent {
   bool finished = false, merged = false;
   double end = 0.0;  // s
@@ -109,7 +109,7 @@ Extent extent_of(const std::string& run) {
   return {.finished = true, .merged = file.attribute_int("/", "parts") == 0, .end = file.attribute_double("/summary", "end_time")};
 }
 
-/// The new end of the run, whatever has collapsed by then. A collapse may have ended it before its duration.
+/// Sets the new end of the run, whether or not the building has collapsed; a collapse may have ended the earlier run before its duration.
 void set_end(cases::Case& c, const std::optional<double>& until, double time, const Extent& there) {
   if (!until) return;
   if (!(*until <= cases::kLongestRun))
@@ -123,10 +123,10 @@ void set_end(cases::Case& c, const std::optional<double>& until, double time, co
   c.time.after_collapse.reset();
 }
 
-/// Goes on from the newest checkpoint that is whole; rows of the results behind it are dropped and computed again, to the same bits.
+/// Continues from the newest intact checkpoint; later rows of the results are dropped and computed again, to the same bits.
 /// \return as `run`; kDone at once if the run is finished and `until` absent
-/// \throw FileError if no checkpoint is good, or case, layout, physics or model are others than those of the checkpoint; it names the
-/// difference. cases::InputError for an `until` that has passed
+/// \throw FileError if no checkpoint is intact, or if case, layout, physics or model differ from those of the checkpoint; the message names
+/// the difference. cases::InputError for an `until` in the past
 int resume(const ResumeOptions& o) {
   const RunFolder folder = RunFolder::open(o.folder);
   const std::string run = folder.file("run.h5");
@@ -152,7 +152,7 @@ int resume(const ResumeOptions& o) {
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt(), r->sim->cycle());
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
-  folder.write_case(resolved);  // once the results are known to be whole
+  folder.write_case(resolved);  // after the results are known to be intact
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);

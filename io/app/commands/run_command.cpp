@@ -34,10 +34,10 @@ struct RunOptions {
   bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
   CheckpointSchedule checkpoints;
-  Views views;  // to write at the end
+  Views views;  // written at the end
 };
 
-/// A step that the case or --dt gives may be too large.
+/// Warns if a step given by the case or by --dt is too large.
 void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
   if (!c.time.step) return;
   const double bound = cases::census(model).step_bound;
@@ -45,10 +45,10 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
   std::fprintf(stderr, "voussoir: warning: the step of %.4g s is above its bound, %.4g s (Eq. 19): the run may diverge\n", dt, bound);
 }
 
-/// Builds, settles, shakes, writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.
+/// Builds, settles, shakes and writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.
 /// \throw cases::InputError, FileError before anything runs; FileError later if results cannot be written
 int run(const LoadedCase& c, const RunOptions& o) {
-  // Everything that can be wrong with the input is found before the folder is touched.
+  // All faults of the input are found before the folder is changed.
   const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;

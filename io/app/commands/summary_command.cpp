@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the run itself has said in /summary; nothing of a run that has not come so far.
+/// Contents of /summary; empty for a run that has not written it yet.
 Json told(const Hdf5File& run) {
   Json out = Json::object();
   const auto has = [&](const char* name) { return run.has_attribute("/summary", name); };
@@ -58,7 +58,7 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
   return out;
 }
 
-/// A figure with its unit, or a word for "there is none".
+/// A figure with its unit, or `none` if undefined.
 std::string text(const char* format, double value, const char* none = "-") {
   if (std::isnan(value)) return none;
   return geometry::printed(format, value);
@@ -88,7 +88,7 @@ std::string counts(const Json& s, const std::string& prefix) {
   return value;
 }
 
-/// How deep bodies are in each other, where the contact of the solver should stop them.
+/// Prints the overlap of bodies.
 void print_penetration(const Measures& m) {
   line("deepest in another", millimetres(m.penetration) + " at the end, at most " + millimetres(m.peak_penetration) +
                                  (m.peak_penetration_time < 0 ? "" : " at " + seconds(m.peak_penetration_time)));
@@ -101,7 +101,7 @@ void print_penetration(const Measures& m) {
   line("touching", std::to_string(m.touching_pairs) + " pairs at the end");
 }
 
-/// What broke under the building's own weight, and what the shaking broke.
+/// Prints breaks due to the building's own weight, and breaks due to the shaking.
 void print_origin(const Json& s, const Measures& m) {
   if (m.settling_cracks == 0)
     return line("broken by settling", "nothing; by the shaking " + std::to_string(m.shaking_cracks) + " segments");
@@ -127,14 +127,15 @@ void print_walls(const Measures& m) {
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
 }
 
-/// Segment sides by the limit that they reached first and by what opened them; a run of an earlier version tells the latter alone.
+/// Prints segment sides by the limit that they reached first and by the mode that opened them; a run of an earlier version has only the
+/// latter.
 void print_modes(const Json& s) {
   if (s.contains("first_tension")) line("sides reached first", counts(s, "first_"));
   if (!s.contains("tension")) return;
   line("sides opened by", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
 }
 
-/// How far the run has come, and why it came no farther.
+/// Prints the progress of the run, and why it ended early.
 void print_end(const Json& s) {
   if (!s.contains("place")) return line("run", "finished at " + text("%.3f s", s.value("end_time", 0.0)));
   const std::string place = s["place"];
@@ -181,11 +182,11 @@ namespace {
 
 struct SummaryOptions {
   std::string folder;  // of the run, or its run.h5
-  bool json = false;   // one object for programs instead of a table for people
+  bool json = false;   // one JSON object instead of a table
 };
 
-/// What came out of a run, with all measures (measures.h), computed afresh from its frames; so also of a run that goes on, was killed, or
-/// was made by an earlier version of the program. \throw FileError
+/// Prints the results of a run, with all measures (measures.h), computed anew from its frames; thus also for an unfinished run, a killed
+/// one, or one of an earlier version of the program. \throw FileError
 int print_summary(const SummaryOptions& o) {
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const Measures m = measure(run);

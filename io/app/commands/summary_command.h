@@ -8,7 +8,7 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// All that `voussoir summary --format json` says of a run, on one line. \throw FileError
+/// The output of `voussoir summary --format json` for a run, on one line. \throw FileError
 std::string summary_json(const Hdf5File& run);
 
 }  // namespace voussoir::io

@@ -25,12 +25,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSeconds = 12.0;           // wall-clock of one of the three runs, before anything breaks
-constexpr std::int64_t kTrial = 20;         // steps that are timed
+constexpr double kSeconds = 12.0;           // wall-clock time of each of the three runs, before anything breaks
+constexpr std::int64_t kTrial = 20;         // timed steps
 constexpr std::int64_t kMostSteps = 20000;  // steps
 constexpr std::int64_t kLedgerSteps = 10;
 
-/// What all runs of a verification share.
+/// Data common to all runs of a verification.
 struct Setting {
   const cases::Case& value;
   const cases::Model& model;
@@ -51,7 +51,7 @@ void advance(solver::Simulation& sim, solver::RunState& plan, const Setting& s, 
   }
 }
 
-/// The state after all steps; stopped at some, and gone on with from a checkpoint by a new simulation.
+/// The state after all steps; with stops, after each of which a new simulation continues from a checkpoint.
 solver::SavedState outcome(const Setting& s, int threads, const std::set<std::int64_t>& stops) {
   solver::Options options = s.options;
   options.threads = threads;
@@ -72,7 +72,7 @@ solver::SavedState outcome(const Setting& s, int threads, const std::set<std::in
   return solver::save(*sim, plan);
 }
 
-/// Even, and so many that one run takes about kSeconds.
+/// An even number of steps with which one run takes about kSeconds.
 std::int64_t choose_steps(const Setting& s) {
   solver::Options options = s.options;
   options.threads = 1;
@@ -83,7 +83,7 @@ std::int64_t choose_steps(const Setting& s) {
   return 2 * (std::clamp(static_cast<std::int64_t>(kSeconds / (each + 1e-9)), 10 * kTrial, kMostSteps) / 2);
 }
 
-/// Says and returns whether two states are the same.
+/// Prints and returns whether two states are equal.
 bool same(const char* what, const solver::SavedState& a, const solver::SavedState& b) {
   const auto differs = [&](const auto& entry) {
     const auto other = b.find(entry.first);
@@ -112,7 +112,7 @@ int compare_runs(const Setting& s, int threads) {
 int verify(const LoadedCase& c, bool reference_kernels) {
   const cases::Model model = prepared_model(c.value);
   const cases::GroundMotion motion = ground_motion(c.value);
-  // Two threads are worth a look even where one is the default.
+  // At least two threads, even where one is the default.
   const int threads = std::max(2, omp_get_max_threads());
   Setting s{c.value, model, motion, {}, 0};
   s.options.reference_kernels = reference_kernels;

@@ -4,12 +4,12 @@
 
 #include "io/input/case_file/case_file.h"
 
-/// `voussoir run CASE --verify`: the promise of equal bits, tried on the user's own case and machine in about a minute. Writes no results.
+/// `voussoir run CASE --verify`: checks on the user's case and machine, in about a minute, that results have equal bits. Writes no results.
 namespace voussoir::io {
 
-/// Steps a short run (the first half settling, the second shaking) with one thread, with all of them, and with all of them and two stops
-/// with a checkpoint each, and compares the whole state.
-/// \return kDone if all have the same bits; kNumericalFailure if not, or if the numbers go wrong \throw as `run`
+/// Runs a short run (the first half settling, the second shaking) with one thread, with all threads, and with all threads and two stops
+/// with a checkpoint each, and compares the complete states.
+/// \return kDone if all states are equal; kNumericalFailure if not, or after a numerical failure \throw as `run`
 int verify(const LoadedCase& c, bool reference_kernels);
 
 }  // namespace voussoir::io

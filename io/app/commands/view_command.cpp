@@ -27,9 +27,9 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kCoarse = 1e3;  // m, one segment a face
+constexpr double kCoarse = 1e3;  // m, gives one segment per face
 
-/// Elements that a message names: "stone "a" (element 12) overlaps block "b" (element 3) ...".
+/// Elements named in a message: "stone "a" (element 12) overlaps block "b" (element 3) ...".
 std::vector<std::int32_t> elements_in(const std::string& message, std::size_t count) {
   const std::string mark = "(element ";
   std::vector<std::int32_t> found;
@@ -40,7 +40,7 @@ std::vector<std::int32_t> elements_in(const std::string& message, std::size_t co
   return found;
 }
 
-/// The model, or what can be shown of it, and why it is refused.
+/// The model, or the part of it that can be shown, and the reason why it is refused.
 struct ShownModel {
   cases::Case value;
   cases::Model model;
@@ -48,7 +48,7 @@ struct ShownModel {
   std::vector<std::int32_t> at_fault;  // elements
 };
 
-/// Elements of stones, by the tables' places of these.
+/// Elements of faulty stones.
 std::vector<std::int32_t> elements_of(const cases::Model& model, const cases::Case& c, const std::vector<ShownFault>& faults) {
   std::vector<std::int32_t> numbers, found;
   for (const ShownFault& f : faults) {
@@ -63,7 +63,7 @@ std::vector<std::int32_t> elements_of(const cases::Model& model, const cases::Ca
   return found;
 }
 
-/// One line a stone, no more than some.
+/// One line per stone, up to a limit.
 std::string words_of(const std::vector<ShownFault>& faults, const std::string& otherwise) {
   constexpr std::size_t kMost = 6;
   if (faults.empty()) return otherwise;
@@ -72,7 +72,7 @@ std::string words_of(const std::vector<ShownFault>& faults, const std::string& o
   return faults.size() > kMost ? text + "\nand " + std::to_string(faults.size() - kMost) + " more" : text;
 }
 
-/// Stones that are refused stand there as thin plates, which want no fine segments.
+/// The model with refused stones as thin plates, with coarse segments.
 ShownModel with_faults(const LoadedCase& given, const cases::InputError& e) {
   ShownModel s{given.value, {}, given.describe(e), {}};
   const std::vector<ShownFault> faults = load_shown_stones(s.value);
@@ -95,7 +95,7 @@ ShownModel shown_model(const LoadedCase& given) {
   return s;
 }
 
-/// What stands above the model: why it is refused, and all that is likely a slip.
+/// The text above the model: the reason of refusal, and all findings.
 std::string in_page(const std::string& fault, const std::vector<std::string>& findings) {
   std::string text = fault;
   for (const std::string& f : findings) text += (text.empty() ? "" : "\n") + ("warning: " + f);
@@ -122,7 +122,7 @@ int view_command(const LoadedCase& c, const ViewOptions& o) {
   }
   std::vector<std::string> findings = c.findings;
   if (s.fault.empty()) {
-    const LoadedCase used{s.value, c.path, c.keys, {}, {}};  // with its stones
+    const LoadedCase used{s.value, c.path, c.keys, {}, {}};  // including its stones
     const std::vector<std::string> slips = slips_of_model(used, s.model);
     warn_of(slips);
     findings.insert(findings.end(), slips.begin(), slips.end());

@@ -11,14 +11,13 @@ namespace voussoir::io {
 struct ViewOptions {
   std::string output;  // file of the page; empty: CASE.html in the working folder
   bool overwrite = false;
-  std::string still = {};       // a picture, FILE.png, in place of the page; empty: none
+  std::string still = {};       // file of a picture, FILE.png, instead of the page; empty: none
   std::string view = "corner";  // of the picture
 };
 
 /// `voussoir view`: one HTML page of the model before any run, or a picture of it: stones by material, joints by law, supports, a section.
-/// A model that is refused is shown without joints, what is at fault in red, stones that are open, inside out, warped, ... by their
-/// surfaces. Reads the stones of the case where they are not read yet. \throw FileError, cases::InputError of a case whose elements cannot
-/// be shown
+/// A refused model is shown without joints, elements at fault in red, stones that are open, inside out, warped, ... by their surfaces.
+/// Reads the stones of the case if necessary. \throw FileError, cases::InputError of a case whose elements cannot be shown
 int view_command(const LoadedCase& c, const ViewOptions& o);
 
 }  // namespace voussoir::io

@@ -34,7 +34,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// `text` with a backslash before each of `marks`.
+/// `text` with a backslash before each character of `marks`.
 std::string marked(const std::string& text, const std::string& marks) {
   std::string out;
   for (const char c : text) {
@@ -44,7 +44,7 @@ std::string marked(const std::string& text, const std::string& marks) {
   return out;
 }
 
-/// A branch of bash's `case`: the words of a command, and values of options that have a list of them.
+/// A branch of bash's `case`: options of a command, and values of options with choices.
 std::string bash_command(const CommandRow& c) {
   std::vector<std::string> options;
   std::string values;
@@ -59,14 +59,14 @@ std::string bash_command(const CommandRow& c) {
   return text + "      ;;\n";
 }
 
-/// One argument of zsh's _arguments.
+/// An argument of zsh's _arguments.
 std::string zsh_argument(const OptionRow& o) {
   const std::string text = "[" + marked(o.text, "[]") + "]";
   std::string behind;
   if (!o.choices.empty()) {
     behind = ":" + marked(o.value, ":") + ":(" + joined(o.choices) + ")";
   } else if (!o.value.empty()) {
-    behind = ":" + marked(o.value, ":") + ":" + (o.value == "TEXT" ? "_files" : " ");  // a number is the user's own
+    behind = ":" + marked(o.value, ":") + ":" + (o.value == "TEXT" ? "_files" : " ");  // numbers have no completion
   }
   if (o.positional) {
     const std::string what = o.names.front() == "CASE" ? "_voussoir_cases" : "_files";
@@ -77,7 +77,7 @@ std::string zsh_argument(const OptionRow& o) {
   return quoted("(" + joined(o.names) + ")") + "{" + joined(o.names, ",") + "}" + quoted(text + behind);
 }
 
-/// One line of fish.
+/// A line of a fish script.
 std::string fish_option(const CommandRow& c, const OptionRow& o) {
   std::string line = "complete -c voussoir -n " + quoted("__fish_seen_subcommand_from " + c.name);
   for (const std::string& name : o.names) line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);

@@ -6,8 +6,8 @@
 
 #include "io/app/manual/option_table.h"
 
-/// Scripts that let the Tab key complete commands, options, their values and the names of ready cases. Commands and options stand in them;
-/// the cases are asked of the program when the key is pressed.
+/// Scripts for completion by the Tab key of commands, options, their values and the names of ready cases. Scripts contain commands and
+/// options; they get the names of cases from the program when the key is pressed.
 namespace voussoir::io {
 
 std::string bash_completion(const OptionTable& table);

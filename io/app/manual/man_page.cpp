@@ -7,7 +7,7 @@
 namespace voussoir::io {
 namespace {
 
-/// As groff's language wants it: a backslash and a hyphen are escaped, and a line may not begin with its control characters.
+/// Escapes text for groff: backslashes, hyphens, and control characters at the beginning of a line.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -26,7 +26,7 @@ std::string escaped(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
 
-/// What stands behind an option, in the reader's words.
+/// Placeholder for the value of an option.
 std::string value_word(const OptionRow& option) {
   if (option.value == "INT") return "N";
   if (option.value == "FLOAT") return "NUMBER";
@@ -67,7 +67,7 @@ std::string entries(const CommandRow& row, bool positional, const char* title) {
   return text.empty() ? text : ".SH " + std::string(title) + "\n" + text;
 }
 
-/// "example: ..." and what else the help ends with, line by line.
+/// "example: ..." and further lines at the end of the help, line by line.
 std::string footer(const CommandRow& row) {
   if (row.footer.empty()) return "";
   std::string text = ".SH EXAMPLES\n.nf\n";
@@ -80,7 +80,7 @@ std::string footer(const CommandRow& row) {
   return text + ".fi\n";
 }
 
-// The sentences of io/README.md.
+// As in io/README.md.
 constexpr const char* kExitCodes = R"(.SH EXIT STATUS
 .TP
 0

@@ -9,13 +9,13 @@
 /// Manual pages, for `man`: of the program, and of each command.
 namespace voussoir::io {
 
-/// A page and the name of its file: "voussoir.1", "voussoir-run.1".
+/// A manual page with its file name: "voussoir.1", "voussoir-run.1".
 struct ManPage {
   std::string file, text;
 };
 
-/// The page of the program, then those of its commands. The same table gives the same bytes.
-/// \param version  as `voussoir --version` says it
+/// The page of the program, then those of its commands. Equal tables give equal bytes.
+/// \param version  as printed by `voussoir --version`
 std::vector<ManPage> man_pages(const OptionTable& table, const std::string& version);
 
 }  // namespace voussoir::io

@@ -8,7 +8,7 @@
 namespace voussoir::io {
 namespace {
 
-/// What a check of the parser says of itself: "{fast,reference}", "INT in [1 - 1024]", "POSITIVE", "NONNEGATIVE".
+/// Reads a description of a check by the parser: "{fast,reference}", "INT in [1 - 1024]", "POSITIVE", "NONNEGATIVE".
 void read_check(const std::string& check, OptionRow& row) {
   if (check.starts_with("{") && check.ends_with("}")) {
     std::istringstream words(check.substr(1, check.size() - 2));

@@ -9,21 +9,21 @@ namespace CLI {
 class App;
 }
 
-/// The command line as data: what the parser knows, for pages and scripts that describe it. Nothing is written twice.
+/// The command line as data, extracted from the parser, for manual pages and completion scripts.
 namespace voussoir::io {
 
 struct OptionRow {
-  std::vector<std::string> names;    // "-o", "--output"; of a positional its one name, "CASE"
-  std::string value;                 // what stands behind it: TEXT, INT, FLOAT; empty for a flag
-  std::vector<std::string> choices;  // the only values allowed; empty if there is no such list
+  std::vector<std::string> names;    // "-o", "--output"; of a positional "CASE"
+  std::string value;                 // type of its value: TEXT, INT, FLOAT; empty for a flag
+  std::vector<std::string> choices;  // allowed values; empty: not a list
   std::string range;                 // "1 to 1024", "at least 0", "more than 0"; empty if any
-  std::string text;                  // what it does
+  std::string text;                  // description
   bool positional = false, required = false, repeated = false;
 };
 
 struct CommandRow {
   std::string name, text, footer;
-  std::vector<OptionRow> options;  // positionals among them
+  std::vector<OptionRow> options;  // including positionals
 };
 
 struct OptionTable {
@@ -31,10 +31,10 @@ struct OptionTable {
   std::vector<CommandRow> commands;
 };
 
-/// In the order in which --help lists them. \param app  with its commands added
+/// Extracts the table in the order of --help. \param app  with its commands added
 OptionTable option_table(const CLI::App& app);
 
-/// Name of the option by which most know it: "--output"; of a positional "CASE".
+/// The long name of an option: "--output"; of a positional "CASE".
 const std::string& long_name(const OptionRow& option);
 
 }  // namespace voussoir::io

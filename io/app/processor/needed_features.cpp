@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/processor/processor.h"
 
-// Compiled as the rest of the program is, so the compiler's macros say what it may use there. Holds a number and no instructions.
+// Compiled with the options of the rest of the program, so the compiler's macros tell its instruction set. Contains a number and no
+// instructions.
 namespace voussoir::io {
 namespace {
 

@@ -15,12 +15,12 @@ struct Row {
   const char* name;
   Word word;
   unsigned char bit;
-  std::uint32_t saved;  // bits of XCR0 that the system must have set
+  std::uint32_t saved;  // bits of XCR0 that must be set by the system
 };
 
-constexpr std::uint32_t kYmm = 0x6, kZmm = 0xe6;  // XMM and YMM; these, mask registers and ZMM
+constexpr std::uint32_t kYmm = 0x6, kZmm = 0xe6;  // XMM and YMM; these with mask registers and ZMM
 
-// In the order of `Feature`. Intel's manual, volume 2, CPUID; AMD's, volume 3, appendix E.
+// In the order of `Feature`. Sources: Intel's manual, volume 2, CPUID; AMD's, volume 3, appendix E.
 constexpr Row kRows[kFeatures] = {
     {"SSE3", Word::kLeaf1Ecx, 0, 0},         {"SSSE3", Word::kLeaf1Ecx, 9, 0},        {"CMPXCHG16B", Word::kLeaf1Ecx, 13, 0},
     {"SSE4.1", Word::kLeaf1Ecx, 19, 0},      {"SSE4.2", Word::kLeaf1Ecx, 20, 0},      {"POPCNT", Word::kLeaf1Ecx, 23, 0},
@@ -54,7 +54,7 @@ ProcessorWords read_processor() noexcept {
   if (__get_cpuid(1, &a, &b, &c, &d) != 0) words.leaf1_ecx = c;
   if (__get_cpuid_count(7, 0, &a, &b, &c, &d) != 0) words.leaf7_ebx = b;
   if (__get_cpuid(0x80000001U, &a, &b, &c, &d) != 0) words.extended_ecx = c;
-  constexpr std::uint32_t kXgetbv = 1U << 27;  // OSXSAVE: the system has switched XGETBV on
+  constexpr std::uint32_t kXgetbv = 1U << 27;  // OSXSAVE: XGETBV is enabled by the system
   if ((words.leaf1_ecx & kXgetbv) != 0) {
     asm("xgetbv" : "=a"(a), "=d"(d) : "c"(0));
     words.xcr0 = a;

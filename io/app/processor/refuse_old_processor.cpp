@@ -4,8 +4,8 @@
 
 #include "io/app/processor/processor.h"
 
-// Part of the executable, not of a library. .preinit_array runs before the constructors of the program and of its libraries, which are
-// the first that may use newer instructions.
+// Part of the executable, not of a library. .preinit_array runs before the constructors of the program and of its libraries, the first code
+// that may use newer instructions.
 namespace voussoir::io {
 namespace {
 
@@ -15,7 +15,7 @@ void refuse_old_processor() {
   char text[600];
   const std::size_t length = processor_fault(kNeededFeatures, features_of(read_processor()), VOUSSOIR_ARCH, text, sizeof text);
   if (length == 0) return;
-  if (write(STDERR_FILENO, text, length) < 0) _exit(kProcessorTooOld);  // nowhere to say it
+  if (write(STDERR_FILENO, text, length) < 0) _exit(kProcessorTooOld);  // the message cannot be printed
   _exit(kProcessorTooOld);
 }
 

@@ -15,9 +15,9 @@ namespace voussoir::io {
 
 namespace {
 
-constexpr auto kLook = std::chrono::milliseconds{100};  // the system counts in hundredths of a second
+constexpr auto kLook = std::chrono::milliseconds{100};  // the system's clock ticks are hundredths of a second
 
-/// Those on which this thread may run. All count if the system does not say which, as with more than 1,024 processors.
+/// Predicate for the processors on which this thread may run. All count if the system does not tell, as with more than 1,024 processors.
 std::function<bool(int)> usable_processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -34,7 +34,7 @@ ProcessorTimes read_processor_times(std::istream& stat, const std::function<bool
     std::istringstream words(line);
     std::string name;
     words >> name;
-    constexpr std::size_t kName = 3;  // "cpu" alone is the sum of all
+    constexpr std::size_t kName = 3;  // a line "cpu" without a number is the sum of all
     if (!name.starts_with("cpu") || name.size() == kName || !counts(std::atoi(name.c_str() + kName))) continue;
     ++t.processors;
     double ticks = 0.0;
@@ -57,7 +57,7 @@ double idle_processors() {
     std::ifstream file("/proc/stat");
     return read_processor_times(file, counts);
   };
-  // Not by the load of the last minute: the run before this one would count.
+  // Measured, since the system's load average would include an earlier run.
   const ProcessorTimes before = now();
   std::this_thread::sleep_for(kLook);
   return idle_between(before, now());

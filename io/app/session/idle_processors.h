@@ -5,24 +5,24 @@
 #include <functional>
 #include <istream>
 
-/// How many of the processors that this program may use have nothing to do.
+/// Number of idle processors among those that this program may use.
 namespace voussoir::io {
 
-/// Of some processors together, since the machine was started.
+/// Sums over some processors since the start of the machine.
 struct ProcessorTimes {
   double idle = 0.0, all = 0.0;  // ticks
   int processors = 0;
 };
 
-/// \param stat  text of /proc/stat (proc(5))
-/// \param counts  whether a processor is to be counted, by its number
+/// Reads and sums processor times. \param stat  text of /proc/stat (proc(5))
+/// \param counts  whether to include a processor, by its number
 ProcessorTimes read_processor_times(std::istream& stat, const std::function<bool(int)>& counts);
 
-/// Between two readings; 0 if no time has passed.
+/// Number of processors idle between two readings; 0 if no time has passed.
 double idle_between(const ProcessorTimes& before, const ProcessorTimes& after);
 
-/// Looks for a tenth of a second. Processors that the program may not use (a job on a part of a node) do not count; 0 if the system does
-/// not say.
+/// Number of idle processors, measured over a tenth of a second. Processors that the program may not use (a job on a part of a node) are
+/// excluded; 0 if the system gives no times.
 double idle_processors();
 
 }  // namespace voussoir::io

@@ -21,17 +21,17 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kOff = 0.20;                 // of the model's own frequency
-constexpr std::size_t kMostElements = 10000;  // above it modes take minutes
+constexpr double kOff = 0.20;                 // relative difference from the model's frequency
+constexpr std::size_t kMostElements = 10000;  // with more elements modes take minutes
 constexpr std::array kAxes{"x", "y", "z"};
-// Records stronger than that: none is known (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
+// Greater values than in any known record (Iwate-Miyagi 2008, 4,022 cm/s2; Chi-Chi 1999, 3.2 m/s and 9 m).
 constexpr double kMostAcceleration = 45.0, kMostVelocity = 5.0, kMostDisplacement = 15.0;  // m/s2, m/s, m
-constexpr double kMostOfLevel = 0.95;                                                      // of an intensity, that a run reaches at least
-constexpr double kStepsOfPeriod = 10.0;  // of a record, that a period of Sa has at least: with fewer its peaks fall between samples
-constexpr double kWeaker = 0.05;         // of two horizontal components: a geometric mean with so weak a one says little
-constexpr double kMostOfRun = 0.8;       // that a motion shakes at least
+constexpr double kMostOfLevel = 0.95;                                                      // of an intensity: share that a run must reach
+constexpr double kStepsOfPeriod = 10.0;  // least samples in a period of Sa: with fewer, peaks fall between samples
+constexpr double kWeaker = 0.05;         // ratio of two horizontal components below which their geometric mean is meaningless
+constexpr double kMostOfRun = 0.8;       // share of the run that a motion must cover
 
-/// The frequency sets the damping, and the ramp of gravity where that is not given.
+/// Whether the frequency is used: for damping, and for the ramp of gravity without a given length.
 bool frequency_matters(const cases::Case& c) {
   return c.damping.frequency && ((c.damping.ratio > 0.0 && !c.damping.alpha) || (c.gravity.settle && !c.gravity.ramp));
 }
@@ -43,7 +43,7 @@ void look_at_frequency(const cases::Case& c, const cases::Model& model, std::vec
     modes = solver::main_modes(c, model);
     if (modes[0].number == 0 && modes[1].number == 0) modes = solver::main_modes(c, model, solver::DryJoints::closed);
   } catch (const solver::NumericalError&) {
-    return;  // nothing to compare with
+    return;  // no motion to compare with
   }
   std::string own;
   for (const std::size_t axis : {1U, 0U}) {
@@ -57,7 +57,7 @@ void look_at_frequency(const cases::Case& c, const cases::Model& model, std::vec
                 "; damping.frequency = \"auto\" takes that of y");
 }
 
-/// Whether the case's own file, or an override, has this table: what it includes may hold more than it needs.
+/// Whether the table is in the case's own file or an override; included files may contain more than the case needs.
 bool is_own(const LoadedCase& c, const std::string& key) {
   const auto place = c.keys.find(key);
   return place != c.keys.end() && !place->second.included;
@@ -83,7 +83,7 @@ void look_for_unused(const LoadedCase& c, const cases::Model& m, std::vector<std
   }
 }
 
-/// The measure is that of the whole record. A run may end before its peaks, and of two components one may be all but still.
+/// Checks that the run reaches the intensity, which is that of the whole record, and that neither of two components is nearly still.
 void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion, double duration, std::vector<std::string>& out) {
   const bool turned = !std::ranges::any_of(m.xyz, [](const auto& file) { return file.has_value(); });
   const auto component = [&](char letter, std::size_t axis) { return motion.axis[turned ? m.direction.find(letter) : axis]; };
@@ -107,7 +107,7 @@ void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion
 }
 
 void look_at_motion(const cases::Case& c, const cases::GroundMotion& motion, std::vector<std::string>& out) {
-  if (is_assessment(c.analysis)) return;  // it leaves the motion out
+  if (is_assessment(c.analysis)) return;  // an assessment does not use the motion
   if (c.motion && c.motion->intensity) look_at_intensity(*c.motion, motion, c.time.duration, out);
   double end = 0.0;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
@@ -124,7 +124,7 @@ void look_at_motion(const cases::Case& c, const cases::GroundMotion& motion, std
                   four_digits(c.time.duration) + " s");
 }
 
-/// Points that lie far off what they are a point of, as those of another unit do.
+/// Finds points far off their element, as from a wrong unit.
 void look_at_points(const LoadedCase& c, const cases::Model& m, std::vector<std::string>& out) {
   const auto tell = [&](const std::string& key, std::size_t element, Vec3 point) {
     const auto [low, high] = geometry::bounds(m.blocks[element].shape);
@@ -152,7 +152,7 @@ std::string four_digits(double v) {
   return text.data();
 }
 
-/// "8.015 Hz (mode 1, 75.1 % of the mass in y)"
+/// A mode in words: "8.015 Hz (mode 1, 75.1 % of the mass in y)".
 std::string mode_words(const solver::MainMode& m, std::size_t axis) {
   std::array<char, 80> text{};
   std::snprintf(text.data(), text.size(), "%s Hz (mode %d, %.1f %% of the mass in %s)", four_digits(m.frequency).c_str(), m.number,

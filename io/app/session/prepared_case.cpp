@@ -27,7 +27,7 @@ void fill_own_frequency(cases::Case& c) {
   if (!c.damping.own_frequency || c.damping.frequency) return;
   const cases::Model model = prepared_model(c);
   solver::MainMode mode = solver::main_modes(c, model)[1];
-  // Beams that lie on walls by friction alone have six still modes each: then their weight is taken to hold them.
+  // Beams held on walls by friction only have six modes of zero frequency each; in that case their joints count as held by weight.
   const bool held = mode.number == 0;
   if (held) mode = solver::main_modes(c, model, solver::DryJoints::closed)[1];
   if (mode.number == 0)

@@ -6,18 +6,18 @@
 #include "cases/motion.h"
 #include "io/input/case_file/case_file.h"
 
-/// Between the case as it was read and what a command does with it: what cannot be told before the model is built.
+/// Preparation of a case for a command: checks that need the model.
 namespace voussoir::io {
 
-/// cases::build_model on all threads that the program uses (use_threads).
+/// cases::build_model on all threads of the program (use_threads).
 cases::Model build_on_all_threads(const cases::Case& c);
 
-/// The model of a case, with the motions of its supports. Refuses followed points outside of it.
+/// The model of a case, with the motions of its supports. Refuses followed points outside the model.
 /// \throw cases::InputError, FileError
 cases::Model prepared_model(const cases::Case& c);
 
-/// Puts a number in place of damping.frequency = "auto": the frequency of the mode with the largest mass in y, to four digits, so that the
-/// case as used says it. Tells which mode on standard error. \throw cases::InputError if no mode moves the building along y
+/// Replaces damping.frequency = "auto" by the frequency of the mode with the largest mass in y, to four digits, so that the resolved case
+/// contains it. Reports the mode on standard error. \throw cases::InputError if no mode moves the building along y
 void fill_own_frequency(cases::Case& c);
 
 }  // namespace voussoir::io

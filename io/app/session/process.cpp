@@ -15,7 +15,7 @@
 namespace voussoir::io {
 namespace {
 
-/// A long run that is not at its end has its rows in many files, and a dataset over them holds each open.
+/// Raises the limit of open files: the rows of a long unfinished run are in many files, and a virtual dataset holds each of them open.
 void open_many_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -30,7 +30,7 @@ std::terminate_handler handler_before = nullptr;
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
   } catch (const std::bad_alloc& e) {
     std::_Exit(end_unexpectedly(e));
-  } catch (...) {  // a fault of the program: as without this handler, with its core dump
+  } catch (...) {  // a fault of the program: end as without this handler, with a core dump
   }
   handler_before();
   std::abort();

@@ -4,17 +4,17 @@
 
 #include <exception>
 
-/// What is set up before a command runs, and how the program ends.
+/// Set-up of the process before a command, and its end.
 namespace voussoir::io {
 
-/// Many files may be open at once. A file at the size limit is an error like a full disk, not a signal. Running out of memory within a team
-/// of threads, where no handler is reached, ends the program as elsewhere: with a message and an exit code.
+/// Raises the limit of open files. Makes a file at the size limit an error like a full disk instead of a signal. Makes the program end with
+/// a message and an exit code when memory runs out within a team of threads, where no handler is reached.
 void prepare_process();
 
-/// \return the exit code; that of a file that cannot be written if standard output has been lost, as on a full disk
+/// \return `code`, or that of a file fault if standard output has been lost, as on a full disk
 int code_after_output(int code);
 
-/// Prints an exception that nothing else handles. \return the exit code
+/// Prints an otherwise unhandled exception. \return the exit code
 int end_unexpectedly(const std::exception& e);
 
 }  // namespace voussoir::io

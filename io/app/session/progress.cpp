@@ -24,7 +24,7 @@ void RateEstimate::update(double time, std::int64_t step, double wall) {
     steps_ = steps_ * keep + static_cast<double>(step - last_step_);
     wall_ = wall_ * keep + (wall - last_wall_);
   }
-  if (started_ && wall <= last_wall_) return;  // their progress counts with the next moment
+  if (started_ && wall <= last_wall_) return;  // without time between, progress counts at the next update
   started_ = true;
   last_time_ = time;
   last_step_ = step;
@@ -73,7 +73,7 @@ void Progress::update(const ProgressState& state, double wall_seconds) {
   rate_.update(state.time, state.step, wall_seconds);
   state_ = state;
   pending_ = true;
-  if (!last_line_) last_line_ = wall_seconds;  // the first line waits for a speed
+  if (!last_line_) last_line_ = wall_seconds;  // the first line waits until a speed is known
   if (wall_seconds - *last_line_ < interval_) return;
   last_line_ = wall_seconds;
   write(false);
@@ -87,7 +87,7 @@ void Progress::finish() {
 void Progress::write(bool last) {
   const bool terminal = mode_ == Mode::terminal;
   const std::string line = format_progress(state_, rate_.steps_per_second(), rate_.seconds_left(state_.end_time));
-  // Back to the first column without wrapping, and clear what a longer line before left.
+  // Return to the first column without wrapping, and erase the rest of a longer line.
   if (terminal)
     *out_ << "\r\x1b[?7l" << line << "\x1b[K\x1b[?7h" << (last ? "\n" : "");
   else

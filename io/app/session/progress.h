@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-/// How far a run has come, for people who wait for it.
+/// Progress of a run for the user.
 namespace voussoir::io {
 
 struct ProgressState {
@@ -15,20 +15,20 @@ struct ProgressState {
   double end_time = 0;  // s
   bool settling = false;
   std::int64_t step = 0;
-  std::int64_t broken = 0;  // segments
-  double residual = 0;      // of the energy balance, a ratio
+  std::int64_t broken = 0;  // number of broken segments
+  double residual = 0;      // relative residual of the energy balance
 };
 
-/// Speed of the run over the last ten seconds or so. It changes during a collapse, so the past is forgotten.
+/// Speed of the run over about the last ten seconds, with decaying memory since it changes during a collapse.
 class RateEstimate {
  public:
-  /// \param memory  wall-clock seconds after which a measurement counts 1/e
+  /// \param memory  s of wall-clock time after which the weight of a measurement is 1/e
   explicit RateEstimate(double memory = 10.0) : memory_(memory) {}
-  /// \param wall  wall-clock, s, not falling
+  /// \param wall  wall-clock time [s], not decreasing
   void update(double time, std::int64_t step, double wall);
-  /// Steps a second of wall-clock; 0 while unknown.
+  /// Steps per second of wall-clock time; 0 while unknown.
   [[nodiscard]] double steps_per_second() const noexcept { return wall_ > 0 ? steps_ / wall_ : 0.0; }
-  /// Wall-clock until `end_time` at this speed, s; absent while unknown.
+  /// Wall-clock time until `end_time` at this speed [s]; absent while unknown.
   [[nodiscard]] std::optional<double> seconds_left(double end_time) const noexcept;
 
  private:
@@ -39,28 +39,28 @@ class RateEstimate {
   double simulated_ = 0, steps_ = 0, wall_ = 0;  // decaying sums
 };
 
-/// 1234567 as 1,234,567.
+/// Formats 1234567 as 1,234,567.
 std::string format_count(std::int64_t n);
 /// A duration to two units: "42 s", "3 min 20 s", "2 h 05 min", "3 d 04 h". Below a second "0 s".
 std::string format_duration(double seconds);
-/// The line without its end: "3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  residual 1.2e-06".
+/// The line of progress without line end: "3.214 of 10 s 12,345 steps/s 2 min 10 s left 1,234 broken residual 1.2e-06".
 std::string format_progress(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left);
 
-/// Writes the progress of one run to a stream: on a terminal one line that is written over, elsewhere a line every so often.
+/// Writes the progress of one run to a stream: on a terminal one line that is overwritten, elsewhere a line at intervals.
 class Progress {
  public:
   enum class Mode { terminal, log, quiet };
 
-  /// What suits a file descriptor (2: standard error).
+  /// The suitable mode for a file descriptor (2: standard error).
   static Mode mode_for(int descriptor, bool quiet);
 
-  /// \param log_interval  s of wall-clock between two lines in a log; a terminal gets five a second
+  /// \param log_interval  s of wall-clock time between two lines in a log; a terminal gets five lines per second
   Progress(std::ostream& out, Mode mode, double log_interval = 10.0)
       : out_(&out), mode_(mode), interval_(mode == Mode::log ? log_interval : 0.2) {}
 
-  /// Cheap: to be called as often as convenient. \param wall_seconds  wall-clock since any fixed moment, s
+  /// Updates the line if it is due; cheap, so it may be called often. \param wall_seconds  wall-clock time since any fixed moment [s]
   void update(const ProgressState& state, double wall_seconds);
-  /// Leaves the last state given as a complete line. A second call does nothing.
+  /// Writes the last state as a complete line. A second call has no effect.
   void finish();
 
  private:
@@ -72,7 +72,7 @@ class Progress {
   RateEstimate rate_;
   ProgressState state_;
   std::optional<double> last_line_;  // wall-clock, s
-  bool pending_ = false;             // the last state is not written, or its line not ended
+  bool pending_ = false;             // the last state is not written, or its line has no end
 };
 
 }  // namespace voussoir::io

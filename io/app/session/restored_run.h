@@ -10,7 +10,7 @@
 
 namespace voussoir::io {
 
-/// A run as it stood at a checkpoint. Pinned: the simulation refers to the case and the model.
+/// A run restored from a checkpoint. Not movable, since the simulation refers to the case and the model.
 struct RestoredRun {
   std::string path;  // of the checkpoint, for messages
   CheckpointFacts facts;
@@ -24,10 +24,10 @@ struct RestoredRun {
   RestoredRun& operator=(const RestoredRun&) = delete;
 };
 
-/// Builds the case that a checkpoint holds and brings it to the state of the checkpoint. Warns if another build of the program wrote it.
-/// \param value    the checkpoint's case, as read_case gives it; its duration may have been changed
+/// Builds the case of a checkpoint and restores the state. Warns if another build of the program wrote the checkpoint.
+/// \param value  the checkpoint's case, from read_case; its duration may have been changed
 /// \param options  of the simulation; kernels and step are those of the checkpoint
-/// \throw FileError if it is of a model that this program builds differently, or holds what no state can
+/// \throw FileError if this program builds another model from the case, or if the checkpoint's data are no valid state
 std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint checkpoint, cases::Case value, solver::Options options);
 
 }  // namespace voussoir::io

@@ -26,7 +26,7 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 volatile std::sig_atomic_t save_signal = 0;
 
-/// Asks the run to save, or to save and stop, as long as it lives.
+/// Handles signals as requests to save, or to save and stop, during its lifetime.
 class Signals {
  public:
   Signals() {
@@ -66,7 +66,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
 
-/// Wall-clock by stage, of the stages that take any.
+/// Prints wall-clock times of the stages that took any.
 void print_stages(const solver::StageTimes& times) {
   double total = 0.0;
   for (const double t : times) total += t;
@@ -77,7 +77,7 @@ void print_stages(const solver::StageTimes& times) {
   std::printf("\n");
 }
 
-/// Results without measures are results: `voussoir summary` takes them afresh.
+/// Computes the measures. On failure only warns: results are valid without measures, and `voussoir summary` computes them anew.
 void take_measures(ResultsWriter& results) {
   try {
     results.measure();
@@ -86,7 +86,7 @@ void take_measures(ResultsWriter& results) {
   }
 }
 
-/// Writes what a failed run leaves; if that fails, warns of what is lost. \return whether it was written
+/// Writes an output of a failed run; if that fails, warns of the loss. \return whether it was written
 template <class Write>
 bool try_to(const Write& write, const char* lost) {
   try {
@@ -98,14 +98,14 @@ bool try_to(const Write& write, const char* lost) {
   }
 }
 
-/// What a failed run has computed counts up to the failure. \pre its rows are written
+/// Computes the measures of a failed run up to the failure. \pre its rows are written
 void measure_failed(ResultsWriter& results) {
   take_measures(results);
   if (!try_to([&] { results.flush(); }, "the measures are not in the results")) return;
   if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
 }
 
-/// The observer of one run: progress, signals, checkpoints.
+/// Observer of one run: progress, signals, checkpoints.
 class Watch {
  public:
   Watch(solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints, LivePage page, bool quiet)
@@ -116,7 +116,7 @@ class Watch {
         page_(std::move(page)),
         progress_(std::cerr, Progress::mode_for(2, quiet)) {}
 
-  /// \return false to stop
+  /// Called after each step. \return false to stop
   bool look(const solver::RunStatus& s) {
     const double now = wall();
     progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual}, now);
@@ -133,7 +133,7 @@ class Watch {
     return !stop;
   }
 
-  /// \param must  failing to write it is an error, not a warning
+  /// \param must  failure is an error, not a warning
   void save(bool must) {
     results_.flush();
     try {
@@ -148,7 +148,7 @@ class Watch {
 
   void finish() { progress_.finish(); }
 
-  /// Once, when the shaking begins.
+  /// Warns once, when the shaking begins.
   void warn_of_settling() {
     const std::string text = settling_warning(sim_.world(), plan_);
     if (text.empty()) return;
@@ -156,14 +156,14 @@ class Watch {
     std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str());
   }
 
-  /// What safety cost.
+  /// Prints the time spent on checkpoints.
   void print_checkpoints() const {
     std::printf("checkpoints          %d, with the rows before them %.2f s (%.2f %% of %.1f s)\n", saves_, saving_,
                 100.0 * saving_ / wall(), wall());
   }
 
  private:
-  /// s since the start
+  /// Wall-clock time since the start [s].
   [[nodiscard]] double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   solver::Simulation& sim_;
@@ -174,7 +174,7 @@ class Watch {
   Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool saved_ = false, settling_ = false;
-  int saves_ = 0;        // also those that failed
+  int saves_ = 0;        // including failed ones
   double saving_ = 0.0;  // s
 };
 
@@ -228,10 +228,10 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     watch.finish();
     const std::uint64_t hash = solver::state_hash(sim.world());
     results.state_hash(hash);
-    if (r.stopped) {  // measures of a large run take long: what is known is on disk before, and another signal ends the program
+    if (r.stopped) {  // measures of a large run take long: results are on disk before, and a further signal ends the program
       results.flush();
       signals.reset();
-      std::signal(SIGUSR1, SIG_IGN);  // there is nothing more to save
+      std::signal(SIGUSR1, SIG_IGN);  // nothing more to save
     }
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());

@@ -9,10 +9,10 @@
 #include "io/output/results/results.h"
 #include "solver/run/run.h"
 
-/// What a new run and a resumed one have in common: the time between "everything is ready" and the exit code.
+/// Common part of new and resumed runs: from the completed set-up to the exit code.
 namespace voussoir::io {
 
-/// What a checkpoint of this run says beside the state. \param toml  the resolved case
+/// Facts for the checkpoints of a run, beside the state. \param toml  the resolved case
 CheckpointFacts facts_of(const solver::Simulation& sim, const std::string& toml, const cases::GroundMotion& motion, bool reference_kernels);
 
 /// Names of the followed elements, in order.
@@ -20,14 +20,15 @@ std::vector<std::string> history_names(const cases::Case& c);
 /// Names of the cuts of a case, in order.
 std::vector<std::string> cut_names(const cases::Case& c);
 
-/// Of a run whose files cannot be written: tells whether `resume` goes on once they can, or the case is to be run anew.
+/// For a run whose files could not be written: prints whether `resume` can continue it later, or the case must be run again.
 void print_way_on(const std::string& folder);
 
-/// Runs, or goes on from `plan`, to the end of the case; tells people how it goes and what came out.
+/// Runs, or continues from `plan`, to the end of the case; prints progress and results.
 ///
-/// Checkpoints are written as scheduled and on signals: SIGUSR1 saves and goes on, SIGINT and SIGTERM save and stop. A checkpoint that
-/// cannot be written, but for the first and that of a stop, is a warning. \param page_every  see LivePage \return kDone, kNumericalFailure,
-/// or 128 + the signal that stopped it \throw FileError if results cannot be written
+/// Checkpoints are written as scheduled and on signals: SIGUSR1 saves and continues, SIGINT and SIGTERM save and stop. Failure to write a
+/// checkpoint is a warning, except for the first one and that of a stop.
+/// \param page_every  see LivePage
+/// \return kDone, kNumericalFailure, or 128 + the signal that stopped it \throw FileError if results cannot be written
 int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every = 0);
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr const char* kQuiet = "10000";  // turns
 constexpr const char* kBusy = "100";
-constexpr double kAtWork = 0.3;  // of one processor's time, on a quiet machine, whatever it has
+constexpr double kAtWork = 0.3;  // of one processor: load of a quiet machine
 
-// With OMP_PROC_BIND, OMP_PLACES or GOMP_CPU_AFFINITY the runtime has bound this thread to one place by now. The program that takes over
-// would inherit that, and find one processor for all its threads.
+// With OMP_PROC_BIND, OMP_PLACES or GOMP_CPU_AFFINITY the runtime has bound this thread to one place already. The restarted program would
+// inherit that, and find one processor for all its threads.
 void unbind() {
   int most = 0;
   std::vector<int> processors;
@@ -54,7 +54,7 @@ void let_threads_sleep(char** argv, int threads, bool watch) {
   setenv("KMP_BLOCKTIME", "0", 1);
   std::error_code none;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe", none).string();
-  execv(self.c_str(), argv);  // returns only if it could not
+  execv(self.c_str(), argv);  // returns only on failure
 }
 
 void use_threads(int threads) {

@@ -13,7 +13,7 @@ namespace voussoir::io {
 
 namespace {
 
-constexpr std::size_t kMostLines = 10;  // of single ties: a mesh has thousands
+constexpr std::size_t kMostLines = 10;  // single ties that are printed: a mesh has thousands
 
 void print_rest(std::size_t all) {
   if (all > kMostLines) std::printf("%20s ... and %zu more\n", "", all - kMostLines);

@@ -18,10 +18,10 @@
 namespace voussoir::io {
 namespace {
 
-/// A path given on the command line starts at the working folder, not at the case's.
+/// Makes a path of the command line absolute, since it starts at the working folder, not at the case's.
 std::string from_here(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
-/// A record or files on the command line take the place of those that the case names (apply_overrides).
+/// Overrides for a record or files of the command line, which replace those of the case (apply_overrides).
 std::vector<std::string> motion_overrides(const CaseWords& w) {
   std::vector<std::string> given;
   const auto give = [&](const std::string& key, const std::string& value) { given.push_back("motion." + key + "=" + toml_string(value)); };

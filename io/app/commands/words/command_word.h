@@ -10,7 +10,7 @@ class App;
 
 namespace voussoir::io {
 
-/// Refuses a first word that is neither a command nor an option, and names the command that it may be. \throw cases::InputError
+/// Refuses a first word that is neither a command nor an option, and suggests the most similar command. \throw cases::InputError
 void check_command_word(const CLI::App& app, const std::string& word);
 
 }  // namespace voussoir::io

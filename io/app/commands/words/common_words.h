@@ -9,19 +9,19 @@ namespace CLI {
 class App;
 }
 
-/// Options that several commands have.
+/// Options common to several commands.
 namespace voussoir::io {
 
-/// -j, --threads. \param threads  stays as it is without the option
+/// Adds -j, --threads. \param threads  unchanged without the option
 void add_threads(CLI::App& command, int& threads);
 
-/// --format text|json.
+/// Adds --format text|json.
 void add_format(CLI::App& command, bool& json);
 
-/// --checkpoint-every, --checkpoint-simulated.
+/// Adds --checkpoint-every, --checkpoint-simulated.
 void add_checkpoints(CLI::App& command, CheckpointSchedule& schedule);
 
-/// --report, --report-every, --paraview: what is written at the end of a run.
+/// Adds --report, --report-every, --paraview: output at the end of a run.
 void add_views(CLI::App& command, Views& views);
 
 }  // namespace voussoir::io

@@ -8,7 +8,7 @@ class Validator;
 
 namespace voussoir::io {
 
-/// For an option that is a number from `low` to `high`. CLI::Range lets NaN pass.
+/// Validator for a number from `low` to `high`. Refuses NaN, which CLI::Range accepts.
 CLI::Validator number_range(double low, double high);
 
 }  // namespace voussoir::io
