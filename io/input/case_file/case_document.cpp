@@ -43,7 +43,7 @@ bool is_path(const std::string& name) { return name.find('/') != std::string::np
 
 CaseText text_of(const CatalogueEntry& entry) { return {entry.path, entry.text, entry.folder, entry.built_in}; }
 
-/// Collects the files of one case.
+/// Reads a case and the files that it includes.
 class Reader {
  public:
   Node read(const CaseText& text) {
@@ -83,12 +83,12 @@ class Reader {
     }
   }
 
-  /// Files that an included case names lie beside it, not beside the one that includes it.
+  /// Makes paths in an included case relative to its own folder, not to that of the including case.
   static void find_files_from(Node& document, const std::string& folder) {
     for_each_path(document, [&](std::string& path) { path = fs::absolute(fs::path(folder) / path).lexically_normal().string(); });
   }
 
-  /// Takes `include` out of a document and reads what it names.
+  /// Removes `include` from a document and reads the included files.
   Node included(const CaseText& text, Node::Table& document) {
     Node whole{Node::Table{}, {1, 1, -1}};
     Entry* include = find_entry(document, "include");
@@ -113,7 +113,7 @@ class Reader {
     return whole;
   }
 
-  /// "parts/mesh.toml", unless the folder of the including case has a file of that name.
+  /// The built-in text "parts/mesh.toml", unless the folder of the including case has a file of that name.
   static std::optional<CatalogueEntry> ready_part(const CaseText& from, const std::string& name) {
     std::error_code none;
     if (!name.starts_with("parts/") || fs::exists(fs::path(from.folder) / name, none)) return std::nullopt;
@@ -139,7 +139,7 @@ class Reader {
     }
   }
 
-  /// Takes from `under` the source of a motion if `top` names another.
+  /// Removes the source of a motion from `under` if `top` gives another.
   static void make_way(const Node& top, Node& under) {
     const Entry* from = find_entry(*top.as<Node::Table>(), "motion");
     Entry* to = find_entry(*under.as<Node::Table>(), "motion");
@@ -153,7 +153,7 @@ class Reader {
     }
   }
 
-  /// Lays `top` over `under`.
+  /// Merges `top` into `under`, with precedence.
   static void lay_over(Node top, Node& under) {
     auto* from = top.as<Node::Table>();
     auto* to = under.as<Node::Table>();
@@ -166,7 +166,7 @@ class Reader {
       if (Entry* known = find_entry(*to, entry.name)) {
         const auto* array = entry.node.as<Node::Array>();
         if (array != nullptr && array->empty() && known->node.as<Node::Array>() == nullptr) {
-          known->node = {Node::Removed{}, entry.node.source};  // `key = []` takes away what was included, be it no array
+          known->node = {Node::Removed{}, entry.node.source};  // `key = []` removes the included value, even if it is no array
         } else {
           lay_over(std::move(entry.node), known->node);
         }
@@ -177,7 +177,7 @@ class Reader {
   }
 
   std::vector<std::string> files_;
-  std::vector<std::string> open_;  // files that are being read, each included by the one before
+  std::vector<std::string> open_;  // files being read, each included by the one before
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string comment_of(const KeyInfo& info, bool with_shape) {
   return joined(parts, "; ");
 }
 
-/// Text in a cell of a Markdown table.
+/// Escapes text for a cell of a Markdown table.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) out += std::string(c == '|' || c == '<' ? "\\" : "") + c;

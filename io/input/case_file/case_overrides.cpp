@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kDeepest = 64;
 
-/// One step of a path: a name, or an index in brackets.
+/// A step of a path: a name, or an index in brackets.
 struct Step {
   std::string name;
   bool bracket = false;
@@ -39,7 +39,7 @@ std::optional<std::size_t> as_index(const std::string& text) {
   return index;
 }
 
-/// Reads a name, plain or in quotes, or an index in brackets; `at` moves past it.
+/// Reads a name, plain or in quotes, or an index in brackets; `at` is moved past it.
 Step read_step(const Override& o, std::size_t& at, bool first) {
   const auto until = [&](std::size_t from, char close) {
     const std::size_t end = o.text.find(close, from);
@@ -82,7 +82,7 @@ Override parse_override(const std::string& text, int index) {
   return o;
 }
 
-/// A node below `node`, made if it is missing. nullptr: missing, and nothing is to be made.
+/// A child of `node`. If it is missing, it is created if `make`, else nullptr is returned.
 Node* step_into(Node& node, const Override& o, std::size_t depth, bool make) {
   const Step& step = o.path[depth];
   if (node.removed()) node.value = step.bracket ? decltype(node.value){Node::Array{}} : decltype(node.value){Node::Table{}};
@@ -103,7 +103,7 @@ Node* step_into(Node& node, const Override& o, std::size_t depth, bool make) {
   return &table->back().node;
 }
 
-// A key taken away stays as a marker, so that a misspelt name is still found out when the tables are read.
+// A removed key remains as a marker, so that a misspelt name is still detected when the tables are read.
 void remove(Node& document, const Override& o) {
   Node* node = &document;
   for (std::size_t depth = 0; depth + 1 < o.path.size(); ++depth) {
@@ -133,7 +133,7 @@ void set_source(Node& node, Source source) {
   }
 }
 
-/// A source of the motion that an override names takes the place of the one that the case names, as a later file does over an included one.
+/// Removes the sources of motion that conflict with the source of an override, as a later file does for an included one.
 void make_way(Node& document, const Override& o) {
   if (o.path.size() != 2 || o.path[0].name != "motion" || o.path[1].bracket || o.value.empty()) return;
   Entry* motion = find_entry(*document.as<Node::Table>(), "motion");
@@ -142,7 +142,7 @@ void make_way(Node& document, const Override& o) {
   for (const std::string_view other : give_way_to(o.path[1].name)) std::erase_if(*keys, [&](const Entry& e) { return e.name == other; });
 }
 
-/// The tables of an array that an override takes away, with their names if they have any; empty: it takes away no such array.
+/// The tables of an array that an override removes, with their names if they have any; empty if it removes no such array.
 std::string tables_in(const Node& document, const Override& o) {
   const Node* node = &document;
   for (const Step& step : o.path) {
@@ -172,7 +172,7 @@ std::vector<std::string> apply_overrides(Node& document, const std::vector<std::
     all.push_back(parse_override(overrides[i], static_cast<int>(i)));
     if (!is_utf8(all.back().text)) all.back().refuse("is not in UTF-8");
   }
-  for (const Override& o : all) make_way(document, o);  // before any is set: two of them may still contradict each other
+  for (const Override& o : all) make_way(document, o);  // before any is set, since two overrides may still contradict each other
   for (const Override& o : all) {
     if (o.value.empty()) {
       const std::string gone = tables_in(document, o);

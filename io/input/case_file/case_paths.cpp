@@ -27,7 +27,7 @@ void of_motion(Case& c, Files files, std::size_t axis, const Change& change) {
   if (c.motion) change_if(std::invoke(files, *c.motion)[axis], change);
 }
 
-/// A key that holds a path: its name in a document (in an array of tables, of each of them), and its place in a case.
+/// A key with a path: its name in a document (in an array of tables, for each of them), and its member in a case.
 struct PathKey {
   std::string_view key;
   void (*in_case)(Case&, const PathChange&);

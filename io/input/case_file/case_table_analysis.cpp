@@ -11,7 +11,7 @@ namespace {
 
 using namespace cases;
 
-/// A resolved case has every key, with its default where it says nothing.
+/// Checks keys against the kind of the analysis. Default values are accepted, since a resolved case has every key.
 void check_own_keys(const Analysis& s, const RuleCheck& check) {
   const Analysis plain;
   const auto only = [&](const char* key, bool said, bool goes, const char* with) {
@@ -88,7 +88,7 @@ Table<Analysis> analysis_table() {
 
 namespace {
 
-/// A fixed block or a part of the base has a motion.
+/// Whether a fixed block or a part of the base has a motion.
 bool a_support_moves(const Case& c) {
   const auto moves = [](const auto& support) { return support.motion.has_value(); };
   return std::ranges::any_of(c.blocks, moves) || (c.base && std::ranges::any_of(c.base->parts, moves));

@@ -67,7 +67,7 @@ void check_block(const BlockSpec& s, const RuleCheck& check) {
   if (s.fixed && s.angular_velocity != Vec3{}) check.fault("angular_velocity", "does not go with fixed = true");
 }
 
-/// One factor for all, or one for each of L, T, V.
+/// Key `scale`: one factor for all components, or one each for L, T, V.
 Key<Motion> scale_key() {
   Key<Motion> key = value<Motion>("scale", &Motion::scale, "", any().usually(usual::kFactor),
                                   "factor of the motion, or one each for L, T, V (for x, y, z if files are given so)");
@@ -82,7 +82,7 @@ Key<Motion> scale_key() {
   return key;
 }
 
-/// One length for both ends, or one each.
+/// Key `taper`: one length for both ends, or one each.
 Key<Motion> taper_key() {
   Key<Motion> key = value<Motion>(
       "taper", [](auto& motion) -> auto& { return motion.treatment.taper; }, "s", at_least(0.0),
@@ -98,7 +98,7 @@ Key<Motion> taper_key() {
   return key;
 }
 
-/// A file of one axis; the array is Motion::xyz or Motion::ltv.
+/// Key for a file of one axis; the array is Motion::xyz or Motion::ltv.
 template <class Files>
 Key<Motion> file_key(const char* name, Files files, std::size_t axis, const char* sentence) {
   return value<Motion>(

@@ -24,7 +24,7 @@ Table<HouseWood> wood_table() {
       nullptr};
 }
 
-/// Keys that belong to some kinds of roof: what a file sets beside another kind is likely a slip.
+/// Reports keys of other kinds of roof than the given one as probable mistakes.
 void check_roof_keys(const Roof& s, const RuleCheck& check) {
   using K = RoofKind;
   const Roof none;

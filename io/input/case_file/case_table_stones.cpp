@@ -7,7 +7,7 @@ namespace {
 
 using namespace cases;
 
-/// A number: degrees about z; or a table.
+/// Key `turn`: a number of degrees about z, or a table.
 Key<StonesSpec> turn_key() {
   using S = StoneTurn;
   const Table<S> turn{"turns the stones about an axis, before they are moved by place; a number: degrees about the file's z axis",
@@ -27,7 +27,7 @@ Key<StonesSpec> turn_key() {
   return key;
 }
 
-/// A word, a level, or names.
+/// Key `supports`: a word, a level, or names.
 Key<StonesSpec> supports_key() {
   Key<StonesSpec> key;
   key.info = {"supports",

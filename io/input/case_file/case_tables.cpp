@@ -40,7 +40,7 @@ Table<Time> time_table() {
           nullptr};
 }
 
-/// A frequency in Hz, or "auto" for the model's own.
+/// Key `frequency`: a number in Hz, or "auto" for the model's own frequency.
 Key<Damping> frequency_key() {
   Key<Damping> key = value<Damping>("frequency", &Damping::frequency, "Hz", above(0.0).usually(usual::kFrequency),
                                     "where the ratio holds: the natural frequency; auto: of the mode with the largest mass in y, computed "
@@ -97,7 +97,7 @@ void check_softening(const JointLaw& s, const RuleCheck& check) {
   if (s.fracture_energy_shear > 0.0 && s.cohesion <= 0.0)
     check.fault("fracture_energy_shear", "does not go with cohesion = 0; allowed: 0, or with a cohesion above 0 Pa");
   const bool softens = s.fracture_energy_tension > 0.0 || s.fracture_energy_shear > 0.0;
-  // A resolved case gives every key: the default says nothing.
+  // Default values are accepted, since a resolved case has every key.
   if (s.softening != SofteningCurve::exponential && !softens)
     check.fault("softening", "needs fracture_energy_tension or fracture_energy_shear (J/m2, > 0)");
   if (s.dilatancy > 0.0 && s.fracture_energy_shear <= 0.0)

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kParts = "parts/";  // what is included, and no case by itself
+constexpr std::string_view kParts = "parts/";  // folder of texts that are only included, and are no cases
 
 std::string title_of(const std::string& text) {
   try {

@@ -19,7 +19,7 @@ bool is_included(const LoadedCase& c, const std::string& key) {
   return it != c.keys.end() && it->second.included;
 }
 
-/// "house.opening (2)"
+/// A key with a number of entries: "house.opening (2)".
 std::string counted(const char* key, std::size_t n) { return std::string(key) + " (" + std::to_string(n) + ")"; }
 
 std::vector<std::string> of_another_house(const LoadedCase& c) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 cases::Case anchored(cases::Case value) {
   for_each_path(value, [&](std::string& path) {
-    std::error_code error;  // canonical: as the system sees it, through links; a FILE#COMPONENT does not exist, and stays at the end
+    std::error_code error;  // weakly_canonical follows links, and keeps a last part that does not exist, as in FILE#COMPONENT
     const std::string whole = fs::weakly_canonical(fs::absolute(fs::path(value.folder) / path), error).string();
     if (!error && is_utf8(whole)) path = whole;
   });

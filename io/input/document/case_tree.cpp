@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostDots = 64;
 
-/// Line and column of an offset, from 1.
+/// A syntax error at an offset, with line and column from 1.
 SyntaxError syntax_error_at(std::string_view text, std::size_t offset, const std::string& reason) {
   const std::string_view before = text.substr(0, offset);
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -24,7 +24,7 @@ SyntaxError syntax_error_at(std::string_view text, std::size_t offset, const std
   return {reason, static_cast<int>(line), static_cast<int>(column)};
 }
 
-/// The offset after the string that starts at `at`, or of its end of text.
+/// The offset after the string that starts at `at`, or the end of the text.
 std::size_t after_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool triple = text.substr(at, 3) == std::string(3, quote);
@@ -39,7 +39,7 @@ std::size_t after_string(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-// The parser bounds nested values, but not dotted keys: `a.a.a. ...` over megabytes would nest as deep and overflow the stack when freed.
+// The parser bounds nested values, but not dotted keys: `a.a.a. ...` over megabytes would nest as deeply and overflow the stack when freed.
 void refuse_deep_keys(std::string_view text) {
   int dots = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -105,7 +105,7 @@ Entry* find_entry(Node::Table& table, std::string_view name) noexcept {
 
 namespace {
 
-/// The fault of a byte that is no UTF-8, which the parser met behind `near`.
+/// The fault for invalid UTF-8, which the parser found after `near`.
 SyntaxError encoding_error(std::string_view text, Source near) {
   std::size_t at = 0;
   for (int line = 1; line < near.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
@@ -135,7 +135,7 @@ Node parse_document(std::string_view text) {
 
 Node parse_value(const std::string& text) {
   try {
-    // A line end would let an override smuggle in further keys.
+    // A line end would allow further keys in an override.
     if (text.find_first_of("\r\n") != std::string::npos) return Node{text, {}};
     Node document = parse_document("v = " + text);
     return std::move(document.as<Node::Table>()->front().node);

@@ -18,7 +18,7 @@ constexpr std::size_t kLongest = 80;
 std::string cut(std::string text) {
   if (text.size() <= kLongest) return text;
   std::size_t end = kLongest - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not within a UTF-8 character
   return text.substr(0, end) + "...";
 }
 
@@ -28,7 +28,7 @@ std::string plain_number(double v) {
   return {buffer.data(), end};
 }
 
-/// 1e6 in place of 1e+06
+/// A number such as 1e6 instead of 1e+06.
 std::string short_number(double v) {
   std::string text = plain_number(v);
   for (const auto& [sign, without] : {std::pair{"e+0", "e"}, std::pair{"e-0", "e-"}, std::pair{"e+", "e"}}) {
@@ -132,7 +132,7 @@ void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo
 }
 
 void Reading::unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed) {
-  if (first_ && !entry.node.source.before(first_->source)) {  // a file of nothing but unknown keys must not cost a search each
+  if (first_ && !entry.node.source.before(first_->source)) {  // limits the number of searches for a file with many unknown keys
     ++count_;
     return;
   }

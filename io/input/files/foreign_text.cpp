@@ -29,7 +29,7 @@ void add_utf8(std::string& out, char32_t c) {
   add(0x80U | (c & 0x3FU));
 }
 
-/// How many bytes the character at the beginning has; 0 if there is none in UTF-8.
+/// Number of bytes of the first character; 0 if it is not valid UTF-8.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = byte(0), second = byte(1);
@@ -44,7 +44,7 @@ std::size_t utf8_length(std::string_view text) {
 }
 
 std::string from_windows_1252(std::string_view bytes) {
-  // of 0x80 to 0x9F; the others are those of Latin-1
+  // characters 0x80 to 0x9F; the others are those of Latin-1
   static constexpr std::array<char16_t, 32> kSigns{0x20AC, 0x81,   0x201A, 0x192,  0x201E, 0x2026, 0x2020, 0x2021, 0x2C6,  0x2030, 0x160,
                                                    0x2039, 0x152,  0x8D,   0x17D,  0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
                                                    0x2013, 0x2014, 0x2DC,  0x2122, 0x161,  0x203A, 0x153,  0x9D,   0x17E,  0x178};
@@ -95,7 +95,7 @@ Utf16 utf16_of(std::string_view bytes) {
   if (bytes.starts_with("\xFE\xFF")) return Utf16::big_endian;
   constexpr std::size_t kHead = 256;
   const std::string_view head = bytes.substr(0, std::min(bytes.size() & ~std::size_t{1}, kHead));
-  std::array<std::size_t, 2> zeros{};  // at even places and at odd ones
+  std::array<std::size_t, 2> zeros{};  // in even and in odd bytes
   for (std::size_t i = 0; i < head.size(); ++i) zeros[i % 2] += head[i] == '\0' ? 1 : 0;
   const std::size_t enough = std::max<std::size_t>(1, head.size() / 8);
   if (zeros[0] == 0 && zeros[1] >= enough && head[1] == '\0') return Utf16::little_endian;

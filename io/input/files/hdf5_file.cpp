@@ -27,10 +27,10 @@ using hdf5::write_note;
 constexpr std::size_t kMemoryStep = 4UL << 20;  // bytes by which a file in memory grows
 
 // Version 1.8 of the format is compact and readable everywhere; virtual datasets need 1.10.
-// No locks: some network file systems refuse them, and nobody writes to a file that others can see.
+// No locks: some network file systems refuse them, and no process writes to a file that others can see.
 Handle access_properties(const Doing& doing) {
   // After a write that failed for want of space HDF5 cannot close the file, and crashes when it tries once more at the end of the program.
-  // Our files are closed by then, or lost.
+  // This program's files are closed by then, or lost.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = doing.own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -59,7 +59,7 @@ bool is_empty(const Shape& shape) { return std::ranges::find(shape, 0U) != shape
 
 }  // namespace
 
-// Checksums cost 0.4 ms a MB. Compression is left out: deflate takes 15 times as long as the write itself and saves a sixth.
+// Layout with checksums, which cost 0.4 ms per MB. No compression: deflate takes 15 times as long as the write itself and saves a sixth.
 Hdf5Layout checked_layout(std::size_t row_bytes) {
   constexpr std::size_t kChunkBytes = 256 * 1024;  // a few fit in HDF5's chunk cache of 1 MiB
   return {.chunk_rows = std::max<std::size_t>(1, kChunkBytes / std::max<std::size_t>(1, row_bytes)), .checksum = true, .deflate = 0};
@@ -69,7 +69,7 @@ namespace {
 
 Handle layout_properties(const Doing& doing, const Shape& shape, const Hdf5Layout& layout) {
   Handle create = doing.own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  // Times of creation would make equal runs write different files.
+  // Without creation times, which would make equal runs write different files.
   doing.check(H5Pset_obj_track_times(create, false));
   if (layout.chunk_rows == 0 || shape.empty() || is_empty(shape)) return create;
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
@@ -83,7 +83,7 @@ Handle layout_properties(const Doing& doing, const Shape& shape, const Hdf5Layou
   return create;
 }
 
-/// Rows [first, first + rows) of an open dataset and the memory that holds them; all of a scalar.
+/// Rows [first, first + rows) of an open dataset and the dataspace in memory; all of a scalar.
 struct Rows {
   Handle dataset, space, memory;
   bool empty;
@@ -131,9 +131,9 @@ Hdf5File Hdf5File::open_in_memory(const std::string& name, std::span<const std::
   const Doing doing{name, "open the file", ""};
   const Handle access = access_properties(doing);
   doing.check(H5Pset_fapl_core(access, kMemoryStep, false));
-  // HDF5 copies the image, and says so with a pointer to what is not const.
+  // HDF5 copies the image, although the parameter is not const.
   doing.check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()));
-  // HDF5 refuses the name of a file that exists.
+  // A name that does not exist, since HDF5 refuses the name of an existing file.
   const hid_t id = H5Fopen((name + "/in memory").c_str(), H5F_ACC_RDONLY, access);
   doing.check(id < 0 ? -1 : 0);
   return {name, id};
@@ -165,7 +165,7 @@ void Hdf5File::make_group(const std::string& name) {
 }
 
 bool Hdf5File::exists(const std::string& name) const {
-  // HDF5 wants every group on the way asked for by itself.
+  // Every group of the path is tested, as HDF5 requires.
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
     const std::string head = name.substr(0, end);
     if (head != "/" && H5Lexists(handle_, head.c_str(), H5P_DEFAULT) <= 0) return false;

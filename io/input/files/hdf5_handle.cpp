@@ -9,7 +9,7 @@
 namespace voussoir::io::hdf5 {
 namespace {
 
-// HDF5 buries errno in a sentence with times and addresses; the user wants the words of the system alone.
+// The system's message within a description by HDF5, which adds times and addresses.
 std::string essence(const std::string& description) {
   const std::string mark = "error message = '";
   const std::size_t at = description.find(mark);
@@ -18,7 +18,7 @@ std::string essence(const std::string& description) {
   return description.substr(from, description.find('\'', from) - from);
 }
 
-// The innermost entry of the error stack is the cause. Ask at once: the next call of HDF5 clears the stack.
+// The innermost entry of the error stack, which is the cause. To be read at once, since the next call of HDF5 clears the stack.
 std::string reason() {
   std::string text;
   H5Ewalk2(

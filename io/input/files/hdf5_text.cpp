@@ -33,7 +33,7 @@ Handle open_attribute(const Doing& doing, hid_t file, const std::string& name) {
   return doing.own(H5Aopen_by_name(file, doing.object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
 }
 
-/// One number. An array in its place would be written over what lies behind the number.
+/// Reads a single number. An array is refused, since it would be written past the number.
 template <class T>
 T attribute_number(const Doing& doing, hid_t file, const std::string& name, hid_t memory) {
   const Handle attribute = open_attribute(doing, file, name);
@@ -101,7 +101,7 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   const Handle type = text_type(doing, H5T_VARIABLE);
   std::vector<const char*> values;
   for (const std::string& t : texts) values.push_back(t.c_str());
-  values.push_back(nullptr);  // HDF5 wants a place for no texts too
+  values.push_back(nullptr);  // HDF5 needs a valid pointer even without texts
   write_attribute(doing, handle_, name, type, type, simple_space(doing, {texts.size()}), values.data());
 }
 

@@ -35,7 +35,7 @@ std::vector<std::byte> from_base64(std::string_view text) {
   std::vector<std::byte> bytes;
   bytes.reserve(text.size() / 4 * 3);
   std::uint32_t group = 0;
-  unsigned bits = 0;  // of the group that are not yet given out
+  unsigned bits = 0;  // bits of `group` not yet output
   for (const char c : text) {
     const std::size_t digit = kDigits.find(c);
     if (digit == std::string_view::npos) break;
@@ -52,7 +52,7 @@ struct Deflater::State {
   z_stream stream{};
   std::vector<unsigned char> out;
 
-  /// Runs the stream until it has taken all input, and with Z_FINISH until it has given all output.
+  /// Runs the stream until all input is consumed, and with Z_FINISH until all output is written.
   void run(int flush) {
     std::array<unsigned char, 65536> buffer{};
     do {
@@ -71,10 +71,10 @@ Deflater::Deflater() : state_(std::make_unique<State>()) {
 Deflater::~Deflater() { deflateEnd(&state_->stream); }
 
 void Deflater::append(std::span<const std::byte> bytes) {
-  constexpr std::size_t piece = 1U << 30U;  // zlib counts in 32 bits
+  constexpr std::size_t piece = 1U << 30U;  // zlib's counters have 32 bits
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
     const auto part = bytes.subspan(at, std::min(piece, bytes.size() - at));
-    // zlib only reads, though its type does not say so
+    // zlib only reads the input, although its type is not const
     state_->stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(part.data()));
     state_->stream.avail_in = static_cast<uInt>(part.size());
     state_->run(Z_NO_FLUSH);

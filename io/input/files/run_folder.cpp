@@ -26,7 +26,7 @@ bool digits_only(const std::string& s) {
   return !s.empty() && std::ranges::all_of(s, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// The name that a temporary file, NAME.tmp or NAME.PROCESS.tmp, would have had in the end; of other files their own.
+/// The final name of a temporary file NAME.tmp or NAME.PROCESS.tmp; other names unchanged.
 std::string final_name(std::string name) {
   if (!name.ends_with(".tmp")) return name;
   name.resize(name.size() - 4);
@@ -40,7 +40,7 @@ bool is_part(const std::string& found) {
   return digits_only(stem) && name == stem + ".h5";
 }
 
-/// VIEW-TIMEs.png, as stills.cpp names them.
+/// Whether the name is VIEW-TIMEs.png, as written by stills.cpp.
 bool is_still(const std::string& found) {
   const std::string name = final_name(found);
   const std::size_t dash = name.find('-');
@@ -61,12 +61,12 @@ std::vector<std::string> names_in(const std::string& folder, bool (*chosen)(cons
   if (!fs::is_directory(folder)) return names;
   for (const auto& entry : fs::directory_iterator(folder))
     if (chosen(entry.path().filename().string())) names.push_back(entry.path().filename().string());
-  // From the end of the alphabet: run.xdmf and run.h5 go first, since a half-removed run must not look like results.
+  // In descending order: run.xdmf and run.h5 are removed first, since a partly removed run must not look like results.
   std::ranges::sort(names, std::greater<>());
   return names;
 }
 
-/// What no run wrote, as far as names tell; hidden files apart. Sorted, folders with a '/'.
+/// Files that no run wrote, judged by their names, except hidden files. Sorted, folders with a '/'.
 std::vector<std::string> foreign_in(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -80,14 +80,14 @@ std::vector<std::string> foreign_in(const std::string& folder) {
   return names;
 }
 
-/// The file of that name is a case of the user's, not one that a run wrote.
+/// Whether the file is a case written by the user, not by a run.
 bool is_own_case(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   return file && !(std::getline(file, line) && line.starts_with(kResolvedHead));
 }
 
-/// Results go to a folder of their own. \throw FileError
+/// Refuses a folder with other contents than a run's. \throw FileError
 void check_folder(const std::string& path, bool used, bool overwrite) {
   if (is_own_case(path + "/case.toml"))
     throw FileError(path + "/case.toml", "is no case that a run wrote, and would be replaced by one; give another folder");
@@ -149,7 +149,7 @@ RunFolder::RunFolder(std::string path) : path_(std::move(path)) {
 RunFolder::RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
 
 RunFolder::~RunFolder() {
-  // The lock file stays: removing it would let a third process lock a file that a second one still waits for.
+  // The lock file is kept: if it were removed, a third process could lock a new file while a second one waits for the old one.
   if (lock_ >= 0) ::close(lock_);
 }
 
@@ -165,7 +165,7 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
     return used;
   };
   try {
-    if (!fs::exists(path + "/.lock", error)) check();  // before the folder is touched
+    if (!fs::exists(path + "/.lock", error)) check();  // before the folder is changed
     RunFolder folder(path);
     if (check()) remove_results(path);
     return folder;

@@ -21,7 +21,7 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code left;  // in the system's folder for such things: no harm
+  std::error_code left;  // ignored: a file left in the system's temporary folder does no harm
   fs::remove_all(path_, left);
 }
 

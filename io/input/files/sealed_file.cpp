@@ -17,7 +17,7 @@
 namespace voussoir::io {
 namespace {
 
-/// Of what is said of the contents, which counts with them; they are to follow.
+/// Hash of kind and version, to which the contents are then added.
 solver::Hash hash_of(const std::string& what, long long version) {
   solver::Hash hash;
   const std::string said = what + " " + std::to_string(version);
@@ -25,7 +25,7 @@ solver::Hash hash_of(const std::string& what, long long version) {
   return hash;
 }
 
-/// What the header of a file says.
+/// Contents of the header of a file.
 struct Seal {
   long long version = 0;
   unsigned long long bytes = 0;
@@ -51,12 +51,12 @@ bool read_seal(const std::string& what, const std::string& header, Seal& s) {
 
 namespace {
 
-/// What a file must say and be. \param hash  of its contents, asked for if all else is right
+/// Checks a header. \param hash  gives the hash of the contents; called last
 void check(const std::string& name, const std::string& what, std::int64_t version, const std::string& header, std::uint64_t contents,
            const std::function<std::uint64_t(long long)>& hash) {
   Seal s;
   if (!header.starts_with(what + " ")) throw DamagedFile(name, "is no " + what);
-  // The header itself is checked by writing it again.
+  // Writing the header again checks all of its bytes.
   if (!read_seal(what, header, s) || text_of(what, s) != header) throw DamagedFile(name, "is damaged: its header makes no sense");
   if (contents != s.bytes) {
     throw DamagedFile(
@@ -69,7 +69,7 @@ void check(const std::string& name, const std::string& what, std::int64_t versio
   }
 }
 
-/// Reads what stands behind the header, piece by piece.
+/// Hash of the contents behind the header, read in pieces.
 std::uint64_t hash_of_file(const std::string& path, const std::string& what, long long version) {
   std::ifstream in(path, std::ios::binary);
   in.seekg(kSealBytes);

@@ -37,7 +37,7 @@ void write_text_file(const std::string& path, std::string_view text, bool overwr
   refuse_to_replace(path, overwrite);
   std::error_code error;
   if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return write_text_file(path, std::string(text));
-  std::ofstream out(path, std::ios::binary);  // a pipe or a device
+  std::ofstream out(path, std::ios::binary);  // for a pipe or a device
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   if (!out.flush()) throw FileError(path, "cannot be written");
 }

@@ -17,15 +17,15 @@ namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::chrono::hours kLeftOver{1};  // much longer than any file takes to be written
+constexpr std::chrono::hours kLeftOver{1};  // much longer than writing of any file takes
 
 void sync(const std::string& path) {
   const Descriptor file(path, O_RDONLY);
-  // Some file systems cannot sync a folder and say so with EINVAL; there is nothing more to do there.
+  // Some file systems cannot sync a folder and return EINVAL, which is ignored.
   if (::fsync(file.id()) != 0 && errno != EINVAL) throw FileError(path, "cannot write: " + system_words(errno));
 }
 
-/// Whether `name` is that of a temporary file of another process for the file `of`.
+/// Whether `name` is that of another process's temporary file for `of`.
 bool is_temporary(const std::string& name, const std::string& of) {
   constexpr std::string_view kTail = ".tmp";
   if (!name.starts_with(of + ".") || !name.ends_with(kTail) || name.size() < of.size() + 2 + kTail.size()) return false;
@@ -33,7 +33,7 @@ bool is_temporary(const std::string& name, const std::string& of) {
   return process.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// Removes what killed processes have left for this file. By age alone: the other process may be on another machine.
+/// Removes temporary files of killed processes for this file. Judged by age only, since the other process may be on another machine.
 void remove_leftovers(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path(), name = fs::path(path).filename();
   std::error_code ignored;

@@ -33,8 +33,9 @@ std::string path_from(const std::string& folder, const std::string& path) { retu
 
 Unstated unstated_of(const cases::Motion& m) { return {m.unit, m.dt}; }
 
-/// \param axes what files[i] is taken for in a file of several components, as read_accelerogram.
-/// \param keys of the files, of motion
+/// Reads the component files of a motion.
+/// \param axes  component taken from files[i] if it has several, as in read_accelerogram
+/// \param keys  of the files, in motion
 std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::array<char, 3>& axes, std::string_view keys,
                                               const std::string& folder, const Unstated& unstated) {
   std::array<cases::Accelerogram, 3> components;
@@ -94,7 +95,7 @@ void check(const cases::Motion& m) {
   if (m.intensity) check_intensity(*m.intensity);
 }
 
-/// \throw InputError at the key if that makes numbers that are not finite
+/// Scales a component. \throw InputError at the key if results are not finite
 void multiply(cases::Accelerogram& component, double factor, const char* key) {
   for (double& a : component.acceleration) {
     a *= factor;
@@ -121,7 +122,7 @@ Record read_record_file(const std::string& path, const Unstated& unstated) {
 std::optional<double> acceleration_unit(std::string_view name) {
   std::string text = upper(trimmed(name));
   if (text.ends_with('.')) text.pop_back();
-  // "m/s²" and "m·s⁻²", in UTF-8 and in Latin-1: the longer spellings of a sign first
+  // "m/s²" and "m·s⁻²", in UTF-8 and in Latin-1; longer encodings of a sign first
   using Sign = std::pair<std::string_view, std::string_view>;
   for (const auto& [sign, plain] : {Sign{"\xC2\xB2", "2"}, Sign{"\xB2", "2"}, Sign{"\xC2\xB7", ""}, Sign{"\xE2\x81\xBB", "-"}}) {
     for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at)) text.replace(at, sign.size(), plain);

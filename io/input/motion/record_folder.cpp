@@ -32,7 +32,7 @@ Node parsed(const std::string& path) {
   }
 }
 
-/// The key dt: s between samples, where a format does not say.
+/// The key dt: time between samples [s], for formats that do not state it.
 double step_of(const std::string& path, long line, const Node& node) {
   const auto* number = node.as<double>();
   const auto* whole = node.as<std::int64_t>();
@@ -41,7 +41,7 @@ double step_of(const std::string& path, long line, const Node& node) {
   return dt;
 }
 
-/// The shortest decimal that reads back as the same number.
+/// The shortest decimal text that reads back as the same number.
 std::string shortest(double value) {
   char buffer[32];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);

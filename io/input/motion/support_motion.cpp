@@ -32,7 +32,7 @@ std::optional<std::array<double, 4>> row_of(std::string_view line) {
   return row;
 }
 
-/// A line in which no field is a number: one that is damaged is no header.
+/// Whether the line is a header, with no number in any field; a damaged row is no header.
 bool is_header(std::string_view line) {
   for (;;) {
     const std::size_t comma = line.find(',');
@@ -42,7 +42,7 @@ bool is_header(std::string_view line) {
   }
 }
 
-/// Units that the columns of a header state, if they state any; time comes first. \param unit  of x, y, z
+/// Checks the units that the columns of a header state, if any; time is the first. \param unit  of x, y, z
 void check_units(const std::string& path, long line, std::string_view header, std::string_view unit) {
   for (std::size_t column = 0;; ++column) {
     const std::size_t comma = header.find(',');
@@ -56,7 +56,7 @@ void check_units(const std::string& path, long line, std::string_view header, st
   }
 }
 
-/// \param unit  of x, y, z: "m", of a load "N"
+/// Reads the file of a history. \param unit  of x, y, z: "m", for a load "N"
 void read_history(const std::string& path, std::string_view unit, cases::SupportHistory& history) {
   const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]";
   const std::string text = read_foreign_text(path, kLargestFile);

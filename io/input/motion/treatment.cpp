@@ -15,7 +15,7 @@ using Samples = std::vector<double>;
 
 double last_time(const cases::Accelerogram& a) { return static_cast<double>(a.acceleration.size() - 1) * a.dt; }
 
-/// The window against the longest component; times in s.
+/// Checks the window against the longest component; times in s.
 void check_window(const std::array<cases::Accelerogram, 3>& components, const cases::MotionTreatment& t, const std::string& prefix) {
   double longest = 0.0, half_step = 0.0;
   for (const cases::Accelerogram& a : components) {
@@ -68,7 +68,7 @@ std::array<double, N> solved(std::array<std::array<double, N>, N> m, std::array<
   return r;
 }
 
-/// Factors of the columns whose sum is nearest to `values` (least squares).
+/// Factors of the columns in the least-squares fit to `values`.
 template <std::size_t N>
 std::array<double, N> fitted(const std::array<Samples, N>& columns, const Samples& values) {
   std::array<std::array<double, N>, N> m{};
@@ -96,7 +96,7 @@ std::array<Samples, N> powers(std::size_t samples) {
   return columns;
 }
 
-/// The trapezoid sum from rest, in steps.
+/// The trapezoid sum from rest, in units of steps.
 Samples integrated(const Samples& a) {
   Samples v(a.size(), 0.0);
   for (std::size_t k = 1; k < a.size(); ++k) v[k] = v[k - 1] + 0.5 * (a[k - 1] + a[k]);

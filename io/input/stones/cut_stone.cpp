@@ -17,7 +17,7 @@ namespace {
 using geometry::Mesh;
 using geometry::Polyhedron;
 
-/// \return nothing if it is not convex
+/// The mesh as a polyhedron. \return nothing if it is not convex
 std::optional<Polyhedron> convex_shape(const Mesh& mesh) {
   Polyhedron shape = geometry::in_prism_order({mesh.vertices, mesh.faces});
   try {
@@ -29,7 +29,7 @@ std::optional<Polyhedron> convex_shape(const Mesh& mesh) {
   return shape;
 }
 
-/// Cut about a corner of its own, so that a stone far from the origin keeps its digits.
+/// Cuts a stone in coordinates about one of its corners, so that a stone far from the origin keeps its digits.
 std::vector<Polyhedron> pieces_about_corner(Mesh mesh, double snap, double tolerance = 1e-9) {
   const Vec3 first = mesh.vertices.front(), origin{std::round(first.x), std::round(first.y), std::round(first.z)};
   for (Vec3& v : mesh.vertices) v = v - origin;
@@ -48,7 +48,7 @@ std::vector<Polyhedron> checked(std::vector<Polyhedron> pieces) {
   return pieces;
 }
 
-/// \throw ModelError if a corner would have to move by more than twice `within` [m]
+/// Makes the faces of pieces plane. \throw ModelError if a corner would have to move by more than twice `within` [m]
 std::vector<Polyhedron> made_plane(std::vector<Polyhedron> pieces, double within) {
   for (Polyhedron& p : pieces) {
     std::vector<geometry::RoughSolid> one = {{{std::move(p.vertices), std::move(p.faces)}, within, std::nullopt}};

@@ -21,13 +21,13 @@ namespace fs = std::filesystem;
 using geometry::Mesh;
 
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;  // bytes
-constexpr double kEqual = 1e-9;     // of the size of what stands together: vertices of triangles that each have their own
-constexpr double kFlat = 1e-9;      // of the size: a stone's faces in one plane
+constexpr double kEqual = 1e-9;     // of the size of an object: distance at which vertices are equal, as triangles may each have their own
+constexpr double kFlat = 1e-9;      // of the size: distance of corners in one plane
 constexpr double kStraight = 1e-3;  // rad
 
 StoneFile read_one(const std::string& path) { return read_stone_file(path, read_text_file(path, kLargestFile)); }
 
-/// A folder: each file that is read, by name; a file with one thing in it gives it its own name.
+/// Reads a folder: each file of a known format, in order of names; a file with a single object gives that object its own name.
 StoneFile read_folder(const std::string& path) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -53,7 +53,7 @@ StoneFile read_folder(const std::string& path) {
   return all;
 }
 
-/// All corners in one plane: an interface, a text on the drawing, a ground plane.
+/// Whether all corners are in one plane, as of an interface, a text in the drawing, a ground plane.
 bool is_flat(const Mesh& m) {
   const double size = geometry::diagonal(m);
   geometry::LoopPlane largest;
@@ -66,7 +66,7 @@ bool is_flat(const Mesh& m) {
                      [&](Vec3 v) { return std::abs(dot(v - largest.centre, largest.normal)) <= 1e-6 * size; });
 }
 
-/// Parts of what the file holds as one: it is a heap, or has several bodies.
+/// Connected parts of an object that is loose faces, or has several bodies.
 std::vector<FileSolid> parted(FileSolid solid, bool only_one_in_file, std::size_t& doubled) {
   const Mesh welded = geometry::welded(solid.mesh, kEqual * geometry::diagonal(solid.mesh));
   const Mesh joined = geometry::without_doubled_faces(welded);
@@ -171,7 +171,7 @@ class Raw {
     return out;
   }
 
-  /// From the file's unit and axes to metres and the model's axes.
+  /// Converts from the file's unit and axes to metres and the model's axes.
   void place(Mesh& m) const {
     const double unit = cases::metres_in(spec_.unit);
     geometry::Polyhedron p{std::move(m.vertices), {}};
@@ -187,7 +187,7 @@ class Raw {
   const std::string& key_;
   const std::string& folder_;
   std::vector<std::string>& notes_;
-  std::set<std::string> used_;  // of `only`
+  std::set<std::string> used_;  // names of `only` found in the file
 };
 
 }  // namespace

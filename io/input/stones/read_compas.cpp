@@ -12,7 +12,7 @@
 namespace voussoir::io {
 namespace {
 
-using Json = nlohmann::ordered_json;  // stones in the order of the file
+using Json = nlohmann::ordered_json;  // keeps the order of the file
 
 constexpr int kDeepest = 200;
 
@@ -24,7 +24,7 @@ const Json* member(const Json& of, const char* name) {
 
 std::string text_of(const Json* value) { return value != nullptr && value->is_string() ? value->get<std::string>() : std::string(); }
 
-/// Four by four numbers, rows.
+/// A 4 × 4 matrix by rows.
 using Matrix = std::array<std::array<double, 4>, 4>;
 
 class CompasReader {
@@ -46,10 +46,10 @@ class CompasReader {
   }
 
  private:
-  /// What a shape is called by what stands round it.
+  /// Names of a shape derived from its surroundings.
   struct Around {
-    std::string key;   // of the node, or the place in a list
-    std::string name;  // of the element that holds it
+    std::string key;   // of the node, or index in a list
+    std::string name;  // of the element that contains the shape
     bool support = false;
     std::optional<Matrix> transformation;
   };
@@ -92,7 +92,7 @@ class CompasReader {
     }
   }
 
-  /// Nodes of a graph: their keys are names.
+  /// Walks through nodes of a graph, whose keys are names.
   void walk_nodes(const Json& nodes, const Around& around, int depth) {
     for (const auto& [key, node] : nodes.items()) {
       Around inner = around;
@@ -117,7 +117,7 @@ class CompasReader {
     return m;
   }
 
-  /// \return whether `data` is a shape
+  /// Adds a shape. \return whether `data` is one
   bool add_shape(const Json& data, const std::string& type, const Around& around) {
     const Json *vertex = member(data, "vertex"), *face = member(data, "face");
     geometry::Mesh mesh;
@@ -212,7 +212,7 @@ class CompasReader {
     }
   }
 
-  /// By their own names if these are all there and all different, else by node or place.
+  /// Names the solids by their own names if all have one and all differ, else by node or index.
   void name_solids() {
     const auto all_different = [&](std::string Around::*member) {
       std::map<std::string, int> seen;
@@ -229,7 +229,7 @@ class CompasReader {
 
   const std::string& path_;
   StoneFile out_;
-  std::vector<Around> around_;  // of the solids
+  std::vector<Around> around_;  // by solid
   std::size_t passed_over_ = 0;
 };
 

@@ -21,7 +21,7 @@ class ObjReader {
     std::string joined;
     while (const auto next = lines_.next()) {
       std::string_view line = *next;
-      if (!line.empty() && line.back() == '\\') {  // goes on in the next line
+      if (!line.empty() && line.back() == '\\') {  // continued in the next line
         joined.append(line.substr(0, line.size() - 1)).push_back(' ');
         continue;
       }
@@ -73,7 +73,8 @@ class ObjReader {
     current_ = nullptr;
   }
 
-  /// Several words are several groups, but many programs write a name with blanks there: all of them together are one, too, and the first.
+  /// Sets the groups of the following faces. Several words are several groups; but many programs write one name with blanks, so the whole
+  /// text is also a group, and the first.
   void begin_groups(const std::string& names) {
     groups_.clear();
     Words words(names);
@@ -100,7 +101,7 @@ class ObjReader {
     solid.of.mesh.faces.push_back(std::move(loop));
   }
 
-  /// A solid that is being read, with the numbers that its vertices have in it.
+  /// A solid being read, with the indices of its vertices.
   struct Solid {
     FileSolid of;
     std::map<std::int32_t, std::int32_t> number;
@@ -133,7 +134,7 @@ class ObjReader {
     if (solids_.empty()) throw FileError(path_, "holds no faces");
     StoneFile out;
     for (Solid& s : solids_) out.solids.push_back(std::move(s.of));
-    // A name for all that comes before the first, or a single group that an exporter puts there by itself, parts nothing.
+    // A name before all others, or a single group added by an exporter, does not separate stones.
     if (out.solids.size() == 1 && objects_.empty()) out.solids[0].whole = false;
     return out;
   }
@@ -141,7 +142,7 @@ class ObjReader {
   const std::string& path_;
   LineReader lines_;
   std::vector<Vec3> vertices_;
-  std::map<std::string, long> objects_;  // with their lines
+  std::map<std::string, long> objects_;  // with their line numbers
   std::string object_;
   std::vector<std::string> groups_;
   std::vector<Solid> solids_;

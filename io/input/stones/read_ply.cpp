@@ -40,7 +40,7 @@ std::size_t bytes_of(Number n) {
 struct Property {
   std::string name;
   Number type = Number::f64;
-  std::optional<Number> count;  // of a list
+  std::optional<Number> count;  // type of a list's count
 };
 struct ElementKind {
   std::string name;
@@ -130,7 +130,7 @@ class PlyReader {
     kinds_.back().properties.push_back(std::move(p));
   }
 
-  /// The next number of the body.
+  /// Reads the next number of the body.
   double next(Number type) {
     if (ascii_) return next_word();
     std::array<char, 8> bytes{};

@@ -29,7 +29,7 @@ void add_triangle(geometry::Mesh& mesh, const Vec3 (&corners)[3]) {
 
 std::string triangles(std::size_t count) { return std::to_string(count) + (count == 1 ? " triangle" : " triangles"); }
 
-/// How many triangles the file has. Its head and its length should say the same.
+/// Number of triangles of the file, from its head and its length, which should agree.
 std::size_t binary_count(const std::string& path, std::string_view text, StoneFile& out) {
   if (text.size() < kHeadBytes)
     throw FileError(path,
@@ -67,13 +67,13 @@ StoneFile read_binary(const std::string& path, std::string_view text) {
   return out;
 }
 
-/// Solids with names of their own are stones; others are one heap.
+/// Reads ASCII STL. Solids with names of their own are stones; all others together are loose faces.
 StoneFile read_ascii(const std::string& path, std::string_view text) {
   StoneFile out;
   LineReader lines(text);
   Vec3 corner[3];
   int corners = 0;
-  bool open = false;  // a solid that has not ended
+  bool open = false;  // within a solid
   const auto fault = [&](const std::string& what) { throw FileError(path, lines.line(), what); };
   while (const auto line = lines.next()) {
     Words words(*line);

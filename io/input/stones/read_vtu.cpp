@@ -117,7 +117,8 @@ class VtuReader {
     }
   }
 
-  /// The stream of faces of one cell: how many, then of each how many corners, and these. It ends where faceoffsets say.
+  /// Adds the faces of one cell from the stream: number of faces, then for each the number of its corners, and the corners. `end` comes
+  /// from faceoffsets.
   void add_polyhedron(const std::vector<std::int64_t>& faces, std::int64_t end, std::size_t cell, std::vector<Loop>& to) {
     std::int64_t& at = face_at_;
     const auto next = [&] {
@@ -135,7 +136,7 @@ class VtuReader {
     if (at != end) fault("the faces of cell " + std::to_string(cell) + " are fewer than its faceoffsets say");
   }
 
-  /// A mesh of its own, without faces that two cells share.
+  /// A separate mesh, without faces shared by two cells.
   [[nodiscard]] geometry::Mesh mesh_of(const std::vector<Loop>& loops) const {
     geometry::Mesh mesh;
     std::map<std::int32_t, std::int32_t> number;
@@ -173,7 +174,7 @@ class VtuReader {
   std::vector<Vec3> points_;
   std::map<double, std::vector<Loop>> cells_;  // faces, by element
   std::vector<Loop> heap_;
-  std::int64_t face_at_ = 0;  // where the faces of the next polyhedron begin
+  std::int64_t face_at_ = 0;  // start of the faces of the next polyhedron
 };
 
 }  // namespace

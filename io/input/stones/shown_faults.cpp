@@ -16,7 +16,7 @@ constexpr double kThickness = 0.004;      // of the size
 constexpr std::size_t kMostPlates = 400;  // of one stone
 constexpr std::size_t kMostNames = 8;
 
-/// A triangle with some thickness on both sides; nothing if it is a needle.
+/// Adds a triangle with some thickness on both sides, unless it is needle-shaped.
 void add_plate(const std::array<Vec3, 3>& corners, double thickness, std::vector<cases::StonePiece>& out) {
   const Vec3 across = cross(corners[1] - corners[0], corners[2] - corners[0]);
   if (!(norm(across) > 1e-6 * thickness * thickness)) return;
@@ -30,7 +30,7 @@ void add_plate(const std::array<Vec3, 3>& corners, double thickness, std::vector
     geometry::validate(p);
     out.push_back({std::move(p), {}});
   } catch (const geometry::ModelError&) {
-    return;  // too narrow to be seen
+    return;  // too narrow to be visible
   }
 }
 

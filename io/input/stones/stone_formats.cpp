@@ -27,12 +27,12 @@ bool looks_like_obj(std::string_view text) {
   return false;
 }
 
-/// A format whose names are text, from any encoding.
+/// Reads a format with names in text of any encoding.
 StoneFile read_text(StoneFile (*read)(const std::string&, std::string_view), const std::string& path, std::string_view text) {
   return is_all_utf8(text) ? read(path, text) : read(path, as_utf8(path, std::string(text)));
 }
 
-/// STL whose head or length is wrong is known by its name only.
+/// Whether the name is that of STL, and head or length are wrong.
 bool is_damaged_stl(const std::string& path, std::string_view text) {
   return upper(std::filesystem::path(path).extension().string()) == ".STL" && text.find('\0') != std::string_view::npos;
 }

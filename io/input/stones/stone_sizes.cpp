@@ -33,11 +33,11 @@ std::string metres(double length) {
 }
 
 struct Sizes {
-  double model, least, middle, most;  // longest sides: of all stones together, and of one
+  double model, least, middle, most;  // longest sides: of all stones together, and of single stones
 };
 
 Sizes sizes_of(const std::vector<cases::Stone>& stones) {
-  geometry::Polyhedron corners;  // of the boxes around the stones
+  geometry::Polyhedron corners;  // of the bounding boxes of the stones
   std::vector<double> sides;
   for (const cases::Stone& stone : stones) {
     const geometry::Box3 box = bounds_of(stone);

@@ -23,34 +23,34 @@ using geometry::Mesh;
 using geometry::Polyhedron;
 
 constexpr double kConvex = 1e-9;      // of the size, as geometry::validate
-constexpr int kMostRefused = 20;      // stones set aside because their faces do not fit, before the rest is not tried any more
-constexpr double kNearlyFlat = 0.05;  // rad: faces of a surface that was meant to be plane, as drawn in millimetres
+constexpr int kMostRefused = 20;      // stones set aside because their faces do not fit, before the attempt is given up
+constexpr double kNearlyFlat = 0.05;  // rad: between faces of a surface that was meant to be plane, as from coordinates in millimetres
 
 std::string table_key(std::size_t table) { return "stones[" + std::to_string(table) + "]"; }
 
-/// Without the number that geometry knows it by.
+/// The message without the number of the block in geometry.
 std::string without_subject(const geometry::ModelError& e) {
   const std::string message = e.what(), prefix = "block " + std::to_string(e.subject()) + ": ";
   return e.subject() >= 0 && message.starts_with(prefix) ? message.substr(prefix.size()) : message;
 }
 
-/// Whether the boxes come nearer to each other than `reach`.
+/// Whether two boxes are nearer to each other than `reach`.
 bool meet(const geometry::Box3& a, const geometry::Box3& b, double reach) {
   return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach &&
          a.low.z <= b.high.z + reach && b.low.z <= a.high.z + reach;
 }
 
-/// One stone on its way through.
+/// The state of one stone during import.
 struct Item {
   std::size_t table = 0;
   RawStone raw;
-  std::size_t nearly_flat = 0;   // faces that were merged though they were not quite in one plane
-  std::size_t in_triangles = 0;  // warped faces that were parted
-  Mesh drawn = {};               // as it came from the file
-  int taken_back = 0;            // times it was put back to what was drawn, see Import::take_back
+  std::size_t nearly_flat = 0;   // faces merged although not exactly in one plane
+  std::size_t in_triangles = 0;  // warped faces divided into triangles
+  Mesh drawn = {};               // as read from the file
+  int taken_back = 0;            // number of resets to the drawn mesh, see Import::take_back
   std::vector<Polyhedron> pieces = {};
-  double dents = 0.0;   // m, what is shallower was left out when it was cut into pieces
-  double parted = 0.0;  // m, how deep it was cut at most where it lay in another stone
+  double dents = 0.0;   // m, shallower dents were ignored when it was cut into pieces
+  double parted = 0.0;  // m, greatest depth of cuts where it overlapped other stones
 };
 
 class Import {
@@ -109,7 +109,7 @@ class Import {
 
   [[nodiscard]] const cases::StonesSpec& spec_of(const Item& item) const { return case_.stones[item.table]; }
 
-  /// A stone that is refused goes no further.
+  /// Records a refused stone and excludes it from further steps.
   void set_aside(std::size_t i, const std::string& message) {
     Item& item = items_[i];
     faults_.push_back({item.table, item.raw.name, stone_words(spec_of(item), item.raw.name) + " " + message, std::move(item.raw.mesh)});
@@ -117,11 +117,11 @@ class Import {
     if (i < flattened_.size()) flattened_.erase(flattened_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
-  /// A stone that is convex but for the rounding of its corners: triangles of what was meant to be one face become that face.
+  /// Straightens a stone that is convex up to the rounding of its corners: triangles of what was meant to be one face become that face.
   void straighten(Item& item) const {
     const double size = geometry::diagonal(item.raw.mesh), snap = spec_of(item).snap;
     if (snap == 0.0 || geometry::is_convex(item.raw.mesh, kConvex * size)) return;
-    // A fourth corner lies up to four times as far off the plane of the other three as all four off the plane between them.
+    // A fourth corner is up to four times as far from the plane of the other three as all four are from their mean plane.
     Mesh merged = geometry::with_merged_faces(item.raw.mesh, 4.0 * std::min(snap, 0.005 * size), kNearlyFlat);
     if (!geometry::is_convex(merged, 2.0 * snap)) return without_dents(item, merged.faces.size());
     if (is_plane(merged, snap)) merge(item, std::move(merged));
@@ -139,9 +139,9 @@ class Import {
     item.raw.mesh = std::move(merged);
   }
 
-  /// A stone that is not convex, of triangles with rounded corners. Dents of its flat faces may be too shallow to cut along: as few of its
-  /// faces are merged as let it be cut with nothing left out, or with least. \param fewest  faces, if all are merged that lie nearly in one
-  /// plane
+  /// Straightens a stone that is not convex, of triangles with rounded corners. Dents of flat faces may be too shallow to cut along, so no
+  /// more faces are merged than needed to cut the stone with no, or the smallest, dents ignored. \param fewest  faces, if all that are
+  /// nearly in one plane are merged
   void without_dents(Item& item, std::size_t fewest) const {
     std::size_t faces = item.raw.mesh.faces.size();
     double least = faces == fewest ? 0.0 : dents_left(item);
@@ -157,7 +157,7 @@ class Import {
     if (!best.faces.empty()) merge(item, std::move(best));
   }
 
-  /// Of a stone cut as if nothing lay near it, m; infinite if it cannot be.
+  /// Depth [m] of the dents ignored when a stone is cut without regard to its neighbours; infinite if it cannot be cut.
   [[nodiscard]] double dents_left(Item item) const {
     try {
       part_warped(item);
@@ -176,7 +176,7 @@ class Import {
       item.raw.mesh = geometry::with_parted_faces(item.raw.mesh, spec_of(item).snap, item.in_triangles);
   }
 
-  /// Nothing lies so near that its faces could have to fit it.
+  /// Whether no stone is so near that faces could have to fit.
   [[nodiscard]] bool is_lone(std::size_t i) const {
     const auto reach = [&](const Item& item) { return 2.0 * (spec_of(item).snap + spec_of(item).gap.value_or(0.0)); };
     const geometry::Box3 own = geometry::box_of(items_[i].drawn);
@@ -187,8 +187,8 @@ class Import {
     return true;
   }
 
-  /// A lone stone that cannot be made plane stays as it was drawn; where that has warped faces that cannot be made plane together, they are
-  /// parted into triangles. No face warped by more than snap is parted that way.
+  /// Resets a lone stone that cannot be made plane to its drawn mesh; if that has warped faces that cannot be made plane together, divides
+  /// them into triangles. Faces warped by more than snap are not divided.
   /// \return false if there is nothing left to try
   bool take_back(std::size_t i) {
     Item& item = items_[i];
@@ -206,7 +206,7 @@ class Import {
     return parted > 0;
   }
 
-  /// The planes of all stones; those that cannot be made to fit are set aside.
+  /// Adjusts the planes of all stones; sets aside those that cannot be made to fit.
   std::vector<geometry::RoughSolid> flat_solids() {
     for (int refused = 0;; ++refused) {
       std::vector<geometry::RoughSolid> solids;
@@ -223,7 +223,7 @@ class Import {
         set_aside(at_fault, without_subject(e));
       }
       if (refused < kMostRefused) continue;
-      items_.clear();  // so many are at fault that the others need not be looked at
+      items_.clear();  // too many are at fault to examine the rest
       flattened_.clear();
       return {};
     }
@@ -245,7 +245,7 @@ class Import {
     items_[i].raw.mesh = std::move(mesh);
   }
 
-  /// \throw ModelError as geometry::flatten
+  /// Flattens one stone. \throw ModelError as geometry::flatten
   void flatten_alone(std::size_t i) {
     std::vector<geometry::RoughSolid> one = {{items_[i].raw.mesh, spec_of(items_[i]).snap, spec_of(items_[i]).gap}};
     flattened_[i] = geometry::flatten(one, std::nullopt).front();
@@ -271,7 +271,7 @@ class Import {
     }
   }
 
-  /// Stones that are in each other by no more than snap are cut apart.
+  /// Cuts apart stones that overlap by no more than snap.
   void part() {
     std::vector<geometry::DrawnPiece> drawn;
     for (std::size_t i = 0; i < items_.size(); ++i) {

@@ -69,7 +69,7 @@ void choose_supports(cases::Case& c) {
         fix_named(spec, "stones[" + std::to_string(i) + "]");
         break;
       case Kind::automatic:
-        break;  // what the file marks
+        break;  // the marks in the file
     }
   }
   const bool held = c.base || std::any_of(c.blocks.begin(), c.blocks.end(), [](const cases::BlockSpec& b) { return b.fixed; }) ||

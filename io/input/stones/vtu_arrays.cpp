@@ -38,7 +38,7 @@ int sextet(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Decodes base64 until a padding or what is none. \param used  characters that were read
+/// Decodes base64 up to a padding or an invalid character. \param used  number of characters read
 std::string base64(std::string_view text, std::size_t& used) {
   std::string out;
   std::uint32_t bits = 0;
@@ -117,7 +117,7 @@ VtuArrays::VtuArrays(const std::string& path, std::string_view text) : path_(pat
       appended_raw_ = attribute(tag, "encoding") == "raw";
       const std::size_t mark = text.find('_', at);
       appended_ = mark == std::string_view::npos ? std::string_view() : text.substr(mark + 1);
-      break;  // what follows is no XML
+      break;  // the rest is no XML
     }
   }
   if (pieces == 0) throw FileError(path_, "holds no piece of an unstructured grid");
@@ -143,7 +143,7 @@ std::string VtuArrays::blocks(std::string_view coded, bool raw, const std::strin
   const auto decoded = [&](std::string_view from) {
     std::size_t used = 0;
     std::string all = base64(from, used);
-    if (all.size() == word) all += base64(from.substr(used), used);  // a head that is coded by itself
+    if (all.size() == word) all += base64(from.substr(used), used);  // a separately encoded head
     return all;
   };
   if (!deflated_) {
@@ -153,7 +153,7 @@ std::string VtuArrays::blocks(std::string_view coded, bool raw, const std::strin
     if (bytes.size() - word < size) fault("ends early");
     return std::string(bytes.substr(word, size));
   }
-  // The head (how many blocks, their size, the last one's, their packed sizes) is coded by itself.
+  // The head (number of blocks, their size, size of the last one, packed sizes) is encoded separately.
   const std::string first = raw ? std::string(coded.substr(0, word)) : decoded(coded.substr(0, (word + 2) / 3 * 4));
   const std::size_t count = number(first, 0), head_bytes = word * (3 + count);
   if (count > coded.size()) fault("claims more than the file has");

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTolerance = 1e-6;  // of a step
 
-/// The first row whose step is not that of most rows is told: behind a gap, all times are off.
+/// Refuses a file in which a row's step differs from that of most rows: behind a gap, all times are wrong.
 void refuse_gap(const std::string& path, const std::vector<CsvRow>& rows) {
   constexpr double kGap = 1e-3;  // of a step
   std::vector<double> steps;
@@ -27,7 +27,7 @@ void refuse_gap(const std::string& path, const std::vector<CsvRow>& rows) {
   const auto is_other = [step = *middle](double s) { return std::abs(s - step) > kGap * step; };
   const auto gap = std::ranges::find_if(steps, is_other);
   const auto others = static_cast<std::size_t>(std::ranges::count_if(steps, is_other));
-  if (gap == steps.end() || 2 * others >= steps.size() || !(*middle > 0.0)) return;  // as of times that are rounded
+  if (gap == steps.end() || 2 * others >= steps.size() || !(*middle > 0.0)) return;  // as for rounded times
   const CsvRow& row = rows[static_cast<std::size_t>(gap - steps.begin()) + 1];
   throw FileError(path, row.line,
                   "time " + cases::text(row.time) + " s is " + cases::text(*gap) + " s after the row before, and most steps are " +
@@ -42,7 +42,7 @@ bool is_even(const std::vector<CsvRow>& rows, double dt, double span) {
   return true;
 }
 
-/// Steps that rounded times leave open.
+/// Steps that agree with rounded times.
 struct Steps {
   double least, most;
   [[nodiscard]] bool any() const { return least <= most; }
@@ -50,7 +50,7 @@ struct Steps {
   [[nodiscard]] double width() const { return (most - least) / most; }
 };
 
-/// Steps for which sample `first + i` is at its time to half a unit of the last decimal. With `first` 0 times count from that of the first
+/// Steps for which the time of sample `first + i` is right to half a unit of its last decimal. With `first` 0, times count from the first
 /// row.
 Steps steps_that_fit(const std::vector<CsvRow>& rows, double first, double start, double half_unit) {
   Steps s{0.0, std::numeric_limits<double>::max()};
@@ -65,8 +65,7 @@ Steps steps_that_fit(const std::vector<CsvRow>& rows, double first, double start
   return s;
 }
 
-/// For times that are multiples of the step, whichever the first is; if there are none, for times that count from the first as it is
-/// written.
+/// Steps of which all times are multiples, whatever the first one; if there are none, steps counted from the first time as written.
 std::vector<Steps> all_that_fit(const std::vector<CsvRow>& rows, double mean, double half_unit) {
   constexpr double kMost = 5.0;
   const double around = std::round(rows[0].time / mean);
@@ -82,13 +81,13 @@ std::vector<Steps> all_that_fit(const std::vector<CsvRow>& rows, double mean, do
   return all;
 }
 
-/// The only whole multiple of `unit` from `least` to `most`.
+/// The only multiple of `unit` from `least` to `most`, if there is exactly one.
 std::optional<double> only_multiple(double least, double most) {
   const double first = std::ceil(least * (1.0 - 1e-9)), last = std::floor(most * (1.0 + 1e-9));
   return first == last && first > 0.0 ? std::optional(first) : std::nullopt;
 }
 
-/// A step that is plain to see among those that fit: of so many samples a second, or milliseconds.
+/// A simple step among those that fit: a whole number of samples per second, or of milliseconds.
 std::optional<double> plain_step(const Steps& s) {
   constexpr double kWidest = 5e-3;
   if (s.width() > kWidest) return std::nullopt;
@@ -97,7 +96,7 @@ std::optional<double> plain_step(const Steps& s) {
   return std::nullopt;
 }
 
-/// Steps other than the commonest: one or two are gaps, not the work of rounding.
+/// Whether more than two steps differ from the commonest: one or two are gaps, not due to rounding.
 bool steps_vary(const std::vector<CsvRow>& rows, double unit) {
   std::vector<long long> steps;
   for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(std::llround((rows[i].time - rows[i - 1].time) / unit));
@@ -106,7 +105,7 @@ bool steps_vary(const std::vector<CsvRow>& rows, double unit) {
   return others >= 3 && steps.back() - steps.front() <= 1;
 }
 
-/// The step of times that were rounded; nothing if rounding does not explain them, or leaves their step open.
+/// The step of rounded times; nothing if rounding does not explain them, or leaves the step open.
 std::optional<double> step_of_rounded(const std::vector<CsvRow>& rows, double mean, std::optional<double> stated) {
   const int decimals = std::ranges::max_element(rows, {}, &CsvRow::decimals)->decimals;
   if (decimals < 1 || decimals > 9) return std::nullopt;

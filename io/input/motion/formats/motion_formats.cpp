@@ -11,14 +11,14 @@
 #include "io/input/motion/formats/motion_text.h"
 #include "io/input/motion/formats/read_motion.h"
 
-// Which reader a file goes to, and which of a file's components is meant.
+// Choice of the reader of a file, and of the component in a file.
 namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
 using Lines = std::span<const std::string_view>;
 
-/// "228" of "Northridge-01, 1/17/1994, Rinaldi Receiving Sta, 228": the last field, as station names hold commas too.
+/// The last field of a name, which may contain commas: "228" of "Northridge-01, 1/17/1994, Rinaldi Receiving Sta, 228".
 std::string last_field(const std::string& name) {
   const std::size_t comma = name.rfind(',');
   return comma == std::string::npos ? std::string() : std::string(trimmed(std::string_view(name).substr(comma + 1)));
@@ -34,7 +34,7 @@ struct Format {
   std::vector<Channel> (*read)(const std::string& path);
 };
 
-constexpr std::size_t kFirstLines = 16;  // enough for every mark
+constexpr std::size_t kFirstLines = 16;  // suffices to recognise any format
 constexpr const char* kFormats =
     "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, USC V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and "
     "acceleration, "
@@ -44,7 +44,7 @@ bool any_begins(Lines lines, std::string_view word) {
   return std::any_of(lines.begin(), lines.end(), [&](std::string_view line) { return begins(line, word); });
 }
 
-/// The first that recognises a file reads it.
+/// Formats; the first that recognises a file reads it.
 constexpr Format kKnown[] = {
     {[](Lines l) { return begins(l[0], "* VOL1"); }, read_bhrc},
     {[](Lines l) { return begins(l[0], "EVENT_NAME:"); }, read_esm},
@@ -70,7 +70,7 @@ const Format* format_of(const std::string& path) {
   return found == std::end(kKnown) ? nullptr : found;
 }
 
-/// "FILE#COMPONENT", unless there is a file of the whole name.
+/// A file and component from "FILE#COMPONENT", unless a file with the whole name exists.
 struct Choice {
   std::string file, component;
 };
@@ -82,7 +82,7 @@ Choice choice_of(const std::string& path) {
   return {path.substr(0, mark), path.substr(mark + 1)};
 }
 
-/// The only channel for which `fits` holds.
+/// The only channel for which `fits` is true.
 template <class Fits>
 const Channel* only_one(const std::vector<Channel>& channels, Fits fits) {
   const auto first = std::find_if(channels.begin(), channels.end(), fits);
@@ -102,7 +102,7 @@ const Channel* numbered(const std::vector<Channel>& channels, const std::string&
 std::vector<Channel> read_motion_file(const std::string& path, const Unstated& unstated) {
   if (const Format* known = format_of(path)) return known->read(path);
   const std::string ending = upper(fs::path(path).extension().string());
-  // VT2 and DT2 go to the same reader: their third line says what they hold, and so does its refusal.
+  // VT2 and DT2 files go to the AT2 reader, which refuses them by the quantity in their third line.
   if (ending == ".AT2" || ending == ".VT2" || ending == ".DT2") return only(read_at2(path));
   if (ending == ".CSV" || ending == ".TXT") return only(read_motion_csv(path, unstated));
   throw FileError(path, std::string("is in no format that is read; allowed: ") + kFormats);

@@ -18,7 +18,7 @@ void Place::fail(const std::string& what) const { throw FileError(path, line, wh
 
 namespace {
 
-/// DOS ended a text with Ctrl-Z, and filled the last block with more of them; files of the eighties still are so.
+/// The text without trailing Ctrl-Z characters, with which DOS ended a text and filled its last block; files of the 1980s still have them.
 std::string_view without_dos_end(std::string_view text) { return text.substr(0, text.find_last_not_of('\x1A') + 1); }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::optional<Columns> columns_in(std::string_view text) {
 
 namespace {
 
-/// The numbers of one line, `wanted` of them.
+/// Reads the numbers of one line, `wanted` of them.
 void read_line(const MotionText& text, std::string_view line, std::uint64_t wanted, std::size_t width, double factor,
                std::vector<double>& out) {
   line = line.substr(0, line.find_last_not_of(" \t") + 1);

@@ -21,14 +21,14 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kColumn = 15;  // wide in all forms of the format
+constexpr std::size_t kColumn = 15;  // width of a column in all forms of the format
 constexpr std::string_view kSeparators = " \t,=";
 constexpr const char* kCountForms = "wanted 'NPTS= n, DT= s SEC' or 'n s NPTS, DT'";
 
 struct Header {
   std::string name;
   double unit = 0.0;        // m/s2
-  std::uint64_t count = 0;  // as stated: not to be trusted with memory
+  std::uint64_t count = 0;  // stated by the header; not to be used for allocation
   double dt = 0.0;          // s
 };
 
@@ -40,7 +40,7 @@ std::string_view next_token(std::string_view& text, std::string_view separators)
   return token;
 }
 
-/// Line 3: "ACCELERATION TIME SERIES IN UNITS OF G", perhaps with more after it.
+/// The unit from line 3: "ACCELERATION TIME SERIES IN UNITS OF G", possibly followed by more text.
 double unit_of(const std::string& path, std::string_view line) {
   constexpr std::string_view kMark = "UNITS OF";
   const std::string text = upper(line);
@@ -61,7 +61,7 @@ double unit_of(const std::string& path, std::string_view line) {
   return *unit;
 }
 
-/// The token after the one called `key`; in the numbers-first form there is none.
+/// The token after `key`; empty in the form with numbers first.
 std::string_view value_after(std::string_view line, std::string_view key) {
   while (!line.empty()) {
     if (upper(next_token(line, kSeparators)) == key) return next_token(line, kSeparators);
@@ -109,7 +109,7 @@ cases::Accelerogram read_at2(const std::string& path) {
   const Header h = read_header(path, lines);
   const std::string stated = "NPTS = " + std::to_string(h.count);
   cases::Accelerogram a{h.name, h.dt, {}};
-  std::size_t end_before = 0, end = 0;  // of what stands in the line before and in this one
+  std::size_t end_before = 0, end = 0;  // ends of the text in the line before and in this line
   while (const auto line = lines.next()) {
     std::string_view rest = *line;
     if (!trimmed(*line).empty()) end_before = end, end = line->find_last_not_of(" \t\r") + 1;
@@ -122,7 +122,7 @@ cases::Accelerogram read_at2(const std::string& path) {
       a.acceleration.push_back(*value * h.unit);
     }
   }
-  // Numbers stand in columns, so one that is cut ends before its column does.
+  // Numbers are in columns, so a truncated number ends before its column does.
   if (lines.ended_within() && end % kColumn != 0 && end_before > 0 && end_before % kColumn == 0) {
     throw FileError(path, lines.line(), "the file ends within its last value, or without the end of a line; wanted: a newline behind it");
   }

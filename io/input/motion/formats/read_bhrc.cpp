@@ -4,14 +4,14 @@
 #include "io/input/motion/formats/read_motion.h"
 
 // BHRC (Iran) V1: blocks for L, V and T, each a head of text to the line "UNITS ARE SECONDS AND G/10", a blank line, seven lines of
-// integers and seven of reals, the values in ten columns of 13, and "/&". The lines of numbers in the head are cut at column 70 in the
-// files there are, so nothing is read from them; the step follows from the duration, which is NO. OF POINTS steps long.
+// integers and seven of reals, the values in ten columns of 13, and "/&". The lines of numbers in the head are truncated at column 70 in
+// known files, so they are not used; the step follows from the duration, which is NO. OF POINTS steps long.
 namespace voussoir::io {
 namespace {
 
 constexpr Columns kBhrcColumns{10, 13};
-constexpr int kLinesToData = 1 + 7 + 7;  // behind the line of units
-constexpr int kLongestBhrcHead = 30;     // lines to the units, at most
+constexpr int kLinesToData = 1 + 7 + 7;  // lines after the line of units
+constexpr int kLongestBhrcHead = 30;     // most lines up to the units
 
 struct BhrcHead {
   std::string station, date;
@@ -20,7 +20,7 @@ struct BhrcHead {
   double dt = 0.0, unit = 0.0;  // s, m/s2
 };
 
-/// "UNITS ARE SECONDS AND G/10": g/10 in m/s2.
+/// The unit from "UNITS ARE SECONDS AND G/10": g/10 in m/s2.
 double unit_of(const MotionText& text, std::string_view line) {
   constexpr std::string_view kAnd = " AND ";
   const std::size_t found = upper(line).find(kAnd);

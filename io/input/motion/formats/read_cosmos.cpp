@@ -7,11 +7,11 @@
 #include "io/input/motion/formats/read_motion.h"
 
 // COSMOS strong-motion format (v1.20), one block a channel: lines of text, an integer header, a real header, comments, the data and a line
-// that ends them. How many of each there are, and Fortran's format of the numbers, is printed before each: writers differ in both.
+// that ends them. The number of lines and the Fortran format of the numbers are stated before each part; both vary between writers.
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kAzimuth = 54, kStep = 62, kPeak = 64;  // places in the headers, from 1; the step is in ms
+constexpr std::size_t kAzimuth = 54, kStep = 62, kPeak = 64;  // positions in the headers, from 1; the step is in ms
 constexpr double kUnknown = -999.0;
 
 using Reals = std::vector<double>;
@@ -27,7 +27,7 @@ std::string behind(std::string_view line, std::string_view key) {
   return found == std::string_view::npos ? std::string() : std::string(trimmed(line.substr(found + key.size())));
 }
 
-/// "Corrected acceleration    (Format v01.20 with 13 text lines)": the first line has been read.
+/// Reads the text lines after "Corrected acceleration (Format v01.20 with 13 text lines)", which has been read.
 void read_text_lines(MotionText& text, std::string_view first, CosmosHead& h) {
   const std::uint64_t count = stated_count(text.here(), "the number of text lines", number_after(first, " with "));
   for (std::uint64_t number = 2; number <= count; ++number) {
@@ -38,7 +38,7 @@ void read_text_lines(MotionText& text, std::string_view first, CosmosHead& h) {
   }
 }
 
-/// "100 Integer-header values follow on  10 lines, Format= (10I8)" and the values.
+/// Reads "100 Integer-header values follow on 10 lines, Format= (10I8)" and the values.
 Reals read_header_values(MotionText& text, const char* kind) {
   const std::string_view line = text.need("the line '100 " + std::string(kind) + "-header values follow'");
   if (!holds(line, upper(kind))) text.fail(shown(line) + ": wanted '100 " + kind + "-header values follow on 10 lines, Format= (...)'");
@@ -47,7 +47,7 @@ Reals read_header_values(MotionText& text, const char* kind) {
   return read_columns(text, stated_count(text.here(), std::string(kind) + "-header values", number_after(line, "")), *columns);
 }
 
-/// "   6 Comment line(s) follow, each starting with a "|":" and the comments.
+/// Reads " 6 Comment line(s) follow, each starting with a "|":" and the comments.
 void read_comments(MotionText& text, CosmosHead& h) {
   const std::string_view line = text.need("the line 'n Comment line(s) follow'");
   const auto count = number_after(line, "");
@@ -74,7 +74,7 @@ std::string component_of(const CosmosHead& h) {
   return std::string(trimmed(std::string_view(h.channel).substr(colon == std::string::npos ? 0 : colon + 1)));
 }
 
-/// "42000 acceleration pts, approx  210 secs, units=cm/sec2(04),Format=(1E15.6)" and the values; nothing for velocity or displacement.
+/// Reads "42000 acceleration pts, approx 210 secs, units=cm/sec2(04),Format=(1E15.6)" and the values; nothing for velocity or displacement.
 std::optional<Channel> read_data(MotionText& text, const CosmosHead& h) {
   const std::string line(text.need("the line 'n acceleration pts, ...'"));
   if (!holds(line, " PTS")) text.fail(shown(line) + ": wanted 'n acceleration pts, approx s secs, units=cm/sec2, Format=(...)'");

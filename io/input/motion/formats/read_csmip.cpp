@@ -6,24 +6,24 @@
 #include "io/input/motion/formats/read_motion.h"
 
 // CDMG/CSMIP V2 (corrected) and USC V2, one block a channel: a head of text and numbers, then acceleration, velocity and displacement, each
-// behind a line "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC. (UNITS: CM/SEC/SEC)", and "/&". The head is read by its words:
-// nothing in it that is needed stands at a fixed line only.
+// behind a line "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC. (UNITS: CM/SEC/SEC)", and "/&". The head is read by keywords,
+// independent of line numbers.
 namespace voussoir::io {
 namespace {
 
-constexpr Columns kCsmipColumns{8, 10};        // where the line prints none
+constexpr Columns kCsmipColumns{8, 10};        // for files that state none
 constexpr std::size_t kLongestCsmipHead = 80;  // lines
 
 struct CsmipHead {
   std::vector<std::string> lines;
-  std::string component;       // of "CHAN n:", else of "COMP"
-  bool has_comp = false;       // as files of USC, that know no CHAN and may lack "/&"
+  std::string component;       // from "CHAN n:", else from "COMP"
+  bool has_comp = false;       // a file of USC, which has no CHAN and may lack "/&"
   std::optional<double> peak;  // m/s2
 };
 
 bool is_data_line(std::string_view line) { return holds(line, "POINTS OF") && holds(line, "DATA EQUALLY SPACED AT"); }
 
-/// "CHAN  1:  90 DEG" or, in files of USC, "COMP N00E", to the first two blanks after it.
+/// Reads "CHAN 1: 90 DEG" or, in files of USC, "COMP N00E", up to the first two blanks after it.
 void read_head_line(std::string_view line, CsmipHead& h) {
   const std::size_t colon = line.find(':');
   if (h.component.empty() && begins(line, "COMP ")) {
@@ -44,7 +44,7 @@ void read_head_line(std::string_view line, CsmipHead& h) {
   h.lines.emplace_back(trimmed(line));
 }
 
-/// The head of a channel to its first line of data, which is returned.
+/// Reads the head of a channel up to its first line of data, which is returned.
 std::string read_head(MotionText& text, std::string_view first, CsmipHead& h) {
   std::string line(first);
   while (!is_data_line(line)) {
@@ -58,7 +58,8 @@ std::string read_head(MotionText& text, std::string_view first, CsmipHead& h) {
   return line;
 }
 
-/// "... (UNITS: CM/SEC/SEC)", "... IN UNITS CM/SEC/SEC", "... IN UNITS OF CM/SEC/SEC" or "... .005 sec, in cm/sec2. (8f10.6)".
+/// The unit from "... (UNITS: CM/SEC/SEC)", "... IN UNITS CM/SEC/SEC", "... IN UNITS OF CM/SEC/SEC" or "... .005 sec, in cm/sec2.
+/// (8f10.6)".
 std::string_view unit_name(const std::string& line) {
   for (const char* key : {"UNITS:", "UNITS OF ", "UNITS ", " IN "}) {
     const std::size_t found = upper(line).find(key);
@@ -83,7 +84,7 @@ std::vector<double> read_series(MotionText& text, const std::string& line, Chann
   return read_columns(text, count, columns, stated_unit(at, unit_name(line)));
 }
 
-/// \param next  the first line of the next channel, where "/&" does not part them
+/// Reads one channel. \param next  set to the first line of the next channel, if no "/&" separates the two
 Channel read_channel(MotionText& text, std::string_view first, std::optional<std::string>& next) {
   CsmipHead h;
   Channel c;

@@ -5,8 +5,9 @@
 #include "io/input/motion/formats/motion_text.h"
 #include "io/input/motion/formats/read_motion.h"
 
-// GeoNet (New Zealand) V2A, one block a component: 16 lines of text, 10 of numbers, then acceleration (mm/s2), velocity and displacement,
-// n values each in ten columns of 8, glued where they are large. Peak times in the heads of real files differ from index times step.
+// GeoNet (New Zealand) V2A, one block a component: 16 lines of text, 10 of numbers, then acceleration (mm/s2), velocity and displacement, n
+// values each in ten columns of 8, without blanks between large values. Peak times in the heads of real files differ from index times step,
+// and are not used.
 namespace voussoir::io {
 namespace {
 
@@ -22,7 +23,7 @@ struct GeonetHead {
   std::optional<double> peak;   // m/s2
 };
 
-/// "Component N28W  Longitudinal Accelerometer Axis".
+/// Reads "Component N28W Longitudinal Accelerometer Axis".
 void read_component_line(std::string_view line, GeonetHead& h) {
   const std::string_view rest = trimmed(line.substr(line.find(' ') + 1));
   h.component = rest.substr(0, rest.find(' '));
@@ -31,7 +32,7 @@ void read_component_line(std::string_view line, GeonetHead& h) {
   if (holds(line, "VERTICAL") && upper(h.component) == "UP") h.axis = 'V';
 }
 
-/// "Acceleration:  peak  -9733.1 mm/s/s at  44.88 sec     rms ...".
+/// Reads "Acceleration: peak -9733.1 mm/s/s at 44.88 sec rms ...".
 void read_acceleration_line(const MotionText& text, std::string_view line, GeonetHead& h) {
   const std::size_t at = line.find(" at ");
   const std::string_view words = trimmed(line.substr(0, at));

@@ -8,9 +8,9 @@
 #include "io/input/motion/formats/motion_text.h"
 #include "io/input/motion/formats/read_motion.h"
 
-// NIED K-NET and KiK-net ASCII: seventeen lines, a key in the first 18 columns and its value behind, then integers in eight columns of 9.
-// A count is a digitiser's number with an arbitrary offset; acceleration is (count - mean of all counts) * scale factor, as the network's
-// own description and its stated peaks have it. No other reader touches the baseline.
+// NIED K-NET and KiK-net ASCII: seventeen lines, a key in the first 18 columns and its value behind, then integers in eight columns of 9. A
+// count is a digitiser's number with an arbitrary offset; acceleration is (count - mean of all counts) * scale factor, by the network's
+// description and its stated peaks. No other reader changes the baseline.
 namespace voussoir::io {
 namespace {
 
@@ -27,7 +27,7 @@ HeaderFields read_knet_header(MotionText& text) {
   return header;
 }
 
-/// "3920(gal)/6182761", in m/s2.
+/// The scale in m/s2 from "3920(gal)/6182761".
 double scale_of(const HeaderFields::Field& field) {
   const std::string_view all = field.value;
   const std::size_t open = std::min(all.find('('), all.size()), close = std::min(all.find(")/"), all.size());
@@ -46,7 +46,7 @@ std::optional<double> rate_of(const HeaderFields::Field& field) {
 }
 
 std::vector<double> centred(const Place& end, std::vector<double> counts, double scale) {
-  constexpr double kLargestCount = 2147483648.0;  // of 32 bits
+  constexpr double kLargestCount = 2147483648.0;  // range of 32 bits
   for (const double c : counts) {
     if (c != std::floor(c) || std::abs(c) > kLargestCount)
       end.fail("the values hold " + cases::text(c) + "; allowed: whole numbers of 32 bits");

@@ -22,7 +22,7 @@ constexpr const char* kWantedColumns = "wanted two columns: time [s], accelerati
 
 using Fields = std::vector<std::string_view>;
 
-/// Divided by commas or semicolons if there is one, else by blanks. Never more than three: the third only shows that there are too many.
+/// Fields separated by commas or semicolons if present, else by blanks. At most three: a third shows that there are too many.
 Fields fields_of(std::string_view line) {
   const std::size_t mark = line.find_first_of(",;");
   const std::string_view divider = mark == std::string_view::npos ? std::string_view(" \t") : line.substr(mark, 1);
@@ -38,7 +38,7 @@ Fields fields_of(std::string_view line) {
   return fields;
 }
 
-/// The header line: the unit it states, if any. One column has a header without a comma, "a [m/s2]".
+/// The unit in a header line, if any. One column has a header without a comma, "a [m/s2]".
 std::optional<double> unit_of_header(const std::string& path, long line, std::string_view text) {
   const std::size_t mark = text.find_first_of(",;");
   const bool one = mark == std::string_view::npos && !bracketed(text).empty();
@@ -54,7 +54,7 @@ std::optional<double> unit_of_header(const std::string& path, long line, std::st
   return unit;
 }
 
-/// What the columns are, told by the first row of numbers.
+/// Meaning of the columns, determined by the first row of numbers.
 enum class Layout { time_and_value, value };
 
 Layout layout_of(const std::string& path, long line, const Fields& fields, const Unstated& unstated) {
@@ -65,7 +65,7 @@ Layout layout_of(const std::string& path, long line, const Fields& fields, const
                       ", or dt beside it, in s (motion.dt in a case, dt in record.toml, --dt of voussoir motion)");
 }
 
-/// Commas part columns; between semicolons they are decimal ones.
+/// A remark for a message: between semicolons, commas are decimal signs.
 std::string hint(const Fields& fields) {
   const bool both = std::ranges::any_of(fields, [](const auto& f) { return f.find(';') != f.npos; });
   return both ? "; decimals need a point, not a comma" : "";
@@ -95,7 +95,7 @@ double value_of(const std::string& path, long line, const Fields& fields) {
   return *number;
 }
 
-/// A first row of the number of values and their step, as SHAKE has it: the next row has one column, or a time before that number.
+/// A first row with the number of values and their step, as in SHAKE: the next row has one column, or a time before that number.
 struct CountRow {
   double count, dt;
   long line;
@@ -121,7 +121,7 @@ void check_count(const std::string& path, const CountRow& first, std::size_t row
                       std::to_string(rows) + " rows follow; allowed: as many, or no such row");
 }
 
-/// One column that begins with the number of rows behind it: that is no acceleration.
+/// Refuses one column that begins with the number of its remaining rows, which is no acceleration.
 void refuse_count(const std::string& path, const std::vector<CsvRow>& rows) {
   if (rows.size() < 3 || rows.front().value != static_cast<double>(rows.size() - 1)) return;
   throw FileError(path, rows.front().line,
@@ -129,7 +129,7 @@ void refuse_count(const std::string& path, const std::vector<CsvRow>& rows) {
                       ", is the number of rows behind it, no acceleration; remove it, or write the step beside it");
 }
 
-/// The rows of a file, one by one.
+/// Reads the rows of a file, one by one.
 class CsvReader {
  public:
   CsvReader(const std::string& path, const Unstated& unstated) : path_(path), unstated_(unstated) {}
@@ -167,7 +167,7 @@ class CsvReader {
   }
 
  private:
-  /// Whether the first row is of count and step, told by the second.
+  /// Decides by the second row whether the first has count and step.
   void choose(const Fields& second) {
     if (stands_behind(*maybe_count_, second)) {
       count_ = maybe_count_;

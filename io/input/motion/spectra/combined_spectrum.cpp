@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kAngles = 180;
 
-/// The largest |u cos + v sin|.
+/// The largest |u cos + v sin| over all samples.
 double peak_along(const std::vector<double>& u, const std::vector<double>& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   double peak = 0.0;

@@ -29,7 +29,7 @@ double of_one(const cases::MotionIntensity& of, const cases::Accelerogram& a) {
 double intensity(const cases::MotionIntensity& of, const cases::Accelerogram& a, const cases::Accelerogram& b) {
   const double of_a = of_one(of, a), of_b = of_one(of, b);
   if (of_a == 0.0 || of_b == 0.0) return of_a + of_b;
-  return std::sqrt(of_a) * std::sqrt(of_b);  // of each, lest the product be no number
+  return std::sqrt(of_a) * std::sqrt(of_b);  // root of each, so that the product does not overflow
 }
 
 double factor_to_reach(const cases::MotionIntensity& of, const cases::Accelerogram& a, const cases::Accelerogram& b) {

@@ -63,7 +63,7 @@ void write_row(std::ostream& out, const std::string& record, const std::string& 
   out << csv_field(record) << ',' << csv_field(name) << line;
 }
 
-/// Rows of the target within its range.
+/// Writes rows of the target within its range.
 void write_target(std::ostream& out, const Spectra& s, const std::vector<double>& frequencies) {
   for (const double damping : s.damping) {
     for (const double f : frequencies) {
@@ -73,7 +73,7 @@ void write_target(std::ostream& out, const Spectra& s, const std::vector<double>
   }
 }
 
-/// Target accelerations at the periods. \throw InputError at "--fit" outside of its range
+/// Target accelerations at the periods. \throw InputError at "--fit" outside the target's range
 std::vector<double> target_values(const Spectra& s, const std::vector<double>& periods, double damping) {
   std::vector<double> values;
   for (const double period : periods) {

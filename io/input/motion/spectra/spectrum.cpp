@@ -38,7 +38,7 @@ OscillatorStep oscillator_step(double w, double z, double dt) {
   return k;
 }
 
-/// \throw InputError for what is no oscillator.
+/// \throw InputError for an invalid frequency or damping
 void check_oscillator(double frequency_hz, double damping_ratio) {
   if (!(frequency_hz > 0.0) || !std::isfinite(frequency_hz)) {
     throw cases::InputError("", "oscillator frequency is " + cases::text(frequency_hz) + " Hz; allowed: above 0");

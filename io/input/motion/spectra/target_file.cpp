@@ -49,7 +49,7 @@ Eurocode8 eurocode8_of(const std::string& name) {
   return e;
 }
 
-/// "g" of "Sa [g]"; empty without brackets.
+/// The text in brackets: "g" of "Sa [g]"; empty without brackets.
 std::string bracketed(const std::string& field) {
   const std::size_t open = field.find_first_of("[("), close = field.find_first_of("])");
   return open == std::string::npos || close == std::string::npos || close < open ? "" : field.substr(open + 1, close - open - 1);

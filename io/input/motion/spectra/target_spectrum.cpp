@@ -30,7 +30,7 @@ double eurocode8(const Eurocode8& e, double period, double damping_ratio) noexce
 }
 
 std::optional<double> value_at(const TargetSpectrum& target, double period, double damping_ratio) noexcept {
-  constexpr double kRoundOff = 1e-9;  // of a period that was computed
+  constexpr double kRoundOff = 1e-9;  // relative, of a computed period
   if (target.code) {
     if (!(period >= 0.0 && period <= kEurocode8LongestPeriod * (1.0 + kRoundOff))) return std::nullopt;
     return eurocode8(*target.code, period, damping_ratio);

@@ -14,17 +14,17 @@
 #include "io/input/motion/synthetic/wavelets.h"
 
 // The family bam-like#1, #2, ...: a seed draws the short wavelets of a component, a few rounds of corrections bring its peaks and its
-// energy to the published figures, and a draw that misses one of the others is refused, so that the next attempt counts. The amplitudes
-// were tuned outside the program on fourteen draws (V on sixteen); catalogue/bam-like.md lists the figures.
+// energy to the published figures, and a draw that misses another figure is rejected in favour of the next one. The amplitudes were tuned
+// outside the program on fourteen draws (V on sixteen); catalogue/bam-like.md lists the figures.
 namespace voussoir::io {
 namespace {
 
-/// The peaks that a component is brought to.
+/// Target peaks of a component.
 struct Peaks {
   double acceleration;          // m/s2
   double velocity;              // m/s
-  double from, to;              // s, the window in which the peak acceleration is to lie
-  double correction_frequency;  // Hz, of the wavelets that raise and lower single peaks
+  double from, to;              // s, window of the peak acceleration
+  double correction_frequency;  // Hz, of the wavelets that change single peaks
 };
 
 struct Component {
@@ -67,7 +67,7 @@ using Samples = std::vector<double>;
 
 std::size_t sample_at(double time) { return static_cast<std::size_t>(std::lround(time / kWaveletStep)); }
 
-/// The first sample of the greatest magnitude in [from, to].
+/// Index of the sample of greatest magnitude in [from, to], the first of equals.
 std::size_t peak(const Samples& a, std::size_t from, std::size_t to) {
   return static_cast<std::size_t>(std::max_element(a.begin() + static_cast<std::ptrdiff_t>(from),
                                                    a.begin() + static_cast<std::ptrdiff_t>(to) + 1,
@@ -83,7 +83,7 @@ void change_peak(Samples& a, std::size_t sample, double difference, double frequ
   add({sign * difference / at_centre, frequency, static_cast<double>(sample) * kWaveletStep, half_length, 0.0}, a);
 }
 
-/// Brings the peak acceleration to its figure, and peaks outside its window to less.
+/// Corrects the peak acceleration to its target, and reduces peaks outside its window.
 void correct_peaks(Samples& a, const Component& c) {
   const std::size_t from = sample_at(c.peaks.from), to = sample_at(c.peaks.to);
   for (int i = 0; i < kPeaks; ++i) {
@@ -129,7 +129,7 @@ bool within(double value, double figure, double share) { return std::abs(value -
 
 double greatest(const Samples& a, double from, double to) { return std::abs(a[peak(a, sample_at(from), sample_at(to))]); }
 
-/// Quiet at first, then growing: the weakest house of the paper first cracks at 1.2 s.
+/// Whether the record is weak at first, then grows: the weakest house of the paper first cracks at 1.2 s.
 bool starts_quietly(const Samples& a, double until_0_4) {
   const double early = greatest(a, 0.0, 1.195), later = greatest(a, 1.2, 1.995);
   return greatest(a, 0.0, 0.395) < until_0_4 && greatest(a, 0.5, 1.195) > 0.25 && early < 1.6 && early < later &&

@@ -6,8 +6,8 @@
 #include "io/input/motion/synthetic/bam_like.h"
 #include "io/input/motion/synthetic/wavelets.h"
 
-// One record, tuned by gradient descent on the distance to the targets in catalogue/bam-like.md, outside the program, with the seeds
-// chosen among some fifty. What the table holds is amplitudes and the shapes of three pulses; nothing of a real record's samples is in it.
+// One record, tuned by gradient descent on the distance to the targets in catalogue/bam-like.md, outside the program, with the seeds chosen
+// among some fifty. The table contains amplitudes and the shapes of three pulses, and no samples of a real record.
 namespace voussoir::io {
 namespace {
 

@@ -13,7 +13,8 @@ constexpr double kLowestCarrier = 0.7;  // Hz
 constexpr int kCarriers = 30;           // log-spaced over five octaves, one wavelet each per slot
 constexpr int kSlots = 37;              // of half a second, from 0.25 s
 
-/// Knuth's 64-bit linear congruential generator (the MMIX constants); the upper 53 bits make the fraction, so it is exact everywhere.
+/// Knuth's 64-bit linear congruential generator (the MMIX constants). The upper 53 bits are the fraction, which is therefore exact on every
+/// machine.
 class Generator {
  public:
   explicit Generator(std::uint64_t seed) : state_(seed) {}
@@ -58,7 +59,8 @@ void add_short_wavelets(const WaveletAmplitudes& amplitudes, std::uint64_t seed,
       const double frequency = kLowestCarrier * std::exp2(5.0 * (carrier + shift) / kCarriers);
       const double centre = 0.25 + 0.5 * (slot + wait);
       const double half_length = std::max(0.8, 1.5 / frequency);  // s; three cycles at least
-      // A wavelet cut off by the start would leave a drift. The end is far enough: the last centre is at 18.75 s, the longest has 2.15 s.
+      // A wavelet cut off by the start would leave a drift. The end cuts none off: the last centre is at 18.75 s, and the longest half
+      // length is 2.15 s.
       if (centre < half_length) continue;
       const int band = carrier * kWaveletBands / kCarriers;
       const double amplitude =
