@@ -17,13 +17,13 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPiece = 0.5;       // m, along a wall and up it
+constexpr double kPiece = 0.5;       // m, size of a piece along a wall and upwards
 constexpr double kSameLevel = 1e-3;  // m
 constexpr double kSameTime = 1e-3;   // s
 
-constexpr double kGone = 1.0;  // m: what has moved so far is no part of its wall any more
+constexpr double kGone = 1.0;  // m: an element displaced by more no longer belongs to its wall
 
-/// What has fallen, or has left its place.
+/// By element, 1: fallen, or displaced by more than kGone.
 std::vector<std::uint8_t> fallen_in(const Building& b, const std::vector<Pose>& start, const std::vector<Pose>& poses) {
   std::vector<std::uint8_t> fallen(start.size());
   for (std::size_t e = 0; e < start.size(); ++e) {
@@ -34,7 +34,7 @@ std::vector<std::uint8_t> fallen_in(const Building& b, const std::vector<Pose>& 
   return fallen;
 }
 
-/// Displacement of some elements, by mass, of those that have not fallen; nothing once half of the mass has.
+/// Displacement of some elements, weighted by mass, of those not fallen; nothing once half of the mass has fallen.
 std::optional<Vec3> mean_of(const std::vector<std::size_t>& elements, const Building& b, const std::vector<Pose>& start,
                             const std::vector<Pose>& poses, const std::vector<std::uint8_t>& fallen) {
   Vec3 sum;
@@ -51,7 +51,7 @@ std::optional<Vec3> mean_of(const std::vector<std::size_t>& elements, const Buil
   return sum / mass;
 }
 
-/// The pieces of a wall, of about half a metre in length and height.
+/// The pieces of a wall, each about half a metre long and high.
 std::vector<std::vector<std::size_t>> pieces_of(const Building& b, std::int32_t wall) {
   const Wall& w = b.walls[static_cast<std::size_t>(wall)];
   const std::size_t axis = 1 - w.across;
@@ -73,7 +73,7 @@ struct Level {
   std::vector<std::size_t> elements;
 };
 
-/// Bricks of a house that a level goes through; at its foot and top those of the lowest and the uppermost course.
+/// Bricks of a house cut by each level; at foot and top those of the lowest and the uppermost course.
 std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<double> heights) {
   Box box = Box::empty();
   for (const Wall& w : b.walls)
@@ -87,7 +87,7 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
   }
   std::vector<Level> levels;
   for (const double z : heights) {
-    if (z < box.low[2] - kSameLevel || z > box.high[2] + kSameLevel) continue;  // passes no course of this house
+    if (z < box.low[2] - kSameLevel || z > box.high[2] + kSameLevel) continue;  // crosses no course of this house
     Level level{z, {}};
     const double inside = std::clamp(z, box.low[2] + kSameLevel, box.high[2] - kSameLevel);
     for (std::size_t e = 0; e < b.wall.size(); ++e) {
@@ -127,7 +127,7 @@ void read_base_shear(const Hdf5File& run, Assessment& out) {
   out.base_shear_over_weight = out.weight > 0 ? out.base_shear.value / out.weight : kNone;
 }
 
-/// Heights of storeys above the base must lie in the walls.
+/// Refuses heights of storeys above the base that lie outside the walls.
 void check_levels(const Building& b, const std::vector<double>& heights) {
   double top = 0.0;
   for (const Wall& w : b.walls) top = std::max(top, w.box.high[2] - b.base);
@@ -138,7 +138,7 @@ void check_levels(const Building& b, const std::vector<double>& heights) {
   }
 }
 
-/// Goes through the frames once.
+/// Evaluates all frames in one pass.
 class Assessor {
  public:
   Assessor(const Hdf5File& run, const Building& building, const std::vector<double>& heights)
@@ -202,7 +202,7 @@ class Assessor {
     if (now) out_.fallen = fallen;
   }
 
-  /// As for drift (wall_drift.h): at least half of its uppermost course is there.
+  /// Whether a wall stands: at least half of its uppermost course is in place, as for wall_drift.
   static bool stands(const Wall& w, const std::vector<std::uint8_t>& fallen) {
     std::size_t up = 0, down = 0;
     for (const std::vector<std::size_t>& piece : w.top)
@@ -210,7 +210,7 @@ class Assessor {
     return down < up;
   }
 
-  /// Over the thickness; NaN: nothing of the wall stands.
+  /// Out-of-plane displacement over the thickness; NaN: no part of the wall stands.
   [[nodiscard]] double out_of_plane(const Wall& w, const std::vector<std::vector<std::size_t>>& pieces, const std::vector<Pose>& poses,
                                     const std::vector<std::uint8_t>& fallen) const {
     const std::optional<Vec3> foot = mean_of(w.foot, building_, start_, poses, fallen);

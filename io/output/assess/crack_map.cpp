@@ -16,12 +16,12 @@ namespace {
 using geometry::Point2;
 
 constexpr double kMargin = 40.0, kHead = 62.0, kFoot = 92.0;  // user units
-constexpr double kWidest = 1000.0;                            // of the elevation
+constexpr double kWidest = 1000.0;                            // user units, greatest width of the elevation
 constexpr double kLargestScale = 240.0;                       // units per metre
-constexpr double kLeastSheet = 820.0;                         // for the legend
+constexpr double kLeastSheet = 820.0;                         // user units, least width of the sheet, for the legend
 constexpr double kOnFace = 1e-4;                              // m
-constexpr std::size_t kLabels = 6;                            // widths that are written
-constexpr double kApart = 0.4;                                // m, two of these at least
+constexpr std::size_t kLabels = 6;                            // number of labelled widths
+constexpr double kApart = 0.4;                                // m, least distance between labels
 
 const CrackClass* class_of(double width) {
   const CrackClass* found = nullptr;
@@ -36,7 +36,7 @@ class Map {
       : building_(building), number_(wall), wall_(building.walls[static_cast<std::size_t>(wall)]) {
     extent_ = wall_.box;
     for (std::size_t e = 0; e < building.wall.size(); ++e)
-      if (building.wall[e] == wall) extent_.include(building.box[e]);  // with the gable
+      if (building.wall[e] == wall) extent_.include(building.box[e]);  // including the gable
     axis_ = 1 - wall_.across;
     face_ = wall_.outward > 0 ? wall_.box.high[wall_.across] : wall_.box.low[wall_.across];
     scale_ = std::min(kLargestScale, kWidest / std::max(extent_.size(axis_), extent_.size(2)));
@@ -66,7 +66,7 @@ class Map {
   [[nodiscard]] double along(Vec3 v) const { return component(v, axis_); }
   [[nodiscard]] double out(Vec3 v) const { return component(v, wall_.across); }
 
-  /// Those that show on the outer face, where they were at first; what has fallen is grey.
+  /// Draws elements visible on the outer face at their initial positions; fallen ones are grey.
   void draw_elements(Svg& svg, const std::vector<std::uint8_t>& fallen) const {
     for (std::size_t e = 0; e < building_.wall.size(); ++e) {
       const Box& b = building_.box[e];
@@ -81,7 +81,8 @@ class Map {
     }
   }
 
-  /// "; widest 17 mm": that of the table (wall_figures), and that on this face if it is another. \param drawn  widest on this face, m
+  /// "; widest 17 mm": the greatest width in the table (wall_figures), and that on this face if it differs. \param drawn  greatest width on
+  /// this face [m]
   [[nodiscard]] std::string widths(const std::vector<JointWidth>& joints, double drawn) const {
     const CrackFigures f = wall_figures(joints, number_);
     if (f.joints == 0) return "";
@@ -89,7 +90,7 @@ class Map {
     return geometry::printed("; widest %.2f mm", 1e3 * f.largest) + (drawn < f.largest ? here : "");
   }
 
-  /// \return the largest width of a crack on the outer face, m; 0: there is none
+  /// Draws the cracks on the outer face. \return the greatest width [m]; 0: no crack
   double draw_cracks(Svg& svg, const Hdf5File& run, const std::vector<JointWidth>& joints) {
     std::vector<JointWidth> here;
     for (const JointWidth& j : joints)
@@ -114,7 +115,7 @@ class Map {
     return drawn.empty() ? 0.0 : drawn.back().width;
   }
 
-  /// The widest cracks that are not beside one another.
+  /// Labels the widest cracks, at least kApart from each other.
   void write_widths(Svg& svg, const std::vector<JointWidth>& drawn) const {
     std::vector<Vec3> taken;
     for (auto j = drawn.rbegin(); j != drawn.rend() && taken.size() < kLabels; ++j) {
@@ -151,9 +152,9 @@ class Map {
   const Wall& wall_;
   Box extent_ = Box::empty();
   std::size_t axis_ = 0;  // along the wall
-  double face_ = 0;       // m, of the outer face along the axis across
+  double face_ = 0;       // m, position of the outer face along the axis across
   double scale_ = 1, left_ = 0;
-  std::array<double, kCrackClasses.size()> length_{};  // m, drawn
+  std::array<double, kCrackClasses.size()> length_{};  // m, total length drawn, by class
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kTurns = 0.02;         // of its speed: a part whose farthest point turns by no more than this slides
-constexpr std::size_t kNames = 3;       // of elements that a line lists
-constexpr std::size_t kMostLines = 12;  // parts, seams
+constexpr double kTurns = 0.02;         // of its speed: a part slides if rotation moves its farthest point by no more than this
+constexpr std::size_t kNames = 3;       // number of element names in a line
+constexpr std::size_t kMostLines = 12;  // of parts, of seams
 
 using geometry::printed;
 
@@ -36,7 +36,7 @@ std::vector<std::int32_t> elements_of(const solver::MechanismPart& part, const s
   return all;
 }
 
-/// "front wall, 412 elements", "b3, b4, b5 and 2 more".
+/// Elements in words: "front wall, 412 elements", "b3, b4, b5 and 2 more".
 std::string what(const std::vector<std::int32_t>& elements, const cases::Model& model) {
   std::map<std::string, std::size_t> tags;
   for (const std::int32_t e : elements) ++tags[model.blocks[static_cast<std::size_t>(e)].tag];
@@ -55,7 +55,7 @@ std::string vector(Vec3 v) {
   return printed("(%.3f, %.3f, %.3f)", flat(v.x), flat(v.y), flat(v.z));
 }
 
-/// Where a part turns: the point of the axis nearest to its centre of mass.
+/// The point of a part's axis of rotation nearest to its centre of mass.
 Vec3 axis_point(const solver::MechanismPart& p) {
   const Vec3 w = p.motion.w;
   return p.centre + cross(w, p.motion.v) / dot(w, w);
@@ -146,7 +146,7 @@ Json state_json(const solver::LimitState& s, const cases::Model& model, const so
   return out;
 }
 
-/// The figures of a proof: forces from below, a mechanism from above, and by how much each misses.
+/// Figures of a proof: static and kinematic bounds, and their residuals.
 std::string associated_proof(const solver::LimitProof& p) {
   return printed("forces for %.6f, a mechanism for %.6f: gap %.1g; forces off by %.1g of a mean weight, mechanism by %.1g of its speed",
                  p.lower, p.upper, std::abs(p.upper - p.lower), p.forces.worst(), std::max(p.motion.off_normal, 0.0));
@@ -162,7 +162,7 @@ std::string loaded_block(const solver::LoadPosition& p, const cases::Model& mode
   return cases::describe(model.blocks[e], e);
 }
 
-/// A line a place of the load.
+/// Appends a line for each position of the load.
 void print_path(std::string& out, const solver::LoadPath& path, bool coulomb, const cases::Model& model) {
   out += "place                              associated   Coulomb   acts on\n";
   for (std::size_t k = 0; k < path.positions.size(); ++k) {

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // m
 
-/// Sorted, without doubles.
+/// Sorted values, without duplicates.
 std::vector<double> lines(std::vector<double> at) {
   std::ranges::sort(at);
   at.erase(std::ranges::unique(at, [](double a, double b) { return b - a < kSamePlace; }).begin(), at.end());
   return at;
 }
 
-/// A wall's elevation, cut by all edges of its elements: which cells have masonry in them.
+/// A wall's elevation divided by all edges of its elements into cells, with or without masonry.
 struct Elevation {
   std::vector<double> u, z;   // m, lines
   std::vector<char> masonry;  // by cell, row by row
@@ -45,7 +45,7 @@ Elevation elevation_of(const Building& b, std::int32_t wall) {
   std::vector<const Box*> boxes;
   std::vector<double> u{w.box.low[axis], w.box.high[axis]}, z{w.box.low[2], w.box.high[2]};
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
-    if (!overlap(b.box[e], w.box)) continue;  // also of the walls beside it, whose bricks take turns with its own at the corners
+    if (!overlap(b.box[e], w.box)) continue;  // also elements of adjoining walls, which alternate with those of this wall at corners
     boxes.push_back(&b.box[e]);
     for (const double at : {b.box[e].low[axis], b.box[e].high[axis]}) u.push_back(std::clamp(at, w.box.low[axis], w.box.high[axis]));
     for (const double at : {b.box[e].low[2], b.box[e].high[2]}) z.push_back(std::clamp(at, w.box.low[2], w.box.high[2]));
@@ -65,7 +65,7 @@ Elevation elevation_of(const Building& b, std::int32_t wall) {
   return e;
 }
 
-/// Numbers the openings: by cell, 0 where there is masonry, else 1, 2, ... by the first cell from the left (as seen from outside).
+/// Numbers the openings: by cell, 0 for masonry, else 1, 2, ... by the leftmost cell (as seen from outside).
 std::vector<int> openings_of(const Elevation& e, bool from_right) {
   std::vector<int> number(e.masonry.size(), 0);
   int last = 0;
@@ -99,7 +99,7 @@ std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& buildi
     if (j.time > time) continue;
     const auto ea = static_cast<std::size_t>(j.a), eb = static_cast<std::size_t>(std::max(j.b, 0));
     const Vec3 n{normal[3 * j.row], normal[3 * j.row + 1], normal[3 * j.row + 2]}, apart = j.apart(poses);
-    const Vec3 across = j.b < 0 ? n : normalised(poses[ea].rotation * n + poses[eb].rotation * n);  // the mean, as in THEORY.md (7)
+    const Vec3 across = j.b < 0 ? n : normalised(poses[ea].rotation * n + poses[eb].rotation * n);  // the mean normal, as in THEORY.md (7)
     JointWidth w{j.row, dot(apart, across), 0, norm(apart), area[j.row], j.centre, {building.wall[ea], -1}, OpeningKind::crack};
     if (w.width > JointWidth::kWidestCrack) w.kind = OpeningKind::parted;
     if (building.is_seat(j.a, j.b)) w.kind = OpeningKind::seat;
@@ -119,7 +119,7 @@ std::vector<OpeningCorner> opening_corners(const Building& building, std::int32_
   for (std::size_t i = 1; i < e.columns(); ++i) {
     for (std::size_t k = 1; k < e.rows(); ++k) {
       int open = 0, number = 0;
-      bool low_side = false, left = false;  // of the opening's cell, as seen from the corner
+      bool low_side = false, left = false;  // position of the opening's cell relative to the corner
       for (const std::size_t row : {k - 1, k}) {
         for (const std::size_t column : {i - 1, i}) {
           if (e.has(column, row)) continue;
@@ -128,7 +128,7 @@ std::vector<OpeningCorner> opening_corners(const Building& building, std::int32_
         }
       }
       if (open != 1) continue;
-      // The opening lies below an upper corner, and to the left of a right one.
+      // An opening is below its upper corners, and to the left of its right ones.
       corners.push_back(
           {wall, "opening " + std::to_string(number) + (low_side ? ", upper " : ", lower ") + (left ? "right" : "left"), e.u[i], e.z[k]});
     }

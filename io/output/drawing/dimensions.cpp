@@ -20,7 +20,7 @@ constexpr double kArrow = 22.0;
 
 bool plain(const cases::Case& c) { return c.house && c.house->turn == 0.0 && c.house->copies == std::array<int, 2>{1, 1}; }
 bool along_x(const std::string& wall) { return wall == "front" || wall == "rear"; }
-/// m, of the foot of a storey above that of the walls.
+/// Height of a storey's foot above that of the walls [m].
 double foot_of(const cases::House& house, int storey) {
   double foot = storey > 1 ? house.height : 0.0;
   for (int above = 2; above < storey; ++above) foot += house.storeys[static_cast<std::size_t>(above - 2)].height;
@@ -46,14 +46,14 @@ void draw_opening_dimensions(Svg& svg, const cases::Case& c, const std::string& 
   if (!plain(c)) return;
   const bool x = along_x(wall);
   const double base = c.base ? c.base->z : 0.0;
-  // In the plane of the wall: along it and up. The view leaves out the third direction.
+  // Coordinates in the plane of the wall: along and up. The view ignores the third direction.
   const auto place = [&](double along, double z) { return x ? at({along, box.low.y, z}) : at({box.low.x, along, z}); };
   std::vector<double> edges{x ? box.low.x : box.low.y, x ? box.high.x : box.high.y};
   for (const cases::Opening& o : c.house->openings) {
     if (o.wall != wall) continue;
     const double from = c.house->origin[x ? 0 : 1] + o.from, to = from + o.width, foot = base + foot_of(*c.house, o.storey);
     const double sill = foot + o.sill, top = sill + o.height;
-    if (o.storey == 1) edges.insert(edges.end(), {from, to});  // below the view: the pieces of the lowest storey
+    if (o.storey == 1) edges.insert(edges.end(), {from, to});  // below the view: lengths between edges in the lowest storey
     Point2 low = place(from, sill), high = place(to, top);
     if (low.s > high.s) std::swap(low.s, high.s);
     draw_dimension(svg, {low.s, low.t - kInset}, {high.s, low.t - kInset}, o.width);
@@ -70,7 +70,7 @@ void draw_opening_dimensions(Svg& svg, const cases::Case& c, const std::string& 
 void draw_thicknesses(Svg& svg, const cases::Case& c, double z, const Projection& at) {
   if (!plain(c)) return;
   const cases::House& h = *c.house;
-  // The outer corner of the front and the left wall is the origin; front and rear walls bear the roof.
+  // The outer corner of the front and the left wall is the origin; front and rear walls are bearing walls.
   const double x = h.origin[0], y = h.origin[1], bearing = h.bearing_wall, other = h.nonbearing_wall;
   const double aside = x + other + 0.25 * h.inner_size[0], across = y + bearing + 0.25 * h.inner_size[1];
   if (stands(h, "rear")) {
@@ -87,7 +87,7 @@ void draw_axes(Svg& svg, Point2 corner, Vec3 right, Vec3 up) {
     if (s * s + t * t < 0.5) continue;
     const Point2 end{corner.s + kArrow * s, corner.t + kArrow * t};
     svg.line(corner, end, kInk, 1.2);
-    for (const double side : {-1.0, 1.0})  // the head
+    for (const double side : {-1.0, 1.0})  // arrow heads
       svg.line(end, {end.s - 5.0 * s + 2.5 * side * t, end.t - 5.0 * t + 2.5 * side * s}, kInk, 1.2);
     svg.text({end.s + 7.0 * s, end.t + 7.0 * t + 3.5}, std::string(1, "xyz"[k]), kType, "middle", kInk);
   }

@@ -22,13 +22,13 @@ using geometry::Polygon;
 constexpr double kMargin = 30.0, kTitle = 44.0, kCaption = 64.0, kLegend = 40.0;  // user units
 constexpr double kSheet = 760.0;                                                  // widest view
 constexpr double kLargestScale = 140.0;                                           // units per metre
-constexpr double kBehind = 0.55;                 // m; a wall deeper than this behind the nearest face is drawn darker
-constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: its caption, the pieces of its wall
-constexpr double kBeside = 10.0;                 // units of ground that are drawn beside the house
-constexpr const char* kNamed = "#1f5fa8";        // red is for cracks alone, as in all pictures
+constexpr double kBehind = 0.55;                 // m; faces farther than this behind the nearest one are drawn darker
+constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: caption, dimensions of the wall
+constexpr double kBeside = 10.0;                 // units of ground drawn beside the house
+constexpr const char* kNamed = "#1f5fa8";        // not red, which marks cracks in all pictures
 constexpr const char* kTie = "#1b7f5c";
 
-/// A direction of view: screen axes right and up, and into the picture.
+/// A direction of view: screen axes right and up, and the direction into the picture.
 struct View {
   const char* name;
   Vec3 right, up, into;
@@ -49,13 +49,13 @@ struct Colour {
   }
 };
 
-/// What the legend calls a block, and its colour.
+/// Name of a block in the legend, and its colour.
 struct Style {
   std::string name;
   Colour colour;
 };
 
-/// \param of_rubble  the walls of the house are of stones, not bricks
+/// \param of_rubble  whether the walls of the house are of rubble
 Style style_of(const cases::Block& block, bool of_rubble) {
   if (block.ground >= 0) return {"ground", {150, 142, 128}};
   const auto colour = [&]() -> Colour {
@@ -85,7 +85,7 @@ Style style_of(const cases::Block& block, bool of_rubble) {
   return {prefix + (stone ? "stone of rubble" : cases::name(block.kind)), colour()};
 }
 
-/// The part of the sheet that a view fills.
+/// The part of the sheet occupied by a view.
 class Frame {
  public:
   Frame(const View& view, Point2 low, double scale, Point2 corner, double height)
@@ -105,12 +105,12 @@ class Frame {
   double height_;
 };
 
-/// A face that may be seen.
+/// A face that may be visible.
 struct VisibleFace {
   double depth = 0.0;
   Polygon corners;
   std::size_t element = 0;
-  bool upright = false;  // parallel to the picture
+  bool upright = false;  // parallel to the picture plane
 };
 
 class Drawing {
@@ -118,7 +118,7 @@ class Drawing {
   Drawing(const cases::Case& c, const cases::Model& model) : case_(c), model_(model) {
     box_ = geometry::bounds(model.blocks.front().shape);
     for (const cases::Block& b : model.blocks) {
-      if (b.ground >= 0) continue;  // it may reach far beyond the walls on it
+      if (b.ground >= 0) continue;  // ground may extend far beyond the walls on it
       const geometry::Box3 box = geometry::bounds(b.shape);
       box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y), std::min(box_.low.z, box.low.z)};
       box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y), std::max(box_.high.z, box.high.z)};
@@ -160,7 +160,7 @@ class Drawing {
     return {view, {right, up}, scale_, corner, height};
   }
 
-  /// Faces that touch nothing over all their area, on the near side of their element; the farthest first.
+  /// Faces on the near side of their elements that are not entirely in contact; the farthest first.
   [[nodiscard]] std::vector<VisibleFace> visible(const Frame& frame) const {
     std::vector<VisibleFace> faces;
     for (const geometry::FreePatch& patch : model_.assembly.patches) {
@@ -189,7 +189,7 @@ class Drawing {
     return faces;
   }
 
-  /// A part of the base, as far as it is near the house.
+  /// A part of the base, cut off near the house.
   [[nodiscard]] geometry::Polyhedron ground_near_walls(const cases::Block& block) const {
     const geometry::Box3 whole = geometry::bounds(block.shape);
     Vec3 low = whole.low, high = whole.high;
@@ -203,7 +203,7 @@ class Drawing {
     return named_.count(element) != 0 ? kNamed : style(model_.blocks[element]).colour.text(light);
   }
 
-  /// Depth of the nearest face; a pier or buttress stands before its wall and does not darken it.
+  /// Depth of the nearest face, without piers and buttresses, which stand before their wall and must not darken it.
   [[nodiscard]] double nearest_wall(const std::vector<VisibleFace>& faces) const {
     for (std::size_t i = faces.size(); i-- > 0;) {
       const cases::Block& block = model_.blocks[faces[i].element];
@@ -218,10 +218,10 @@ class Drawing {
     const std::vector<VisibleFace> faces = visible(frame);
     const double nearest = nearest_wall(faces);
     for (const VisibleFace& f : faces) svg.polygon(f.corners, fill(f.element, f.upright && f.depth > nearest + kBehind ? 0.62 : 1.0));
-    for (const auto& [element, name] : named_) {  // one inside the wall too
+    for (const auto& [element, name] : named_) {  // also elements inside the wall
       if (frame.depth(model_.assembly.elements[element].mass.centroid) <= nearest + kBehind) label(svg, frame, element);
     }
-    for (const cases::TieBar& t : model_.ties) {  // straps of the near faces alone, rods wherever they are
+    for (const cases::TieBar& t : model_.ties) {  // straps of the near faces only, all rods
       if (t.mesh < 0 || std::max(frame.depth(end_of(t, 0)), frame.depth(end_of(t, 1))) <= nearest + kBehind) draw_tie(svg, frame, t);
     }
     const Vec3 size = box_.high - box_.low;
@@ -256,7 +256,7 @@ class Drawing {
     return at;
   }
 
-  /// A rod with a dot at either end, also where it is seen end on; a strap as a thin line.
+  /// Draws a rod with a dot at either end, also in a view along it; a strap as a thin line.
   static void draw_tie(Svg& svg, const Frame& frame, const cases::TieBar& t) {
     const std::array<Point2, 2> ends{frame.at(end_of(t, 0)), frame.at(end_of(t, 1))};
     svg.line(ends[0], ends[1], kTie, t.mesh < 0 ? 2.0 : 0.6);
@@ -264,7 +264,7 @@ class Drawing {
     for (const Point2 at : ends) svg.circle(at, 3.0, kTie);
   }
 
-  /// The convex polygon in which a plane of constant z cuts a block.
+  /// The convex polygon of a block's section at constant z.
   [[nodiscard]] static Polygon section_at(const geometry::Polyhedron& shape, double z, const Frame& frame) {
     Polygon points;
     for (const auto& loop : shape.faces) {
@@ -309,7 +309,7 @@ class Drawing {
     svg.text({left + 22.0, top + 11.0}, "tie: " + std::to_string(model_.ties.size()), 12.0);
   }
 
-  /// The middle of the course, among those at half the height of an opening, that meets most openings.
+  /// Height of the section: the middle of the course that meets most openings, among courses at half the height of an opening.
   [[nodiscard]] double section_height() const {
     double best = 0.5 * (box_.low.z + box_.high.z);
     if (!case_.house) return best;

@@ -7,7 +7,7 @@
 namespace voussoir::io {
 namespace {
 
-/// A hundredth of a unit is finer than any screen or printer draws.
+/// A number to a hundredth of a unit, finer than the resolution of screens and printers.
 std::string number(double value) { return geometry::printed("%.2f", value); }
 
 std::string attribute(const char* name, std::string_view value) { return " " + std::string(name) + "=\"" + std::string(value) + "\""; }

@@ -20,17 +20,17 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kPiece = 1.0;       // m along a wall's top, over which its displacement is averaged
+constexpr double kPiece = 1.0;       // m, length of a piece of a wall's top, over which displacement is averaged
 constexpr double kSameLevel = 1e-3;  // m
 
-/// /model/element as far as it matters here.
+/// Required parts of /model/element.
 struct Elements {
   std::vector<std::string> tag;
   std::vector<std::int32_t> house;
   std::vector<std::uint8_t> fixed;
 };
 
-/// A number of the case, 0 if it is not given.
+/// A number of the case, 0 if not given.
 double case_number(const Hdf5File& run, std::string_view table, std::string_view key) {
   try {
     const Node document = parse_document(run.attribute_text("/case", "toml"));
@@ -46,7 +46,7 @@ double case_number(const Hdf5File& run, std::string_view table, std::string_view
   }
 }
 
-/// \throw FileError
+/// Whether the case has a table. \throw FileError
 bool has_table(const Hdf5File& run, std::string_view table) {
   try {
     return find_entry(*parse_document(run.attribute_text("/case", "toml")).as<Node::Table>(), table) != nullptr;
@@ -69,12 +69,12 @@ std::vector<Box> boxes_of(const Hdf5File& run, std::size_t elements) {
   return boxes;
 }
 
-/// What the tag of a brick says: "front wall", "left gable", "middle wall, storey 2".
+/// Parts of a brick's tag: "front wall", "left gable", "middle wall, storey 2".
 struct WallTag {
-  std::string side;  // empty: no brick of a wall
+  std::string side;  // empty: not a brick of a wall
   bool gable = false;
   int storey = 1;
-  std::string storey_name;  // ", storey 2"; empty: a house of one storey
+  std::string storey_name;  // ", storey 2"; empty: the house has one storey
 };
 
 WallTag wall_tag(std::string tag) {
@@ -93,8 +93,7 @@ WallTag wall_tag(std::string tag) {
   return found;
 }
 
-/// What each element is in a house. Results of early versions say it by tags alone, and there what is neither wall, lintel nor roof is a
-/// block.
+/// The kind of each element. Early results have tags only; there an element that is neither wall, lintel nor roof is a block.
 std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std::string>& tags) {
   using enum cases::PartKind;
   std::vector<cases::PartKind> kinds;
@@ -112,36 +111,36 @@ std::vector<cases::PartKind> kinds_of(const Hdf5File& run, const std::vector<std
   return kinds;
 }
 
-/// House, storey, place round it (4: an inner wall), side.
+/// House, storey, position in the order round the house (4: an inner wall), side.
 using WallKey = std::tuple<std::int32_t, int, std::ptrdiff_t, std::string>;
 WallKey wall_key(std::int32_t house, const WallTag& tag) {
   constexpr std::array<std::string_view, 4> kRound{"front", "right", "rear", "left"};
   return {house, tag.storey, std::ranges::find(kRound, tag.side) - kRound.begin(), tag.side};
 }
 
-/// Which way is out of the house at a wall, by its place round the house that has been turned.
+/// Sets the outward direction of a wall from its position round the rotated house.
 void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
-  const std::ptrdiff_t quarter = (place + 3 + quarter_turns) % 4;  // 0: +x, where the right wall of a house not turned is; then +y, −x, −y
+  const std::ptrdiff_t quarter = (place + 3 + quarter_turns) % 4;  // 0: +x, the right wall of a house that is not rotated; then +y, −x, −y
   wall.across = static_cast<std::size_t>(quarter % 2);
   wall.outward = quarter < 2 ? 1.0 : -1.0;
 }
 
-/// An inner wall, or one of free blocks: across it is its shorter side. Out is away from the middle of what stands there; of an inner wall
-/// along the axis.
+/// Sets the direction of an inner wall, or of one of free blocks: across it is its shorter side. Outward is away from the centre of the
+/// model; for an inner wall, along the axis.
 void orient_by_box(Wall& wall, const Box& all) {
   wall.across = wall.box.size(0) < wall.box.size(1) ? 0 : 1;
   wall.outward = !wall.inner && wall.box.centre(wall.across) < all.centre(wall.across) ? -1.0 : 1.0;
 }
 
-/// Bricks of houses, and free blocks whose `part` is a wall.
+/// Whether the element is a brick of a house, or a free block whose `part` is a wall.
 bool may_be_of_wall(const Elements& elements, const Building& b, std::size_t e) {
   return elements.house[e] >= 0 || b.kind[e] == cases::PartKind::walling;
 }
 
-/// Walls with their boxes, house by house, storey by storey and round each; says of each brick which wall it is in.
+/// Finds walls with their boxes, house by house, storey by storey, in order round each; sets the wall of each brick.
 void find_walls(const Elements& elements, int quarter_turns, Building& b) {
   std::set<std::int32_t> houses(elements.house.begin(), elements.house.end());
-  houses.erase(-1);  // blocks of their own
+  houses.erase(-1);  // free blocks
   const bool several = houses.size() > 1;
   std::map<WallKey, std::int32_t> numbers;
   std::vector<WallTag> tags;
@@ -172,7 +171,7 @@ void find_walls(const Elements& elements, int quarter_turns, Building& b) {
   }
 }
 
-/// Lintels belong to the wall in whose box they lie.
+/// Assigns lintels to the wall whose box contains them.
 void find_lintels(const Elements& elements, Building& b) {
   for (std::size_t e = 0; e < b.kind.size(); ++e) {
     if (b.kind[e] != cases::PartKind::lintel) continue;
@@ -197,7 +196,7 @@ void find_courses(const Elements& elements, Building& b) {
   }
 }
 
-/// The rectangle about the walls of a storey less the walls themselves.
+/// The rectangle enclosed by the walls of a storey.
 Room inside_of(const std::vector<const Wall*>& walls, const Box& outer, int storey) {
   Room room{{outer.low[0], outer.low[1]}, {outer.high[0], outer.high[1]}, outer.low[2], outer.high[2], storey, true};
   for (const Wall* w : walls) {
@@ -209,7 +208,7 @@ Room inside_of(const std::vector<const Wall*>& walls, const Box& outer, int stor
   return room;
 }
 
-/// What an inner wall leaves of the rooms that it goes through.
+/// Divides rooms by an inner wall that runs through them.
 std::vector<Room> parted(const std::vector<Room>& rooms, const Wall& wall) {
   std::vector<Room> all;
   for (const Room& room : rooms) {
@@ -238,7 +237,7 @@ void find_rooms(Building& b) {
   }
 }
 
-/// Which storeys lie under each element of a floor or a roof.
+/// Finds the number of storeys under each element of a floor or a roof.
 void find_covers(const Elements& elements, Building& b) {
   for (std::size_t e = 0; e < b.kind.size(); ++e) {
     if (b.is_roof(e)) b.covers[e] = Building::kAll;
@@ -275,7 +274,7 @@ Building building_of(const Hdf5File& run) {
   if (elements.tag.size() != n || elements.house.size() != n || elements.fixed.size() != n || b.kind.size() != n)
     throw FileError(run.path(), "/model/element does not fit together");
   for (std::size_t e = 0; e < n; ++e) {
-    if (elements.fixed[e] != 0) b.mass[e] = 0.0;  // no part of what may fall, as the solver has it
+    if (elements.fixed[e] != 0) b.mass[e] = 0.0;  // excluded from mass that may fall, as in the solver
   }
   b.wall.assign(n, -1);
   b.covers.assign(n, 0);

@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How a measure is shown to people.
+/// Presentation of a measure.
 struct ShownMeasure {
   const char* name;    // in the summary
-  const char* label;   // with the unit
+  const char* label;   // including the unit
   double factor;       // from SI to that unit
   const char* format;  // of a value
 };
@@ -57,7 +57,7 @@ constexpr ShownMeasure kShownOfWall[] = {
     {"large_crack_extent", "cracks of 5 mm", 1, "%.2f"},
 };
 
-/// The member, or null.
+/// The member of an object, or null.
 Json member(const Json& object, std::string_view name) {
   const auto found = object.find(name);
   return found == object.end() ? Json() : *found;
@@ -70,7 +70,7 @@ Json wall_of(const Json& summary, const std::string& name) {
   return Json::object();
 }
 
-/// Names of the walls of both, in the order of the first.
+/// Names of the walls of both runs, in the order of the first.
 std::vector<std::string> wall_names(const Json& a, const Json& b) {
   std::vector<std::string> names;
   for (const Json* summary : {&a, &b}) {
@@ -82,13 +82,13 @@ std::vector<std::string> wall_names(const Json& a, const Json& b) {
   return names;
 }
 
-/// Is it the time of something that never came?
+/// Whether the value is the time of an event that never came.
 bool never(std::string_view name, const Json& value) {
-  if (name == "end_time" || name.starts_with("settling_")) return false;  // these may lie before the shaking
+  if (name == "end_time" || name.starts_with("settling_")) return false;  // these may be before the shaking
   return name.ends_with("_time") && value.is_number() && value.get<double>() < 0.0;
 }
 
-/// B - A, or null where there is none.
+/// B - A, or null where undefined.
 Json difference(std::string_view name, const Json& a, const Json& b) {
   if (!a.is_number() || !b.is_number() || never(name, a) || never(name, b)) return {};
   if (a.is_number_integer() && b.is_number_integer()) return b.get<std::int64_t>() - a.get<std::int64_t>();
@@ -106,7 +106,7 @@ std::string shown_difference(const ShownMeasure& s, const Json& a, const Json& b
   if (!d.is_number()) return "-";
   const double value = s.factor * d.get<double>();
   const std::string text = geometry::printed((std::string("%+") + (s.format + 1)).c_str(), value);
-  return value == 0.0 ? "0" : text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;  // no sign of what is not shown
+  return value == 0.0 ? "0" : text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;  // no sign for a displayed zero
 }
 
 struct Line {

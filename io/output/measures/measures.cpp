@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What of a part's mass has fallen, and when something first had, and a quarter.
+/// Fallen mass of a part, and the times at which the first element, and a quarter of the mass, had fallen.
 struct Part {
   double mass = 0, fallen = 0;          // kg; fallen: in this frame
   double first_time = kNeverReached;    // s
@@ -33,10 +33,10 @@ struct Part {
 };
 
 void keep_larger(double& kept, double value) {
-  if (!(std::abs(value) <= std::abs(kept))) kept = value;  // also in place of a NaN
+  if (!(std::abs(value) <= std::abs(kept))) kept = value;  // also replaces a NaN
 }
 
-/// Goes through the frames of a run once.
+/// Evaluates all frames of a run in one pass.
 class Measurer {
  public:
   explicit Measurer(const Hdf5File& run)
@@ -108,7 +108,7 @@ class Measurer {
     for (std::size_t e = 0; e < poses.size(); ++e) {
       const double height = start_[e].centre.z - building_.base, sunk = start_[e].centre.z - poses[e].centre.z;
       sum.add(building_.kind[e], building_.mass[e], sunk, height);
-      fallen_[e] = building_.mass[e] > 0 && solver::FallenMass::has_fallen(sunk, height) ? 1 : 0;  // what is fixed has no mass here
+      fallen_[e] = building_.mass[e] > 0 && solver::FallenMass::has_fallen(sunk, height) ? 1 : 0;  // fixed elements have mass 0 here
       if (fallen_[e] == 0) continue;
       for (Part* part : {&all_, part_of(e)}) {
         if (part == nullptr) continue;
@@ -122,7 +122,7 @@ class Measurer {
     if (m_.collapsed && m_.collapse_time == kNeverReached) m_.collapse_time = time;
   }
 
-  /// Of one wall in this frame, whose drift and cracks it keeps.
+  /// Damage of one wall in this frame; stores its drift and cracks.
   WallDamage damage_of(std::size_t w, const CrackExtent& cracks, const std::vector<Pose>& poses) {
     const Wall& wall = building_.walls[w];
     WallMeasures& measures = m_.walls[w];
@@ -138,7 +138,8 @@ class Measurer {
     return {cracks, walls_[w].share(), std::abs(drift.value_or(0.0)) * wall.height() / wall.thickness()};
   }
 
-  /// Damage that does not last, as a crack that closes again, is none: the grade at a time is the lowest from then on.
+  /// Computes grades over time. Temporary damage, such as a crack that closes again, does not count: the grade at a time is the lowest from
+  /// then on.
   void finish_grades() {
     std::vector<std::int64_t>& grade = m_.series.damage_grade;
     for (std::size_t f = grade.size(); f-- > 1;) grade[f - 1] = std::min(grade[f - 1], grade[f]);
@@ -199,7 +200,7 @@ class Measurer {
   FreeVolume volume_;
   InterpenetrationCheck penetration_;
   std::vector<std::string> tags_;
-  std::vector<std::uint8_t> fallen_;  // in the frame at hand
+  std::vector<std::uint8_t> fallen_;  // in the current frame
   Part all_, roof_;
   std::vector<Part> walls_;
   Measures m_;

@@ -10,7 +10,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kTouch = 1e-4;  // m, far above what is lost where frames keep positions as float32
+constexpr double kTouch = 1e-4;  // m, far above the rounding of positions to float32 in frames
 
 Vec3 vector_at(const std::vector<double>& values, std::size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
 
@@ -83,7 +83,7 @@ void InterpenetrationCheck::take_base(std::size_t element, Interpenetration& now
   if (!half_segment_.empty() && depth > half_segment_[element]) ++now.deep_pairs;
 }
 
-// The pair that was deepest in the frame before is likely to be deep again: with its depth known, most pairs need no exact one.
+// Begins with the deepest pair of the frame before, which is likely to be deep again: given its depth, most pairs need no exact depth.
 void InterpenetrationCheck::begin_with_last(Interpenetration& now) const {
   if (last_a_ == kBaseBody || last_b_ == kBaseBody) return;
   const double depth =

@@ -11,7 +11,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kRowsPerPeriod = 4.0;  // of the corner, at least
+constexpr double kRowsPerPeriod = 4.0;  // rows per period of the corner frequency, at least
 
 Vec3 row_of(const std::vector<double>& values, std::size_t i) {
   return 3 * i + 2 < values.size() ? Vec3{values[3 * i], values[3 * i + 1], values[3 * i + 2]} : Vec3{};
@@ -35,7 +35,7 @@ PointAcceleration accelerations_of(const std::string& name, const std::vector<do
 
 LowPass::LowPass(double corner, double rate) : first_{}, second_{} {
   const double k = std::tan(std::numbers::pi * corner / rate);
-  const auto section = [k](double angle) {  // of the pair of poles at this angle from the negative axis
+  const auto section = [k](double angle) {  // section of the pole pair at this angle from the negative axis
     const double damping = 2.0 * std::cos(angle), norm = 1.0 / (1.0 + damping * k + k * k);
     return Section{k * k * norm, 2.0 * k * k * norm, k * k * norm, 2.0 * (k * k - 1.0) * norm, (1.0 - damping * k + k * k) * norm};
   };

@@ -15,12 +15,12 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kNamed = 4;  // parts in a message; the rest are "others"
+constexpr std::size_t kNamed = 4;  // parts named in a message; the rest are "others"
 
-/// Bonds that broke, by part of the building, and the heights between which.
+/// Broken bonds by part of the building, and their range of heights.
 struct Broken {
   std::map<std::string, std::int64_t> by_part;
-  std::int64_t all = 0;                                               // a bond counts at both of its elements
+  std::int64_t all = 0;                                               // a bond counts for both of its elements
   double low = std::numeric_limits<double>::infinity(), high = -low;  // m
 };
 
@@ -44,7 +44,7 @@ std::string percent(std::int64_t part, std::int64_t all) {
   return text.data();
 }
 
-/// "front wall 60 %, roof beam 30 %, others 10 %"
+/// Shares in words: "front wall 60 %, roof beam 30 %, others 10 %".
 std::string shares(const Broken& b) {
   std::vector<std::pair<std::int64_t, std::string>> parts;
   for (const auto& [name, lost] : b.by_part) parts.emplace_back(lost, name);

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kGone = 1.0;  // m, in plan
 
-/// Horizontal displacements of some elements of a wall that have not fallen.
+/// Horizontal displacements of those of a wall's elements that have not fallen.
 struct Displacements {
   std::vector<std::array<double, 2>> of;  // x, y, m
   std::size_t fallen = 0;
 
-  /// The middle one of each component; of an even number the one nearer to zero of the two.
+  /// The median of each component; of an even number of values the middle one nearer to zero.
   [[nodiscard]] std::array<double, 2> median() const {
     std::array<double, 2> middle{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -30,7 +30,7 @@ struct Displacements {
   }
 };
 
-/// Displacements, one way, of the elements that are part of the wall still.
+/// Displacements in one direction of the elements still part of the wall.
 struct Sum {
   double metres = 0;
   std::size_t standing = 0, gone = 0;
@@ -48,7 +48,7 @@ Displacements displacements_of(const std::vector<std::size_t>& elements, const s
   return found;
 }
 
-/// What flew off without sinking is no more part of the wall than what has fallen.
+/// Sum over elements still part of the wall: an element that flew off without sinking is excluded like a fallen one.
 Sum sum_of(const Wall& wall, const Displacements& d, DriftDirection direction) {
   const bool out = direction == DriftDirection::out_of_plane;
   const std::size_t axis = out ? wall.across : 1 - wall.across;

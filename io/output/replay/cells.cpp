@@ -15,7 +15,7 @@ double handedness(const geometry::Polyhedron& p, std::array<int, 4> corner) {
   return dot(cross(at(corner[1]) - at(corner[0]), at(corner[2]) - at(corner[0])), at(corner[3]) - at(corner[0]));
 }
 
-// VTK wants the bottom of a hexahedron counter-clockwise seen from its top, that of a wedge clockwise.
+// VTK requires the bottom of a hexahedron counter-clockwise seen from its top, that of a wedge clockwise.
 void add_hexahedron(const geometry::Polyhedron& p, std::int32_t first, std::int32_t element, Cells& cells) {
   const bool right = handedness(p, {0, 1, 3, 4}) > 0;
   const std::array<int, 8> order = right ? std::array{0, 1, 2, 3, 4, 5, 6, 7} : std::array{0, 3, 2, 1, 4, 7, 6, 5};
@@ -39,7 +39,7 @@ void add_prism(const geometry::Polyhedron& p, std::int32_t first, std::int32_t e
 void add_tetrahedra(const geometry::Polyhedron& p, std::int32_t first, std::int32_t element, Cells& cells) {
   for (const auto& face : p.faces) {
     if (std::find(face.begin(), face.end(), 0) != face.end()) continue;
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {  // a face is counter-clockwise from outside, VTK's bottom from the fourth corner
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {  // a face is counter-clockwise from outside, VTK's base from the fourth corner
       for (const std::int32_t v : {face[0], face[i + 1], face[i], 0}) cells.corners.push_back(first + v);
       cells.corners.insert(cells.corners.end(), 4, -1);
       cells.type.push_back(kTetrahedron);

@@ -12,9 +12,9 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kMisfit = 0.2;  // of the motion, what rigid parts may leave over: 4 % of the mean square
-constexpr double kSmall = 0.02;  // of the height: as far elements may go for rotations to be small
-constexpr double kMoves = 5e-4;  // m: less is no motion
+constexpr double kMisfit = 0.2;  // of the motion: greatest residual of rigid parts, 4 % of the mean square
+constexpr double kSmall = 0.02;  // of the height: limit of the displacement for which rotations are small
+constexpr double kMoves = 5e-4;  // m: smaller displacements count as none
 
 double largest(const std::vector<Pose>& from, const std::vector<Pose>& to) {
   double most = 0.0;

@@ -10,12 +10,12 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kWhole = 0.999;     // of a face: areas of joints are sums with round-off
+constexpr double kWhole = 0.999;     // of a face, to allow for round-off in sums of areas
 constexpr std::int32_t kDryLaw = 0;  // see cases::Model::laws
 
 using Ints = std::vector<std::int32_t>;
 
-/// Adds the areas of joints to the faces of one of their two sides.
+/// Adds the areas of joints to the faces on one side of the joints.
 void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const Ints& first_face, DryJoints dry,
                std::vector<double>& covered) {
   const auto law = run.read<std::int32_t>("/model/joint/law");

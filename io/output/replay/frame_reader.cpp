@@ -44,9 +44,9 @@ std::vector<double> FrameReader::row(const char* name, std::uint64_t frame, std:
   return values;
 }
 
-// Many frames at a time: of a run that is not merged yet, every read opens all its parts.
+// Reads many frames at a time, since every read of an unmerged run opens all its parts.
 void FrameReader::read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const {
-  block.frames = 0;  // nothing, should the read fail
+  block.frames = 0;  // empty if the read fails
   const std::uint64_t fit = every_ > 1 ? 1 : std::max<std::uint64_t>(1, kBlock / std::max<std::uint64_t>(1, row * sizeof(double)));
   const std::uint64_t count = std::min(fit, frames() - frame);
   block.values.resize(count * row);

@@ -15,7 +15,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kMostEdges = 255;  // of a joint: as many as a byte holds
+constexpr std::size_t kMostEdges = 255;  // of a joint: limit of a byte
 
 }  // namespace
 

@@ -14,7 +14,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kHalf = 0.499;  // of a joint: areas of segments are sums with round-off
+constexpr double kHalf = 0.499;  // of a joint's area, to allow for round-off in sums of areas
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::vector<double> joint_opening_times(const Hdf5File& run) {
   const auto joint = run.read<std::int32_t>("/cracks/joint");
   if (broken.size() != joint.size() || time.size() != joint.size())
     throw FileError(run.path(), "/cracks does not fit together, or to /model/joint");
-  std::vector<double> open(area.size());  // m2; where both faces have springs of their own, each spring has half of its segment's area
+  std::vector<double> open(area.size());  // m2; where both faces have springs of their own, each counts for half of its segment's area
   std::vector<double> since(area.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < joint.size(); ++i) {
     const auto j = static_cast<std::size_t>(joint[i]);

@@ -14,20 +14,20 @@ namespace {
 
 struct Corner {
   Vec3 at;
-  bool on_surface;  // the edge from here to the next corner
+  bool on_surface;  // of the edge from here to the next corner
 };
 using Polygon = std::vector<Corner>;
 
 constexpr double kOnFace = 1e-7;     // m
-constexpr double kParallel = 0.999;  // cosine from which on a face lies along the joint and cuts nothing off it
+constexpr double kParallel = 0.999;  // cosine above which a face is parallel to the joint and cuts nothing off
 
-/// What of a convex polygon lies where normal·p <= distance. \param on_surface  of the edge that this makes
+/// The part of a convex polygon with normal·p <= distance. \param on_surface  property of the new edge
 Polygon cut(const Polygon& polygon, Vec3 normal, double distance, bool on_surface) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Corner &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double at_p = dot(normal, p.at) - distance, at_q = dot(normal, q.at) - distance;
-    const bool on_face = std::abs(at_p) <= kOnFace && std::abs(at_q) <= kOnFace;  // two faces along one edge: either may be the surface
+    const bool on_face = std::abs(at_p) <= kOnFace && std::abs(at_q) <= kOnFace;  // two faces at one edge: either may be the surface
     if (at_p <= kOnFace)
       kept.push_back({p.at, on_face ? p.on_surface || on_surface : at_q > kOnFace && at_p > -kOnFace ? on_surface : p.on_surface});
     if ((at_p < -kOnFace && at_q > kOnFace) || (at_p > kOnFace && at_q < -kOnFace))
@@ -36,7 +36,7 @@ Polygon cut(const Polygon& polygon, Vec3 normal, double distance, bool on_surfac
   return kept;
 }
 
-/// A square about a point, across a unit normal.
+/// A square about a point, perpendicular to a unit normal.
 Polygon square(Vec3 centre, Vec3 normal, double half) {
   const Vec3 aside = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   Vec3 u = cross(normal, aside);
@@ -48,8 +48,8 @@ Polygon square(Vec3 centre, Vec3 normal, double half) {
 struct Faces {
   std::vector<std::int32_t> element;
   std::vector<double> normal, distance, centre;
-  std::vector<std::int32_t> first;    // of an element
-  std::vector<std::uint8_t> covered;  // 1: joints cover all of it
+  std::vector<std::int32_t> first;    // of each element
+  std::vector<std::uint8_t> covered;  // 1: entirely covered by joints
 
   Faces(const Hdf5File& run, DryJoints dry)
       : element(run.read<std::int32_t>("/model/face/element")),
@@ -61,7 +61,7 @@ struct Faces {
       throw FileError(run.path(), "/model/face does not fit together");
     covered = covered_face_rows(run, dry);
   }
-  /// Cuts a polygon, which lies on a face of element e across `along`, with the other faces of e.
+  /// Cuts a polygon, which lies on the face of element e with normal `along`, by the other faces of e.
   [[nodiscard]] Polygon within(std::int32_t e, Vec3 along, Polygon polygon) const {
     const auto of = static_cast<std::size_t>(e);
     const Vec3 c{centre[3 * of], centre[3 * of + 1], centre[3 * of + 2]};
@@ -87,7 +87,7 @@ std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::
     if (a[j] < 0 || a[j] >= elements || b[j] >= elements)
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
     const Vec3 n{normal[3 * j], normal[3 * j + 1], normal[3 * j + 2]};
-    constexpr double kFar = 1e3;  // m; larger than any face
+    constexpr double kFar = 1e3;  // m; beyond any face
     Polygon p = faces.within(a[j], n, square({centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]}, n, kFar));
     if (b[j] >= 0) p = faces.within(b[j], n, std::move(p));
     auto& edges = all.emplace_back();

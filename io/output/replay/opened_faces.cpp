@@ -19,7 +19,7 @@ using Ints = std::vector<std::int32_t>;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// One side of all joints: the elements there, and their faces by number; −1: the base.
+/// One side of all joints: the elements, and their faces by number; −1: the base.
 struct JointSide {
   Ints element;
   std::vector<std::int64_t> face;
@@ -39,7 +39,7 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
   return side;
 }
 
-/// Elements that are parts of the base: a broken joint is a small part of their faces.
+/// Marks elements that are parts of the base, since a broken joint is a small part of their faces.
 std::vector<bool> parts_of_base(const Hdf5File& run) {
   if (!run.exists("/model/element/tag")) return std::vector<bool>(run.read<std::int32_t>("/model/element/first_face").size(), false);
   const auto fixed = run.read<std::uint8_t>("/model/element/fixed");

@@ -56,7 +56,7 @@ ElementShapes::ElementShapes(const Hdf5File& run, std::size_t elements) : first_
 }
 
 std::optional<Chord> ElementShapes::chord(std::size_t element, const Pose& pose, double x, double y) const noexcept {
-  // The line is p + z up; with both turned into the element's own axes a face keeps the z with n·p + z n·up <= distance.
+  // The line is p + z up; in the element's own axes, each face restricts it to z with n·p + z n·up <= distance.
   const Mat3 back = transposed(pose.rotation);
   const Vec3 p = back * Vec3{x - pose.centre.x, y - pose.centre.y, -pose.centre.z}, up = back * Vec3{0, 0, 1};
   Chord c{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

@@ -24,19 +24,19 @@ constexpr const char* kData = "paraview.h5";
 constexpr std::int32_t kXdmfTetrahedron = 6, kXdmfWedge = 8, kXdmfHexahedron = 9;
 constexpr int kDeflate = 1;
 
-/// What stands still, checked: whatever counts something is in its range.
+/// Constant data, checked: all indices are in range.
 struct Still {
-  std::vector<double> vertex;                   // three each, reference configuration, m
-  std::vector<std::int32_t> first_vertex;       // of each element, and the end
-  std::vector<std::int32_t> topology;           // XDMF's mixed one: type and corners of each cell
-  std::vector<std::int32_t> element, material;  // of each cell
+  std::vector<double> vertex;                   // m, three per vertex, reference configuration
+  std::vector<std::int32_t> first_vertex;       // by element, and the end
+  std::vector<std::int32_t> topology;           // mixed topology of XDMF: type and corners of each cell
+  std::vector<std::int32_t> element, material;  // by cell
 };
 
 bool in_range(std::span<const std::int32_t> values, std::size_t end) {
   return std::ranges::all_of(values, [end](std::int32_t v) { return v >= 0 && static_cast<std::size_t>(v) < end; });
 }
 
-/// \throw FileError for a corner that is no vertex
+/// Topology of the cells. \throw FileError for a corner that is no vertex
 std::vector<std::int32_t> mixed_topology(const Hdf5File& run, std::size_t vertices) {
   const auto corners = run.read<std::int32_t>("/model/cells");
   const auto types = run.read<std::uint8_t>("/model/cell_type");
@@ -73,7 +73,7 @@ void append(std::vector<float>& to, Vec3 v) {
   for (const double x : {v.x, v.y, v.z}) to.push_back(static_cast<float>(x));
 }
 
-/// Where all vertices are in a frame.
+/// Positions of all vertices in a frame.
 std::vector<float> vertices_at(const FrameReader& frames, std::uint64_t frame, const Still& still) {
   const std::vector<double> position = frames.row("position", frame, 3), q = frames.row("quaternion", frame, 4);
   std::vector<float> points;
@@ -87,7 +87,7 @@ std::vector<float> vertices_at(const FrameReader& frames, std::uint64_t frame, c
   return points;
 }
 
-/// One dataset as the data of an XDMF element.
+/// A dataset as the data item of an XDMF element.
 std::string item(const std::string& path, const Shape& shape, const char* type) {
   std::string extents;
   for (const std::uint64_t n : shape) extents += (extents.empty() ? "" : " ") + std::to_string(n);
@@ -101,7 +101,7 @@ std::string cell_array(const char* name, const char* kind, const std::string& da
 
 std::string time_element(double t) { return geometry::printed("<Time Value=\"%.9g\"/>\n", t); }
 
-/// Writes arrays into paraview.h5 and what run.xdmf says of them.
+/// Writes arrays into paraview.h5 and their description into run.xdmf.
 class ParaviewWriter {
  public:
   ParaviewWriter(Hdf5File& file, const FrameReader& frames, const Still& still) : file_(file), frames_(frames), still_(still) {}
@@ -139,7 +139,7 @@ class ParaviewWriter {
   }
 
  private:
-  /// Writes rows of `width`, and gives the item that refers to them.
+  /// Writes rows of `width`, and returns the item that refers to them.
   template <class T>
   std::string write(const std::string& path, const std::vector<T>& values, std::uint64_t width, const Hdf5Note& note) {
     const std::uint64_t rows = values.size() / width;

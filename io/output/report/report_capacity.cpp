@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 Axis over(const std::string& name, const std::string& unit, Values values) { return {name, unit, std::move(values)}; }
 
-/// Elastic up to yield, level up to the ultimate displacement, or as far as the curve goes.
+/// Adds a bilinear curve: elastic up to yield, then constant up to the ultimate displacement, or to the end of the capacity curve.
 void add_bilinear(std::vector<Line>& lines, const std::string& name, const Bilinear& b, double end) {
   if (std::isnan(b.yield) || std::isnan(b.force)) return;
   const double until = std::max(b.yield, std::isnan(b.ultimate) ? end : b.ultimate);
@@ -86,7 +86,7 @@ bool same_direction(const Json& limit, const cases::Analysis& a) {
 
 std::string per_cent(double share) { return geometry::printed("%.2g %%", 100.0 * share); }
 
-/// What the two have not in common, the likely heaviest first.
+/// Differences between the two analyses, the probably most important first.
 Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
   Json all = Json::array();
   if (const int mortar = limit["mortar_joints"].get<int>(); mortar > 0)
@@ -106,9 +106,9 @@ Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
   return all;
 }
 
-/// A second opinion: what `voussoir limit CASE --format json` wrote into limit.json beside the run, as {"associated", "coulomb" (null: not
-/// asked for, or not converged), "reasons" (sentences)}. Null if there is no such file, or the run is no pushover or tilt. \throw FileError
-/// if it is no such file, or one of another case or direction
+/// Limit analysis for comparison: the output of `voussoir limit CASE --format json` in limit.json beside the run, as {"associated",
+/// "coulomb" (null: not computed, or not converged), "reasons" (sentences)}. Null without such a file, or if the run is no pushover or
+/// tilt. \throw FileError if the file is invalid, or of another case or direction
 Json second_opinion(const std::string& folder, const cases::Case& c, const Capacity& run) {
   const std::string path = folder + "/limit.json";
   std::error_code none;

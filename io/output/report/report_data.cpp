@@ -25,7 +25,7 @@
 namespace voussoir::io {
 namespace {
 
-/// Elements of HTML whose ids begin with a prefix.
+/// HTML elements whose ids begin with a prefix.
 class Scripts {
  public:
   explicit Scripts(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -42,13 +42,13 @@ class Scripts {
   std::string prefix_;
 };
 
-/// Rows of `width` bytes as steps from the row before, modulo 256.
+/// Rows of `width` bytes as differences from the row before, modulo 256.
 std::vector<std::uint8_t> steps(std::vector<std::uint8_t> rows, std::size_t width) {
   for (std::size_t i = rows.size(); i-- > width;) rows[i] = static_cast<std::uint8_t>(rows[i] - rows[i - width]);
   return rows;
 }
 
-/// The mechanism; of a run whose case this program cannot read there is none, and the page does without.
+/// Adds the mechanism; omitted for a run whose case this program cannot read.
 void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   try {
     const ReportBodies bodies = report_bodies(file, reader);

@@ -31,10 +31,10 @@ namespace {
 using namespace page;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTies = 6;  // curves in one diagram
+constexpr std::size_t kMostTies = 6;  // curves in one plot
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
-/// Ground acceleration at its own samples, so that its peaks are there.
+/// Plot of the ground acceleration at its own samples, so that its peaks are included.
 Plot ground_plot(const cases::GroundMotion& motion, double from, double until) {
   double step = std::max(until - from, 1e-3);
   for (const cases::Accelerogram& a : motion.axis)
@@ -49,7 +49,7 @@ Plot ground_plot(const cases::GroundMotion& motion, double from, double until) {
   return {"Ground acceleration", "m/s²", thinned(time), columns(value, kAxes)};
 }
 
-/// Where the ground is at each of these times [s], m: from rest, with an acceleration that is linear between samples.
+/// Position of the ground [m] at each of these times [s]: from rest, with linear acceleration between samples.
 Json ground_track(const cases::GroundMotion& motion, const std::vector<double>& times) {
   double step = 0.01;
   for (const cases::Accelerogram& a : motion.axis)
@@ -90,7 +90,7 @@ void add_base_shear(const Hdf5File& file, std::vector<Plot>& plots) {
   plots.push_back({"Base shear", "kN", thinned(time), std::move(curves)});
 }
 
-/// Of ties, those that bear most.
+/// Adds a plot of the ties with the largest forces.
 void add_ties(const Hdf5File& file, std::vector<Plot>& plots) {
   if (!file.exists("/ties/force")) return;
   const std::vector<std::string> names = file.read_strings("/model/tie");
@@ -109,7 +109,7 @@ void add_ties(const Hdf5File& file, std::vector<Plot>& plots) {
       {order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)});
 }
 
-/// \param prefix  of the datasets' names in /damage
+/// Adds a plot of numbers of sides. \param prefix  of the datasets' names in /damage
 void add_sides(const Hdf5File& file, const char* title, const std::string& prefix, std::initializer_list<const char*> names,
                std::vector<Plot>& plots) {
   std::vector<Curve> sides;
@@ -117,7 +117,7 @@ void add_sides(const Hdf5File& file, const char* title, const std::string& prefi
   plots.push_back({title, "", thinned(file.read<double>("/damage/time")), std::move(sides)});
 }
 
-/// Sides that broke, and where the energy went: what the ground put in and gravity gave is what is stored and lost.
+/// Adds plots of broken sides and of energy: input of ground and gravity against stored and lost energy.
 void add_tables(const Hdf5File& file, std::vector<Plot>& plots) {
   add_sides(file, "Segment sides by what opened them; those that have slipped and hold", "", {"tension", "shear", "compression", "slipped"},
             plots);
@@ -143,7 +143,7 @@ void add_tables(const Hdf5File& file, std::vector<Plot>& plots) {
   plots.back().stack = true;
 }
 
-/// Attributes that are there, as numbers.
+/// Existing attributes as numbers.
 Json numbers(const Hdf5File& file, const std::string& object, const std::vector<std::string>& names) {
   Json out = Json::object();
   for (const std::string& name : names)
@@ -160,7 +160,7 @@ Json texts(const Hdf5File& file, const std::string& object, const std::vector<st
 
 void warn(const char* what, const std::exception& e) { std::fprintf(stderr, "warning: the page has no %s: %s\n", what, e.what()); }
 
-/// The name of a record without the folders of whoever ran it.
+/// The name of a record without folders, which could identify the user.
 std::string record_name(const cases::Motion& m) {
   if (m.record) return std::filesystem::path(*m.record).filename().string();
   std::string names;
@@ -170,7 +170,7 @@ std::string record_name(const cases::Motion& m) {
   return names;
 }
 
-/// Whether this motion shook the run: rows of /motion are its values, but for another compiler's last digits.
+/// Whether this motion was applied in the run: rows of /motion have its values, up to the last digits.
 bool shook(const cases::GroundMotion& motion, const Hdf5File& file) {
   const auto time = file.read<double>("/motion/time"), a = file.read<double>("/motion/acceleration");
   double most = 0, off = 0;
@@ -182,7 +182,7 @@ bool shook(const cases::GroundMotion& motion, const Hdf5File& file) {
   return off <= 1e-9 * most;
 }
 
-/// What shook the run: by the samples of its records, or, if these have changed or are gone, as the run holds it.
+/// The motion applied in the run: from the samples of its records, or, if these have changed or are missing, from the run.
 cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
   const cases::Motion& m = *c.value.motion;
   if (!file.exists("/motion/acceleration") || file.shape("/motion/time").at(0) < 2) return load_motion(m, c.value.folder);
@@ -197,7 +197,7 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
   return applied;
 }
 
-/// By which the components of the record were multiplied in all.
+/// Total factors of the components of the record.
 std::array<double, 3> scale_of(const cases::Motion& m, const Hdf5File& file) {
   std::array<double, 3> scale = m.scale;
   if (m.intensity && file.exists("/motion/factor")) {
@@ -206,7 +206,7 @@ std::array<double, 3> scale_of(const cases::Motion& m, const Hdf5File& file) {
   return scale;
 }
 
-/// What shook the run. If the run does not hold its motion, and the records are gone, the page has neither peaks nor the curves.
+/// Adds the ground motion. Without motion in the run, and without the records, the page has neither peaks nor curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;
@@ -226,9 +226,9 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
   }
 }
 
-constexpr double kWildDrift = 25;  // %; beyond it a wall is falling, and the figure says no more than that
+constexpr double kWildDrift = 25;  // %; greater drifts, of a falling wall, are not drawn
 
-/// How the building fell.
+/// Adds plots and facts of the collapse.
 void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
   try {
     const Measures m = measure(file);
@@ -250,7 +250,7 @@ void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
   }
 }
 
-/// Walls and rooms, for names and for the space that is left, in the scene.
+/// Adds walls and rooms, for names and for the free space in the scene.
 void add_building(const Hdf5File& file, Json& facts) {
   facts["walls"] = facts["rooms"] = Json::array();
   try {
@@ -264,7 +264,7 @@ void add_building(const Hdf5File& file, Json& facts) {
   }
 }
 
-/// The case of the run, unless another version of the program wrote one that this does not know.
+/// The case of the run; nothing if it is unreadable, as from another version of the program.
 std::optional<LoadedCase> case_of(const Hdf5File& file) {
   try {
     return read_case({file.path(), file.attribute_text("/case", "toml")});
@@ -274,7 +274,7 @@ std::optional<LoadedCase> case_of(const Hdf5File& file) {
   }
 }
 
-/// Parts of the building by number, in order of their first element.
+/// Numbers the parts of the building in order of their first element.
 std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   std::map<std::string, std::int32_t> numbers;
   std::vector<std::int32_t> part;
@@ -284,7 +284,7 @@ std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
     if (is_new) facts["parts"].push_back(at->first);
     part.push_back(at->second);
   }
-  constexpr std::size_t kMostParts = 40;  // a legend of all names of many stones tells nothing
+  constexpr std::size_t kMostParts = 40;  // more names do not fit a legend
   if (facts["parts"].size() > kMostParts) {
     facts["parts"] = Json::array({"all elements"});
     part.assign(part.size(), 0);

@@ -15,9 +15,9 @@
 namespace voussoir::io {
 namespace {
 
-constexpr int kMostShift = 8;  // more would save nothing
+constexpr int kMostShift = 8;  // larger shifts save nothing
 
-/// The smallest step in which the largest displacement fits 16 bits, but no finer than 1 um.
+/// The smallest quantum [m] for which the largest displacement fits 16 bits, at least 1 um.
 double quantum_of(const FrameReader& reader) {
   double largest = 0;
   for (std::uint64_t f = 0; f < reader.frames(); ++f)
@@ -25,8 +25,8 @@ double quantum_of(const FrameReader& reader) {
   return std::max(largest / kQuantaOfASide, 1e-6);
 }
 
-/// Rounding a quaternion to steps of r moves a point at the distance d by at most 2 d √3 r/2, rounding a position to a quantum by √3/2 of
-/// it: r may be quantum / (2 d). In powers of two.
+/// Shifts of all elements. Rounding a quaternion to steps of r moves a point at the distance d by at most 2 d √3 r/2, and rounding a
+/// position to a quantum by √3/2 of the quantum, so r may be quantum / (2 d), here a power of two.
 std::vector<std::uint8_t> shifts(const Hdf5File& run, std::uint64_t elements, double quantum) {
   std::vector<std::uint8_t> all;
   for (const double d : element_radii(run, static_cast<std::size_t>(elements))) {
@@ -37,12 +37,12 @@ std::vector<std::uint8_t> shifts(const Hdf5File& run, std::uint64_t elements, do
   return all;
 }
 
-/// Writes frames as steps from the one before.
+/// Writes frames as differences from the frame before.
 class FramePacker {
  public:
   explicit FramePacker(std::uint64_t elements) : last_(7 * elements), last_broken_(elements), bytes_(15 * elements) {}
 
-  /// Component `channel` (0 to 6) of all elements: `width` apart, from `first`. \param quantum  of an element
+  /// Adds component `channel` (0 to 6) of all elements: values `width` apart, from `first` on. \param quantum  function of the element
   void put(std::size_t channel, std::span<const double> values, std::size_t first, std::size_t width, const auto& quantum) {
     const std::size_t n = last_broken_.size();
     std::byte* low = bytes_.data() + 2 * channel * n;
@@ -76,7 +76,7 @@ class FramePacker {
 }  // namespace
 
 std::uint64_t frames_apart(std::uint64_t elements, std::uint64_t frames) {
-  constexpr std::uint64_t kMost = 40'000'000;  // elements times frames; in a collapse four bytes of the page each
+  constexpr std::uint64_t kMost = 40'000'000;  // elements times frames; in a collapse each takes four bytes of the page
   return std::max<std::uint64_t>(1, (elements * frames + kMost - 1) / kMost);
 }
 

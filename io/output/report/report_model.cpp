@@ -50,7 +50,7 @@ std::vector<std::int32_t> polyhedron_loops(const Hdf5File& run) {
   if (type.size() != of_cell.size() || first.size() != element.size()) throw FileError(run.path(), "/model/face does not fit together");
   std::vector<std::int32_t> polyhedra;
   for (std::size_t c = 0; c < type.size(); ++c) {
-    const bool another = c > 0 && of_cell[c - 1] == of_cell[c];  // a prism of several wedges: its ends are one face each, not triangles
+    const bool another = c > 0 && of_cell[c - 1] == of_cell[c];  // a prism of several wedges: each of its ends is one face, not triangles
     if (type[c] == kTetrahedron || another) polyhedra.push_back(of_cell[c]);
   }
   std::ranges::sort(polyhedra);

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kPlotPoints = 20000;  // of a curve at most: the rows of twenty seconds at the default history_interval
+constexpr std::size_t kPlotPoints = 20000;  // greatest number in a curve: twenty seconds at the default history_interval
 
-/// JSON has no NaN: it becomes null when it is written.
+/// A plot as JSON; NaN becomes null in the output.
 Json json_of(const Plot& p) {
   Json out{{"title", p.title}, {"unit", p.unit}, {"t", p.t}, {"curves", Json::array()}};
   for (const Curve& c : p.curves) out["curves"].push_back({{"name", c.name}, {"y", c.y}});
@@ -34,7 +34,7 @@ double six_digits(double v) {
   return std::round(v / digit) * digit;
 }
 
-/// Rows of the least and the largest of the values of [from, to), in their order; two rows even if all are the same, or no numbers.
+/// Rows of the least and the largest value of [from, to), in ascending order; always two rows, even for equal values or NaN.
 std::array<std::size_t, 2> extremes(const Values& values, std::size_t from, std::size_t to) {
   std::size_t low = from, high = from;
   for (std::size_t i = from; i < to; ++i) {

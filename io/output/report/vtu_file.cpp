@@ -10,14 +10,14 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint8_t kPolyhedron = 42;  // VTK's number
+constexpr std::uint8_t kPolyhedron = 42;  // cell type of VTK
 
 void append(std::string& out, Vec3 v, const char* format) {
   for (const double x : {v.x, v.y, v.z}) out += geometry::printed(format, x) + ' ';
   out += '\n';
 }
 
-/// An array of the grid, its values written by `fill`.
+/// Appends an array of the grid, with values written by `fill`.
 void array(std::string& out, const char* type, const std::string& name, int components, const std::function<void(std::string&)>& fill) {
   out += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + std::to_string(components) +
          "\" format=\"ascii\">\n";
@@ -35,7 +35,7 @@ void write_points(std::string& out, const cases::Model& model) {
   out += "</Points>\n";
 }
 
-/// Hexahedra and wedges as they are; any other element is one polyhedron, whose faces go into an array of their own.
+/// Hexahedra and wedges as cells; any other element as one polyhedron, whose faces are in a separate array.
 struct Grid {
   std::vector<std::int64_t> corners, ends, faces, face_ends;
   std::vector<std::uint8_t> type;
@@ -63,7 +63,7 @@ Grid grid_of(const cases::Model& model) {
   for (std::size_t c = 0; c < cells.type.size(); ++c) {
     const std::int32_t e = cells.element[c];
     const bool polyhedron = cells.type[c] == kTetrahedron;
-    if (polyhedron && !g.element.empty() && g.element.back() == e) continue;  // one for all its tetrahedra
+    if (polyhedron && !g.element.empty() && g.element.back() == e) continue;  // one polyhedron for all its tetrahedra
     if (polyhedron) {
       add_polyhedron(model.blocks[static_cast<std::size_t>(e)].shape, first_vertex[static_cast<std::size_t>(e)], g);
     } else {

@@ -12,7 +12,7 @@
 namespace voussoir::io {
 namespace {
 
-/// One axis, walked forward in time.
+/// Integrates one axis forward in time.
 class Integral {
  public:
   explicit Integral(const cases::Accelerogram& a) : a_(a) {}
@@ -20,7 +20,7 @@ class Integral {
   struct Row {
     double acceleration, velocity, displacement;
   };
-  /// \pre t is not before the last one
+  /// \pre t does not decrease between calls
   Row at(double t) {
     const std::vector<double>& s = a_.acceleration;
     if (s.empty()) return {0.0, 0.0, 0.0};
@@ -42,7 +42,7 @@ class Integral {
 
   const cases::Accelerogram& a_;
   std::size_t sample_ = 0;
-  double velocity_ = 0.0, displacement_ = 0.0;  // at the sample
+  double velocity_ = 0.0, displacement_ = 0.0;  // at the current sample
 };
 
 template <class T>

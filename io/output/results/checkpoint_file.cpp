@@ -79,7 +79,7 @@ void write_stones(Hdf5File& file, const StoneTables& stones) {
   file.write_strings("/stones/texts", packed.texts, {"1", "names and groups"});
 }
 
-/// Entries [first, first + count) of a field. \pre  first is a multiple of those that lie together
+/// Entries [first, first + count) of a field. \pre first is a multiple of the group size
 solver::Field part_of(const solver::Field& f, std::size_t first, std::size_t count) {
   solver::Field part = f;
   const std::size_t row = f.columns * size_of(f.type);
@@ -92,15 +92,15 @@ bool is_zero(const std::byte* bytes, std::size_t n) {
   return n == 0 || (bytes[0] == std::byte{0} && std::memcmp(bytes, bytes + 1, n - 1) == 0);
 }
 
-/// Piece by piece. Pieces of zeros, as most of the history of segments is, are not written: a new file reads as zero there.
+/// Writes a field in pieces. Pieces of zeros, such as most of the history of segments, are omitted: a new file reads as zero there.
 void write_field(Hdf5File& file, const std::string& name, Hdf5Type type, const solver::Field& f) {
-  constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes, or some more
+  constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes, approximately
   const std::size_t row = f.columns * size_of(f.type), at_a_time = (kPiece / row / f.together + 1) * f.together;
   for (std::size_t first = 0; first < f.count; first += at_a_time) {
     const solver::Field part = part_of(f, first, std::min(at_a_time, f.count - first));
     const std::vector<std::byte> values = f.stride != 0 ? packed(part) : std::vector<std::byte>{};
     const std::byte* data = f.stride != 0 ? values.data() : static_cast<const std::byte*>(part.data);
-    const bool last = first + part.count == f.count;  // always written: with the first piece HDF5 reserves the whole dataset
+    const bool last = first + part.count == f.count;  // always written: with it HDF5 reserves the whole dataset
     if (last || !is_zero(data, part.bytes())) file.write_rows(name, type, first, part.count, data);
   }
 }
@@ -115,9 +115,9 @@ void write_state(Hdf5File& file, std::span<const solver::Field> state) {
   }
 }
 
-/// Bytes that the file will take, or some more.
+/// Upper bound on the size of the file in bytes.
 std::uint64_t room_for(const CheckpointFacts& facts, std::span<const solver::Field> state) {
-  constexpr std::uint64_t kStructure = 256 << 10, kOfDataset = 2048;  // HDF5's own
+  constexpr std::uint64_t kStructure = 256 << 10, kOfDataset = 2048;  // overhead of HDF5
   std::uint64_t bytes = kStructure + facts.case_toml.size();
   for (const solver::Field& f : state) bytes += f.bytes() + kOfDataset;
   for (const cases::Accelerogram& a : facts.motion.axis) bytes += a.acceleration.size() * sizeof(double);
@@ -125,10 +125,10 @@ std::uint64_t room_for(const CheckpointFacts& facts, std::span<const solver::Fie
   return bytes;
 }
 
-/// Reads what the writers above wrote. Room is made only for what the file really holds, however often something claims to be in it.
+/// Reads checkpoints. Memory is allocated only up to the size of the file, whatever the datasets claim.
 class Reader {
  public:
-  /// \param bytes  of the file
+  /// \param bytes  size of the file
   Reader(const Hdf5File& file, std::uint64_t bytes) : file_(file), left_(bytes) {}
 
   [[nodiscard]] CheckpointFacts facts() {
@@ -161,7 +161,8 @@ class Reader {
  private:
   [[noreturn]] void fault(const std::string& what) const { throw DamagedFile(file_.path(), what); }
 
-  /// Every byte of the file is of one dataset at most.
+  /// Deducts the size of a dataset from the unclaimed bytes, as every byte of the file is in at most one dataset. \throw if there are not
+  /// enough
   void claim(const std::string& name, std::uint64_t bytes) {
     if (bytes > left_) fault(name + " claims more than the file has");
     left_ -= bytes;
@@ -182,7 +183,7 @@ class Reader {
     return f;
   }
 
-  /// Finite ones.
+  /// Reads finite numbers.
   [[nodiscard]] std::vector<double> numbers(const std::string& name, std::uint64_t columns) {
     const solver::SavedField f = field(name);
     if (f.type != solver::FieldType::f64 || f.columns != columns) fault(name + " is no list of numbers");
@@ -241,7 +242,7 @@ class Reader {
   }
 
   const Hdf5File& file_;
-  std::uint64_t left_;  // bytes of the file that nothing has claimed yet
+  std::uint64_t left_;  // bytes of the file not yet claimed
 };
 
 }  // namespace
@@ -259,7 +260,7 @@ void write_checkpoint(const std::string& path, const CheckpointFacts& facts, std
 
 namespace {
 
-/// \param bytes  of the file
+/// \param bytes  size of the file
 Checkpoint parse(const Hdf5File& file, std::uint64_t bytes) {
   const std::string& name = file.path();
   if (!file.has_attribute("/", "format") || file.attribute_text("/", "format") != kWhat)

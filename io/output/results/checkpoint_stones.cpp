@@ -21,7 +21,7 @@ void pack_piece(const cases::StonePiece& piece, PackedStones& out) {
   for (const Vec3& v : piece.shape.vertices) out.vertices.insert(out.vertices.end(), {v.x, v.y, v.z});
 }
 
-/// Takes one thing after the other off the lists; `good` falls once anything is missing or out of range.
+/// Reads items from the lists in order; `good` becomes false once an item is missing or out of range.
 class Unpacker {
  public:
   explicit Unpacker(const PackedStones& packed) : in_(packed) {}

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kKept = 2;
 
-/// \pre  one of checkpoint_files
+/// Number of a checkpoint. \pre path is one of checkpoint_files
 long number_in(const std::string& path) { return *checkpoint_number(fs::path(path).filename().string()); }
 
 std::string name_of(long number) {
@@ -53,7 +53,7 @@ Checkpoints::Checkpoints(std::string folder, CheckpointFacts facts, CheckpointSc
 bool Checkpoints::due(const solver::RunStatus& s) const {
   if (!tried_ || s.last) return true;
   if (std::chrono::duration<double>(Clock::now() - *tried_).count() >= schedule_.wall_clock) return true;
-  // The clock starts anew with the shaking.
+  // The simulated clock restarts with the shaking.
   return schedule_.simulated && std::abs(s.time - saved_at_) >= *schedule_.simulated * (1.0 - 1e-9);
 }
 
@@ -73,7 +73,7 @@ void Checkpoints::remove_old() const {
       const long number = number_in(path);
       if (whole < kKept && (number < damaged_first_ || number >= damaged_last_)) ++whole;
     }
-  } catch (const fs::filesystem_error&) {  // what cannot be listed or removed does no harm
+  } catch (const fs::filesystem_error&) {  // failure to list or remove old checkpoints is harmless
   }
 }
 

@@ -21,9 +21,9 @@ namespace voussoir::io {
 namespace {
 
 constexpr std::uint64_t kComparedBytes = 4U << 20;  // of a dataset in memory at a time
-constexpr double kSameTime = 1e-9;               // s: below any step; runs with other steps round their times differently
+constexpr double kSameTime = 1e-9;  // s: below any step; times of runs with different steps differ by round-off
 
-/// Paths of all datasets below a group, provenance apart.
+/// Collects the paths of all datasets below a group, except provenance.
 void list_datasets(const Hdf5File& file, const std::string& group, std::set<std::string>& all) {
   for (const std::string& name : file.children(group.empty() ? "/" : group)) {
     const std::string path = group + "/" + name;
@@ -42,18 +42,18 @@ std::uint64_t row_bytes(const Shape& shape, Hdf5Type type) {
   return bytes;
 }
 
-/// Rows of two tables that belong together: (row of the first, row of the second), ascending in both.
+/// Corresponding rows of two tables: (row of the first, row of the second), ascending in both.
 struct RowPairs {
   std::vector<std::array<std::uint64_t, 2>> rows;
-  bool same_times = true;  // the shorter table has the times of the beginning of the longer one
+  bool same_times = true;  // the shorter table's times equal the first times of the longer one
 
-  /// Row by row, as long as both have one.
+  /// Pairs rows by number, as far as both tables have them.
   static RowPairs in_order(std::uint64_t n) {
     RowPairs p;
     for (std::uint64_t i = 0; i < n; ++i) p.rows.push_back({i, i});
     return p;
   }
-  /// Rows of the same time. \param a, b  ascending, s
+  /// Pairs rows of equal time. \param a,  b times, ascending [s]
   static RowPairs at_times(const std::vector<double>& a, const std::vector<double>& b) {
     RowPairs p;
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
@@ -69,7 +69,7 @@ struct RowPairs {
   }
 };
 
-/// The first pair of rows in which two datasets of one type and width differ.
+/// The first pair of rows that differ in two datasets of equal type and width.
 std::optional<std::array<std::uint64_t, 2>> first_pair(const Hdf5File& a, const Hdf5File& b, const std::string& name,
                                                        const RowPairs& pairs) {
   const Hdf5Type type = a.type(name);
@@ -90,7 +90,7 @@ std::optional<std::array<std::uint64_t, 2>> first_pair(const Hdf5File& a, const 
   return std::nullopt;
 }
 
-/// The dataset of the times of a row table's datasets: the `time` of the group at the top. Empty: none, as in /model.
+/// The dataset of times for a dataset of a row table: `time` of the top-level group. Empty: none, as in /model.
 std::string times_of(const Hdf5File& file, const std::string& dataset) {
   const std::size_t top = dataset.find('/', 1);
   if (top == std::string::npos) return "";
@@ -107,13 +107,13 @@ std::optional<double> time_of(const Hdf5File& file, const std::string& dataset, 
   return value;
 }
 
-/// The case of a run, wherever the files that it names lie.
+/// The case of a run, without folders of its files.
 std::string meaning_of_case(const Hdf5File& run) {
   const std::string text = run.attribute_text("/case", "toml");
   try {
     return resolved_toml(without_folders(read_case({run.path(), text}).value));
   } catch (const cases::InputError&) {
-    return text;  // of another version
+    return text;  // from another version
   }
 }
 
@@ -158,10 +158,10 @@ class Comparer {
       note({name, std::to_string(m) + " rows and " + std::to_string(n), time_of(m > n ? a_ : b_, name, std::min(m, n))});
   }
 
-  /// Tables with a row at a time go by time; cracks, of which many may have one, and all others row by row.
+  /// Pairs rows by time in tables with one row per time; in all others, as cracks, by number.
   const RowPairs& pairs_of(const std::string& name, std::uint64_t rows) {
     const std::string time = times_of(a_, name);
-    // A group may hold more than rows by time: /motion/factor is one number.
+    // A group may also contain other data: /motion/factor is one number.
     const auto has_row_a_time = [&](const Hdf5File& file) { return file.shape(name).at(0) == file.shape(time).at(0); };
     const bool by_time =
         !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/") && has_row_a_time(a_) && has_row_a_time(b_);
@@ -172,7 +172,7 @@ class Comparer {
         .first->second;
   }
 
-  /// Two runs that wrote at other times: told once for the group, whose other datasets are compared where both have a row.
+  /// Reports different times of two runs once for the group; its other datasets are compared at common times.
   void note_times(const std::string& name, std::size_t common) {
     note({name, "other times; " + std::to_string(common) + " in common, at which the others of its group are compared", std::nullopt});
   }
@@ -187,7 +187,7 @@ class Comparer {
     if (!a_.exists(group) || !b_.exists(group)) return;
     const auto p = a_.attributes(group), q = b_.attributes(group);
     for (const auto& [name, value] : p) {
-      if (group == "/" && name == "parts") continue;  // how the rows are kept, not what they are
+      if (group == "/" && name == "parts") continue;  // the layout of rows, not their contents
       const auto other = q.find(name);
       if (group == "/case" && name == "toml" && other != q.end() && meaning_of_case(a_) == meaning_of_case(b_)) continue;
       if (other == q.end() || other->second != value) note_attribute(group, name);
@@ -216,7 +216,7 @@ class Comparer {
   }
 
   const Hdf5File &a_, &b_;
-  std::map<std::string, RowPairs> pairs_;  // by the dataset of their times, else by their number
+  std::map<std::string, RowPairs> pairs_;  // by dataset of times, else by number of rows
   Comparison result_;
 };
 

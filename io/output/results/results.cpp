@@ -17,8 +17,8 @@
 namespace voussoir::io {
 namespace {
 
-// Of the run so far that a kill may cost. A day of running then makes some 140 parts beside those at checkpoints: every part makes run.h5
-// dearer to write (2 ms) and to read, and a reader has all parts of a dataset open at a time.
+// Greatest share of the run so far that a kill may cost. A day of running then gives some 140 parts besides those at checkpoints: every
+// part makes run.h5 more expensive to write (2 ms) and to read, and a reader opens all parts of a dataset.
 constexpr double kShare = 0.05;
 
 void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
@@ -116,7 +116,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
   std::filesystem::create_directory(folder_ + "/parts", error);
   if (error) throw FileError(folder_ + "/parts", "cannot make the folder: " + error.message());
   write_run(false);
-  // Only now does run.h5 no longer refer to what is dropped.
+  // Only now run.h5 no longer refers to the dropped parts.
   remove_parts(folder_, parts_.size());
   std::filesystem::create_directory(folder_ + "/parts", error);
 }
@@ -124,7 +124,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
 ResultsWriter::~ResultsWriter() {
   try {
     if (!finished_) flush();
-  } catch (...) {  // nobody is left to tell
+  } catch (...) {  // no caller to report to
   }
 }
 
@@ -293,7 +293,7 @@ void ResultsWriter::write_buffers() {
 }
 
 void ResultsWriter::flush() {
-  last_write_ = Clock::now();  // also of a failed one: the next row shall not try again at once
+  last_write_ = Clock::now();  // also after a failure, so that the next row does not try again at once
   write_buffers();
   if (stale_) write_run(false);
   stale_ = false;
@@ -308,10 +308,10 @@ bool ResultsWriter::finish() {
   try {
     write_run(true);
   } catch (const FileError& e) {
-    if (e.path().starts_with(folder_ + "/parts/")) throw;  // no want of space, but rows that cannot be read any more
+    if (e.path().starts_with(folder_ + "/parts/")) throw;  // not a lack of space: rows can no longer be read
     return false;
   }
-  // A kill before this line leaves parts that nothing refers to.
+  // A kill before this line leaves parts without references.
   remove_parts(folder_, 0);
   return true;
 }

@@ -37,7 +37,7 @@ StaticDataset texts(const char* name, std::vector<std::string> values, const cha
 
 void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
 
-/// One value for each item of a list.
+/// A dataset with one value for each item of a list.
 template <class T, class List, class Get>
 std::vector<T> each(const List& list, Get get) {
   std::vector<T> values;
@@ -56,7 +56,7 @@ std::vector<double> each_vector(const List& list, Get get) {
 
 using Datasets = std::vector<StaticDataset>;
 
-/// "0 block, 1 brick, ..."
+/// Text "0 block, 1 brick, ...".
 std::string numbered_kinds() {
   using enum cases::PartKind;
   std::string text;
@@ -194,7 +194,7 @@ void add_materials(const cases::Model& model, Datasets& out) {
   own("/model/law/maximum_closure", &cases::JointLaw::maximum_closure, "m", "most that a dry joint closes; 0: its stiffness is one number");
 }
 
-/// Of those by themselves, not of meshes; none of a model without.
+/// Adds separate ties, not those of meshes; nothing for a model without ties.
 void add_ties(const cases::Model& m, Datasets& out) {
   std::vector<std::string> names;
   std::vector<double> ends;

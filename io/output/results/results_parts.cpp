@@ -15,7 +15,7 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint64_t kCopyBytes = 1024 * 1024;  // of a column that a merge holds in memory at a time
+constexpr std::uint64_t kCopyBytes = 1024 * 1024;  // of a column in memory at a time during a merge
 
 Shape shape_of(const ColumnSpec& c, std::uint64_t rows) {
   Shape shape{rows};
@@ -49,7 +49,7 @@ Part total(std::span<const Part> parts) {
   return sum;
 }
 
-/// Appends to a dataset in pieces of a moderate size.
+/// Appends to a dataset in pieces of moderate size.
 class ColumnCopy {
  public:
   ColumnCopy(Hdf5File& to, const ColumnSpec& column) : to_(&to), column_(&column) {}

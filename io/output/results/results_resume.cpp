@@ -8,11 +8,11 @@
 #include "io/input/files/errors.h"
 #include "io/output/results/results_parts.h"
 
-/// Going on with the results of an earlier run: which parts stay, and up to which row.
+/// Resuming with the results of an earlier run: which parts are kept, and up to which row.
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column that a check holds in memory at a time
+constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column in memory at a time during a check
 
 std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
 
@@ -26,7 +26,7 @@ void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t
   }
 }
 
-/// Checksums are looked at when rows are read: better now than at the end of a long run.
+/// Reads all values, which checks their checksums now instead of at the end of a long run.
 void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
   std::vector<std::byte> buffer;
   for (const ColumnSpec& c : columns) {
@@ -58,7 +58,7 @@ Part read_part(const std::string& folder, const std::string& name, const RowSche
   return part;
 }
 
-/// What of a part's rows is not later.
+/// The part without rows later than `until`.
 Part part_until(const std::string& folder, Part part, double until) {
   part.last_time = part.first_time;
   const Hdf5File file = Hdf5File::open(folder + "/" + part.file);
@@ -71,7 +71,7 @@ Part part_until(const std::string& folder, Part part, double until) {
   return part;
 }
 
-/// Nothing has been written anew or dropped yet: whoever finds the part that is gone can put it back.
+/// Checks that all required rows exist. Nothing has been rewritten or removed yet, so a missing part can still be restored by the user.
 void check_counts(const std::string& folder, const RowCounts& there, const RowCounts& wanted) {
   for (std::size_t t = 0; t < kRowTables; ++t) {
     if (there[t] == wanted[t]) continue;
@@ -81,7 +81,7 @@ void check_counts(const std::string& folder, const RowCounts& there, const RowCo
   }
 }
 
-// A finished run has its rows in run.h5 itself. Parts that a kill left beside it hold the same rows once more.
+// Makes the merged run.h5 of a finished run the first part. Parts that a kill left beside it contain the same rows and are removed.
 void take_merged(const std::string& folder) {
   namespace fs = std::filesystem;
   const std::string run = folder + "/run.h5";
@@ -90,11 +90,11 @@ void take_merged(const std::string& folder) {
   if (!file.has_attribute("/", "parts") || file.attribute_int("/", "parts") != 0) return;
   remove_parts(folder, 0);
   fs::create_directory(folder + "/parts");
-  // A second name, not another one: after a kill before the new run.h5 is there, the old one still is.
+  // A hard link instead of a rename: after a kill before the new run.h5 exists, the old one is still there.
   std::error_code error;
   const std::string part = folder + "/" + part_name(0);
   fs::create_hard_link(run, part, error);
-  if (error) fs::copy_file(run, part, error);  // some file systems have no second names
+  if (error) fs::copy_file(run, part, error);  // some file systems have no hard links
   if (error) throw FileError(run, "cannot become the first part: " + error.message());
 }
 

@@ -20,7 +20,7 @@ ColumnSpec vector(const std::string& name, const char* unit, const char* descrip
 
 ColumnSpec integer(const std::string& name, Hdf5Type type, const char* description) { return {name, type, {}, {"1", description}, {}}; }
 
-/// \param what  has the names, for messages
+/// Refuses invalid names. \param what  kind of the names, for messages
 void check_names(const std::string& what, std::span<const std::string> names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
@@ -160,7 +160,7 @@ RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t e
 
 RowBuffer::RowBuffer(const TableSpec& columns) : columns_(columns.size()), last_row_bytes_(columns.back().row_bytes()) {}
 
-// A row counts once its last column is there: one that memory did not suffice for is not written.
+// A row counts once its last column is written: one for which memory did not suffice is ignored.
 std::uint64_t RowBuffer::rows() const noexcept {
   if (columns_.empty()) return 0;
   return last_row_bytes_ > 0 ? columns_.back().size() / last_row_bytes_ : columns_.front().size() / sizeof(double);

@@ -96,7 +96,7 @@ std::optional<double> plain_step(const Steps& s) {
   return std::nullopt;
 }
 
-/// Whether more than two steps differ from the commonest: one or two are gaps, not due to rounding.
+/// Whether at least three steps differ from the median one, and no two by more than one unit: fewer are gaps, not due to rounding.
 bool steps_vary(const std::vector<CsvRow>& rows, double unit) {
   std::vector<long long> steps;
   for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(std::llround((rows[i].time - rows[i - 1].time) / unit));

@@ -18,16 +18,16 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kWindow = 0.1;        // of the pace: the load factor is a mean over it
-constexpr double kOnward = 0.9;        // of the way in such a window is onward
-constexpr double kLoaded = 0.25;       // of the largest load factor: before it, little work has been put in
-constexpr double kFirstShare = 0.15;   // of the largest base shear: the secant to it is the first stiffness
-constexpr double kLeastShear = 1e-3;   // of the loads: less is none, as where all that grows is moments
-constexpr double kItalianShare = 0.7;  // of the largest base shear: the elastic branch goes through it
+constexpr double kWindow = 0.1;        // of the pace: length of the window for the mean load factor
+constexpr double kOnward = 0.9;        // least net share of the displacement path in such a window
+constexpr double kLoaded = 0.25;       // of the largest load factor: the work put in before is too small to compare with
+constexpr double kFirstShare = 0.15;   // of the largest base shear: its secant is the first stiffness
+constexpr double kLeastShear = 1e-3;   // of the loads: a smaller base shear counts as none, as when only moments grow
+constexpr double kItalianShare = 0.7;  // of the largest base shear: point on the elastic branch
 
 using Values = std::vector<double>;
 
-/// Where `y` first passes `level` between rows `from` and `to`, as a value of x; NaN: it does not.
+/// Value of x where `y` first passes `level` between rows `from` and `to`; NaN: it does not.
 double crossing(const Values& x, const Values& y, std::size_t from, std::size_t to, double level) {
   for (std::size_t i = std::max<std::size_t>(from, 1); i <= to && i < y.size(); ++i) {
     const double a = y[i - 1] - level, b = y[i] - level;
@@ -52,7 +52,7 @@ Bilinear finished(Bilinear b) {
   return b;
 }
 
-/// EN 1998-1, B.3: the plateau is the largest base shear, the areas up to its displacement are equal.
+/// Bilinear curve of EN 1998-1, B.3: the plateau is the largest base shear, and the areas up to its displacement are equal.
 Bilinear ec8_of(const Capacity& c, std::size_t peak) {
   Bilinear b;
   b.force = c.peak_shear;
@@ -62,7 +62,8 @@ Bilinear ec8_of(const Capacity& c, std::size_t peak) {
   return finished(b);
 }
 
-/// Circolare 7/2019, C7.8.1.6 (masonry): through the point at 0.7 of the largest base shear; equal areas up to the ultimate displacement.
+/// Bilinear curve of Circolare 7/2019, C7.8.1.6 (masonry): through the point at 0.7 of the largest base shear, with equal areas up to the
+/// ultimate displacement.
 Bilinear ntc_of(const Capacity& c, std::size_t peak) {
   Bilinear b;
   const double at = crossing(c.curve.displacement, c.curve.base_shear, 0, peak, kItalianShare * c.peak_shear);
@@ -74,12 +75,12 @@ Bilinear ntc_of(const Capacity& c, std::size_t peak) {
   return finished(b);
 }
 
-/// Over the rows from `from` to `to`: the mean load factor over the displacement that its forces work on, and what motion bore of it.
+/// Mean load factor over rows `from` to `to`, weighted by the displacement of its forces, and the part of it borne by motion.
 struct Window {
   double mean = 0.0, motion = 0.0;
   [[nodiscard]] double at_rest() const { return mean - motion; }
 };
-/// Nothing of a window in which the structure swings to and fro: there is no virtual work along a path that turns back.
+/// The window of given rows; nothing if the structure oscillates in it, since no virtual work is defined along a path that turns back.
 std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size_t from, std::size_t to) {
   double way = 0.0, sum = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i) {
@@ -92,7 +93,7 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
-/// The largest load factor that the structure itself has borne, (30) of THEORY.md.
+/// Finds the largest load factor borne by the structure itself, (30) of THEORY.md.
 void look_at_motion(Capacity& c, double pace, double weight) {
   const CapacityCurve& r = c.curve;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
@@ -127,7 +128,7 @@ void look_at_shear(Capacity& c, double drop, double weight) {
   c.ntc = ntc_of(c, peak);
 }
 
-/// Work of the pattern's forces, and where all work went.
+/// Computes the work of the pattern's forces, the losses and the growth of the stored energy.
 void look_at_work(Capacity& c, double weight) {
   const CapacityCurve& r = c.curve;
   for (std::size_t i = 1; i < r.time.size(); ++i)
@@ -136,7 +137,7 @@ void look_at_work(Capacity& c, double weight) {
   c.stored = r.stored.back() - r.stored.front();
 }
 
-/// The last moment in which the structure did no more than follow its supports.
+/// Finds the last time at which the structure only followed its supports, with quiet kinetic energy.
 void look_at_fall(Capacity& c, double quiet) {
   const CapacityCurve& r = c.curve;
   std::size_t i = r.time.size();
@@ -162,7 +163,7 @@ std::vector<std::string> bodies_at(const Hdf5File& run, const FrameReader& frame
   return names_of(finder.find(frames.times()[frame], poses_of(frames, frame)), building);
 }
 
-/// Parts that move as one from the largest load factor on, and what they do then.
+/// Names of the parts that move as one from the largest load factor on, with their motion.
 std::vector<std::string> parts_from(const Hdf5File& run, const FrameReader& frames, const Building& building, double peak) {
   CollapseParts found = collapse_parts(run, frames, building.mass, peak);
   BodyFinder finder(run, building, found.from == 0 ? first_poses(frames) : poses_of(frames, found.from));
@@ -170,7 +171,7 @@ std::vector<std::string> parts_from(const Hdf5File& run, const FrameReader& fram
   return names_of(finder.find(frames.times()[found.to], poses_of(frames, found.to)), building);
 }
 
-/// The mechanism from the largest load factor on; and bodies at the end, where joints are open enough to tell them apart.
+/// Finds the mechanism from the largest load factor on, and bodies at the end, if joints are open enough to separate them.
 void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   const FrameReader frames(run);
   if (frames.frames() == 0) return;
@@ -191,8 +192,7 @@ const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapse
   return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
 }
 
-/// The mean over a period about each row, of rows at equal distances; less of it at the ends. A vibration is not in it, and it does not
-/// lag.
+/// Running mean over one period, centred at each row, of equally spaced rows; over less at the ends. Removes vibration without a lag.
 Values smoothed(const Values& time, const Values& y, double period) {
   Values out(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -205,7 +205,7 @@ Values smoothed(const Values& time, const Values& y, double period) {
   return out;
 }
 
-/// Base shear along the push at the rows of /assessment, from those of /forces, which have the same times.
+/// Base shear along the push at the rows of /assessment, from /forces, which has the same times.
 Values base_shear(const Hdf5File& run, const Values& time, const std::array<double, 2>& direction, double period) {
   const auto at = run.read<double>("/forces/time"), force = run.read<double>("/forces/base_shear");
   const double length = std::hypot(direction[0], direction[1]);
@@ -217,7 +217,7 @@ Values base_shear(const Hdf5File& run, const Values& time, const std::array<doub
   return smoothed({time.begin(), time.begin() + static_cast<std::ptrdiff_t>(out.size())}, out, period);
 }
 
-/// Rows of /assessment; those of /energy and /forces at the same times, which all have from time zero on.
+/// Rows of /assessment with those of /energy and /forces at the same times, which all tables have from time zero on.
 CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period) {
   const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
   CapacityCurve c{of("time"),
@@ -241,7 +241,7 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
   std::size_t k = 0, kept = 0;
   for (; kept < c.time.size(); ++kept) {
     while (k < time.size() && time[k] < c.time[kept]) ++k;
-    if (k == time.size() || !(residual[k] <= solver::kResidualLimit)) break;  // a row in which the run was lost
+    if (k == time.size() || !(residual[k] <= solver::kResidualLimit)) break;  // a row after the run was lost
     c.input.push_back(input[k]), c.kinetic.push_back(kinetic[k]), c.damping.push_back(damping[k]);
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);

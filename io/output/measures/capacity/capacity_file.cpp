@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using cases::AnalysisKind;
 
-constexpr double kSlow = 0.01;  // share of the work that may go into motion before a result counts as one of its rate
+constexpr double kSlow = 0.01;  // share of the work in motion above which a result is marked as dependent on the rate
 
 bool is_slow(const Capacity& c) { return std::abs(c.motion_share) <= kSlow && c.kinetic_share <= kSlow; }
 
@@ -113,7 +113,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
     return f;
   }
   f.push_back({"multiplier", c.multiplier, "1"});
-  if (c.kind != AnalysisKind::cyclic) {  // a cycle turns within the stretch that this is a mean over
+  if (c.kind != AnalysisKind::cyclic) {  // not for cycles, which reverse within the window of the mean
     f.push_back({"multiplier_at_rest", c.multiplier_at_rest, "1"});
     f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
     f.push_back({"multiplier_time", c.multiplier_time, "s"});

@@ -8,10 +8,10 @@
 namespace voussoir::io {
 namespace {
 
-/// Rows at which cycles begin and end: the first, and those where the displacement passes zero upwards after it was below.
+/// Rows at which cycles begin and end: the first, and upward zero crossings of the displacement after it was below zero.
 std::vector<std::size_t> ends_of(const std::vector<double>& moved) {
   const double least = moved.empty() ? 0.0 : *std::ranges::min_element(moved);
-  constexpr double kBack = 0.01;  // of the largest displacement back: less of it is a tremble about zero
+  constexpr double kBack = 0.01;  // of the largest negative displacement: smaller values are oscillations about zero
   std::vector<std::size_t> ends{0};
   bool back = false;
   for (std::size_t i = 1; i < moved.size(); ++i) {

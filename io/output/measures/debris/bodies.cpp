@@ -17,13 +17,13 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::size_t kMostBodies = 99;       // at a time; a hundredth of the mass each
-constexpr double kTurns = 2e-3;               // rad: two bodies that turn less against each other have no hinge
-constexpr double kSlides = 2e-3;              // m: two bodies that move less along their joints do not slide
+constexpr std::size_t kMostBodies = 99;       // in a frame; each has at least a hundredth of the mass
+constexpr double kTurns = 2e-3;               // rad: bodies with less relative rotation have no hinge
+constexpr double kSlides = 2e-3;              // m: bodies with less relative motion along their joints do not slide
 constexpr double kShort = 0.3;                // m
-constexpr double kNear = 0.5, kBeside = 0.1;  // m: a hinge lies among the joints between its bodies, or half a brick beside them
+constexpr double kNear = 0.5, kBeside = 0.1;  // m: a hinge lies among the joints of its bodies, or at most half a brick beside
 
-/// Axis times sine of the angle: the rotation vector as long as that is small.
+/// Axis times sine of the angle: approximates the rotation vector for small angles.
 Vec3 turn_of(const Mat3& r) { return 0.5 * Vec3{r.r2.y - r.r1.z, r.r0.z - r.r2.x, r.r1.x - r.r0.y}; }
 
 }  // namespace
@@ -52,7 +52,7 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
 }
 
 std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<Pose>& poses) const {
-  geometry::DisjointSets sets(start_.size() + 1);  // the last is the base
+  geometry::DisjointSets sets(start_.size() + 1);  // the last element is the base
   const auto base = static_cast<std::int32_t>(start_.size());
   if (!part_.empty() && time >= part_from_) {
     std::vector<std::int32_t> given = part_;
@@ -71,11 +71,11 @@ std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<
 }
 
 void BodyFinder::number(std::vector<Body>& bodies, const std::vector<std::int32_t>& component, BodiesInFrame& out) {
-  // The body that has most mass of one of the frame before keeps its number, the heaviest first.
+  // The body with most of the mass of an earlier body keeps its number; the heaviest body chooses first.
   std::map<std::int32_t, std::size_t> of_root;
   std::ranges::stable_sort(bodies, std::greater(), &Body::mass);
   if (bodies.size() > kMostBodies) bodies.resize(kMostBodies);
-  for (std::size_t i = 0; i < bodies.size(); ++i) of_root[bodies[i].wall] = i;  // the root stands there until now
+  for (std::size_t i = 0; i < bodies.size(); ++i) of_root[bodies[i].wall] = i;  // `wall` holds the root until it is set below
   std::vector<std::map<std::uint8_t, double>> shared(bodies.size());
   std::vector<std::int32_t> body(start_.size(), -1);
   for (std::size_t e = 0; e < start_.size(); ++e) {
@@ -152,7 +152,7 @@ std::array<std::int32_t, 2> BodyFinder::carriers(const Vec3& end, const std::vec
   return nearest;
 }
 
-/// The line between two joints far apart, if the bodies have moved along their joints more than away from each other.
+/// The line between two distant joints, if the bodies have moved along their joints more than away from each other.
 std::optional<Hinge> BodyFinder::slide(const std::vector<const Joint*>& joints, const std::vector<Pose>& poses, const BodiesInFrame& found,
                                        std::uint8_t first) const {
   double along = 0.0, apart = 0.0;
@@ -194,7 +194,7 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
       if (const std::optional<Hinge> line = slide(joints, poses, found, ids.first)) all.push_back(*line);
       continue;
     }
-    // What the second does as seen from the first, at the middle of the joints between them.
+    // Motion of the second body relative to the first, at the middle of the joints between the two.
     Vec3 middle, moved;
     for (const Joint* j : joints) {
       const Vec3 at_a = poses[static_cast<std::size_t>(j->a)].point(j->from_a),

@@ -9,12 +9,12 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kWhole = 0.7;     // of the height, of the length: a body that reaches so far has all of it
-constexpr double kBuilding = 0.6;  // of all mass: the building, less what has come off it
-constexpr double kSunk = 0.5;      // of its size: it falls
-constexpr double kStill = 5e-3;    // m: nothing of it has moved further
+constexpr double kWhole = 0.7;     // of height or length: a body that extends so far counts as the whole
+constexpr double kBuilding = 0.6;  // of all mass: the body is the building, less detached parts
+constexpr double kSunk = 0.5;      // of its size: sinking by which it falls
+constexpr double kStill = 5e-3;    // m: no element has moved farther
 
-/// "", "upper half", "lower left part"
+/// Position in a wall: "", "upper half", "lower left part".
 std::string place_of(const Body& b, const Wall& w) {
   const std::size_t along = 1 - w.across;
   const double tall = std::min(1.0, b.box.size(2) / w.height()), wide = std::min(1.0, b.box.size(along) / w.length());
@@ -68,7 +68,7 @@ std::string body_name(const Body& b, const Building& building) {
     return std::string("building, ") + (b.on_ground ? "stands" : motion_of(b, nullptr));
   std::string name = wall == nullptr ? (building.walls.empty() ? "body" : "roof") : wall->name;
   if (wall != nullptr) {
-    const bool more = b.box.size(wall->across) > 2 * wall->thickness();  // it reaches round a corner
+    const bool more = b.box.size(wall->across) > 2 * wall->thickness();  // the body extends round a corner
     if (more) name += " and others";
     const std::string place = more ? "" : place_of(b, *wall);
     if (!place.empty()) name += ", " + place;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kShare = 0.95;  // of the fallen mass
 constexpr double kCell = 0.05;   // m: half the shortest edge of a brick
 
-/// From the rectangle in plan; 0 inside.
+/// Distance of a point from a rectangle in plan [m]; 0 inside.
 double distance_from(const Box& box, Vec3 p) {
   return std::hypot(std::max({box.low[0] - p.x, 0.0, p.x - box.high[0]}), std::max({box.low[1] - p.y, 0.0, p.y - box.high[1]}));
 }
@@ -31,7 +31,7 @@ void measure_reach(std::vector<std::pair<double, double>> distance_and_mass, Deb
 
 using Cell = std::pair<std::int64_t, std::int64_t>;
 
-/// Adds the cells that one element covers.
+/// Adds the cells covered by one element.
 void cover(const ElementShapes& shapes, std::size_t element, const Pose& pose, std::vector<Cell>& cells) {
   const double r = shapes.radius(element);
   const auto number = [](double x) { return static_cast<std::int64_t>(std::floor(x / kCell)); };

@@ -10,10 +10,11 @@
 namespace voussoir::io {
 namespace {
 
-// Where in its cell a vertical line stands, along x and y: so that faces of bricks, on multiples of 0.05 m, do not run through lines.
+// Position of the vertical line in its cell, along x and y, as a share of the cell: chosen so that faces of bricks at multiples of 0.05 m
+// do not contain lines.
 constexpr double kPlace = 0.25;
 
-/// Numbers [first, last) of the cells whose lines lie in [from, to], m.
+/// Index range [first, last) of the cells whose lines lie in [from, to] [m].
 std::pair<std::size_t, std::size_t> cells_between(double from, double to, double origin, double size, std::size_t count) {
   const auto number = [&](double x) {
     return static_cast<std::size_t>(std::clamp(std::ceil((x - origin) / size - kPlace), 0.0, static_cast<double>(count)));
@@ -23,7 +24,7 @@ std::pair<std::size_t, std::size_t> cells_between(double from, double to, double
 
 }  // namespace
 
-/// Elements by where they are in plan, so that a room finds those above it without a look at all elements of a street.
+/// Elements by position in plan, so that the elements over a room are found without a search through all elements.
 geometry::UniformGrid FreeVolume::in_plan(const std::vector<Pose>& poses) const {
   std::vector<geometry::Box3> boxes;
   boxes.reserve(poses.size());
@@ -43,8 +44,8 @@ std::vector<std::int32_t> FreeVolume::over(const Room& room, const geometry::Uni
   return found;
 }
 
-/// Calls `use` with the cell and the chord of the vertical line of every cell in an element of a floor or roof over the room, or in another
-/// one. \param near  the elements to look at, ascending
+/// Calls `use` with each cell and chord of its vertical line in an element: with `cover`, elements of a floor or roof over the room, else
+/// all other elements. \param near  elements to test, ascending
 template <class Use>
 void FreeVolume::for_each_chord(const Grid& g, const std::vector<Pose>& poses, const std::vector<std::int32_t>& near, bool cover,
                                 const Use& use) const {
@@ -79,7 +80,7 @@ FreeVolume::FreeVolume(const Building& building, const ElementShapes& shapes, co
   initial_ = at(start);
 }
 
-// The underside of the floor or roof, which a vault has above the walls; without one over the cell, the top of the walls.
+// The underside of the floor or roof, which is above the walls under a vault; without one over the cell, the top of the walls.
 void FreeVolume::find_ceiling(Grid& g, const std::vector<Pose>& start, const std::vector<std::int32_t>& near) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   g.ceiling.assign(g.nx * g.ny, kNone);

@@ -29,8 +29,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kPatience = 300000;  // ms for one answer: a large page on a busy machine takes half a minute
-constexpr int kAgony = 50;         // tenths of a second to end by itself
+constexpr int kPatience = 300000;  // ms to wait for one answer: a large page on a busy machine takes half a minute
+constexpr int kAgony = 50;         // tenths of a second to wait for the end of the process
 
 std::string system_words(int error) { return std::generic_category().message(error); }
 
@@ -50,12 +50,12 @@ std::vector<std::string> arguments(const std::string& program, const std::string
                                "--use-gl=angle",
                                "--use-angle=swiftshader",
                                "--enable-unsafe-swiftshader"};
-  if (::geteuid() == 0) all.emplace_back("--no-sandbox");  // Chromium refuses to run as root otherwise
+  if (::geteuid() == 0) all.emplace_back("--no-sandbox");  // Chromium refuses to run as root without it
   all.emplace_back("about:blank");
   return all;
 }
 
-/// What posix_spawn does between fork and exec: the socket becomes the descriptors 3 and 4 of the DevTools protocol.
+/// Actions of posix_spawn between fork and exec: the socket becomes descriptors 3 and 4, as the DevTools protocol requires.
 class FileActions {
  public:
   FileActions(int socket, const std::string& log) {
@@ -73,7 +73,7 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// \return 0 or what was wrong
+/// Starts the process. \return 0 or an error number
 int spawn(pid_t& pid, const std::vector<std::string>& words, int socket, const std::string& log) {
   std::vector<char*> argv;
   for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
@@ -82,7 +82,7 @@ int spawn(pid_t& pid, const std::vector<std::string>& words, int socket, const s
   return ::posix_spawnp(&pid, argv[0], actions.get(), nullptr, argv.data(), environ);
 }
 
-/// "file:///a%20b.html"
+/// URL of a file: "file:///a%20b.html".
 std::string address_of(const std::string& path) {
   constexpr const char* kDigits = "0123456789ABCDEF";
   std::string url = "file://";
@@ -97,7 +97,7 @@ std::string address_of(const std::string& path) {
 
 }  // namespace
 
-/// The process and the conversation with it: messages of JSON, each ended by a zero byte.
+/// The process and its connection: JSON messages, each terminated by a zero byte.
 struct Browser::Process {
   pid_t pid = -1;
   int socket = -1;
@@ -109,7 +109,7 @@ struct Browser::Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
   ~Process() {
-    if (socket >= 0) ::close(socket);  // which ends it, too
+    if (socket >= 0) ::close(socket);  // also ends the process
     if (pid < 0) return;
     for (int i = 0; i < kAgony && ::waitpid(pid, nullptr, WNOHANG) == 0; ++i) {
       if (i + 1 == kAgony) ::kill(pid, SIGKILL);
@@ -156,7 +156,7 @@ struct Browser::Process {
     }
   }
 
-  /// The next message; notes that the page is loaded if it says so.
+  /// The next message; records the event that the page is loaded.
   Json next() {
     Json message = receive();
     loaded = loaded || message.value("method", "") == "Page.loadEventFired";

@@ -23,7 +23,7 @@ namespace voussoir::io {
 
 ChildInput::ChildInput(std::vector<std::string> words, std::string log, const std::string& hint)
     : words_(std::move(words)), log_(std::move(log)) {
-  std::array<int, 2> ends{};  // a socket, since writing to one that is closed can be told not to raise SIGPIPE
+  std::array<int, 2> ends{};  // a socket, since SIGPIPE can be suppressed for writes to a closed socket
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw FileError(words_.front(), std::generic_category().message(errno));
   std::vector<char*> argv;

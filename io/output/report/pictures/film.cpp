@@ -28,7 +28,7 @@ constexpr const char* kSize = "1280, 720";  // pixels
 constexpr const char* kHint =
     "films are put together by ffmpeg; install it (Debian: ffmpeg), or name its program in the environment variable FFMPEG";
 
-/// How ffmpeg is to write a film, by the ending of its name.
+/// Options of ffmpeg by the extension of the film.
 std::vector<std::string> coding(const std::string& file) {
   const std::string kind = fs::path(file).extension().string();
   if (kind == ".mp4") return {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
@@ -52,7 +52,7 @@ std::vector<std::string> command(const FilmOptions& o, const std::string& to) {
 struct Stretch {
   double from = 0, until = 0;  // s
 };
-/// From the first frame of all runs to the last.
+/// Time range from the first frame of all runs to the last.
 Stretch stretch_of(const std::vector<std::string>& runs) {
   Stretch all{1e300, -1e300};
   for (const std::string& run : runs) {

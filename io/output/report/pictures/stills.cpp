@@ -32,7 +32,7 @@ struct ShownStill {
 void check_times(const std::string& run, const std::vector<double>& times) {
   const std::vector<double> frames = Hdf5File::open(run).read<double>("/frames/time");
   if (frames.empty()) throw FileError(run, "holds no frames");
-  // A picture shows the nearest frame. The run may go on behind the last one, by less than the time between two.
+  // A picture shows the nearest frame. The run may end after the last frame, by less than the frame interval.
   const double interval = frames.size() > 1 ? frames[1] - frames[0] : 0.0;
   for (const double t : times)
     if (!(t >= frames.front() && t < frames.back() + std::max(interval, 1e-9)))
@@ -60,7 +60,7 @@ void take(Browser& browser, const ShownStill& s) {
   std::printf("%s\n", s.file.c_str());
 }
 
-/// A page in a browser of its own, which draws and paints nothing else.
+/// A page in a separate browser, which draws frames only on request.
 class Studio {
  public:
   explicit Studio(const std::string& html) : browser(scratch_.path()) {
