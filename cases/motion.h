@@ -14,7 +14,7 @@ namespace voussoir::cases {
 /// Standard gravity [m/s2], used for records in units of g and for the Arias intensity. The weight of the model uses Gravity instead.
 inline constexpr double kStandardGravity = 9.80665;
 
-/// One component: equally spaced samples from t = 0.
+/// One component of a motion: equally spaced samples from t = 0.
 struct Accelerogram {
   std::string name;                  // event, station, component; for messages and results
   double dt = 0.0;                   // s

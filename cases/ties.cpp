@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kNear = 1e-3;      // m, tolerance from a point to the element that contains it, and from a face to a plate
 constexpr double kShortest = 1e-2;  // m, least length of a tie
-constexpr double kCovered = 0.5;    // least share of a plate that lies on faces
+constexpr double kCovered = 0.5;    // least share of a plate's area on faces
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string point_text(Vec3 p) { return "[" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + "]"; }

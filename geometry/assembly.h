@@ -31,7 +31,7 @@ struct Joint {
   std::int32_t element_b = 0, face_b = 0;
   Frame frame;
   double area = 0.0;    // m2, of the overlap
-  bool merged = false;  // the points of both sides coincide: side_a stands for both, side_b is empty
+  bool merged = false;  // the points of both sides coincide: side_a represents both, side_b is empty
   SegmentList side_a;   // segments mastered by face_a
   SegmentList side_b;   // segments mastered by face_b, (s, t) in the same frame; empty when merged or against the base
 };
@@ -63,7 +63,7 @@ struct Assembly {
   std::vector<Element> elements;
   std::vector<Face> faces;    // by element, in the polyhedron's face order
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
-  std::vector<FreePatch> patches;                // sorted by (element, face)
+  std::vector<FreePatch> patches;                // by (element, face), ascending
   std::shared_ptr<const SegmentStore> segments;  // owner of the segments of joints and patches, which stay valid as long as the store lives
   SegmentRule rule = SegmentRule::centres;
 };

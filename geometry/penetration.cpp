@@ -68,7 +68,7 @@ double penetration(const Scene& scene, std::int32_t a, std::int32_t b, double en
   for (const Vec3& ea : edge_directions(shape_a)) {
     for (const Vec3& eb : edges_b) {
       const Vec3 product = cross(ea, eb);
-      // Edges closer to parallel than this give an axis that is all round-off; a face normal stands in for it.
+      // The product of edges closer to parallel than this is round-off; a face normal covers the axis.
       if (norm(product) < 1e-6) continue;
       const Vec3 axis = normalised(product);
       const Interval pa = project(shape_a, axis, origin), pb = project(shape_b, axis, origin);

@@ -10,7 +10,7 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kOnFace = 1e-7;    // of the size of a body: how far a vertex of a face may lie off its plane
+constexpr double kOnFace = 1e-7;    // of the size of a body: allowed distance of a vertex from the plane of its face
 constexpr double kParallel = 1e-9;  // sine of the angle below which directions count as parallel
 
 double size_of(std::span<const Vec3> vertices) {
@@ -19,7 +19,7 @@ double size_of(std::span<const Vec3> vertices) {
   return most;
 }
 
-/// Faces that a vertex lies on, ascending.
+/// Faces that contain a vertex, ascending.
 std::vector<std::int32_t> faces_at(Vec3 v, std::span<const HalfSpace> faces, double allowed) {
   std::vector<std::int32_t> on;
   for (std::size_t f = 0; f < faces.size(); ++f) {

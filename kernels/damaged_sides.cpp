@@ -11,7 +11,7 @@ namespace voussoir::kernels {
 
 namespace {
 
-// ---- kWidth sides at a time: the frame of each, and the affine fields in it
+// ---- kWidth sides at a time: their frames, and the affine fields in these
 
 /// u(s,t) and its rate in the frame of each lane's side, as in SideFrame: d, ds, dt, v, vs, vt.
 constexpr int kFields = 6;

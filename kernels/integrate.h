@@ -35,7 +35,7 @@ struct BodyForces {
   Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
   Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
   bool damps_rotation = false;     // α also acts on the angular momentum: while settling, where only the state of rest matters
-  Vec3 damped_ground{};            // m/s at this step: velocity of the ground if α acts on it too (damping.frame = "inertial"); else 0
+  Vec3 damped_ground{};            // m/s at this step: velocity of the ground, if damped too (damping.frame = "inertial"); else 0
 };
 
 /// Advances velocities to the next half step: v₊ = [(1 − a) v₋ + Δt (F/m − α v_g)] / (1 + a), a = αΔt/2, v_g = damped_ground, and L₊ = L₋ +

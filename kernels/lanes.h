@@ -29,7 +29,7 @@ typedef double Lanes __attribute__((vector_size(32)));
 typedef long long LaneMask __attribute__((vector_size(32)));
 #endif
 
-/// As many floats as Lanes has doubles.
+/// A vector of floats with the number of lanes of Lanes.
 typedef float Floats __attribute__((vector_size(4 * kWidth)));
 
 VOUSSOIR_INLINE Lanes load_lanes(const double* p) noexcept {

@@ -135,8 +135,8 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
   return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
 }
 
-/// Hands the wrenches of the chosen lanes to their elements, or leaves them in the buffer for pairs. `dashpot`: they are the dashpots'
-/// share.
+/// Adds the wrenches of the chosen lanes to the rows of their elements, or stores them in the buffer for pairs. `dashpot`: whether they are
+/// the dashpots' share.
 VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
                               bool dashpot) noexcept {
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});

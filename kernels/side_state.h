@@ -15,7 +15,7 @@ struct StateBits {
 };
 
 namespace detail {
-/// Bit i of the result is the lowest of byte i: the product brings it to place 56 + i.
+/// Bit i of the result is the lowest bit of byte i: the product moves it to position 56 + i.
 inline unsigned lowest_bits(std::uint64_t bytes) noexcept {
   return static_cast<unsigned>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56);
 }

@@ -67,7 +67,7 @@ struct Tie {
   bool compression = false;                      // true: bears compression (a bar); false: goes slack
   std::optional<std::array<double, 2>> plate{};  // m, width and height of the anchor plates; none: each end holds one element
 };
-/// In-plane behaviour of boards or a slab on beams: a shear panel between neighbouring beams, bars across them.
+/// In-plane behaviour of boards or a slab on beams: a shear panel between neighbouring beams, and bars across the beams.
 struct Deck {
   double shear_stiffness = 0.0;          // N/m, shear flow over shear angle (G t)
   std::optional<double> shear_strength;  // N/m, shear flow at yield; none: elastic

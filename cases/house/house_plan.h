@@ -87,7 +87,7 @@ struct FloorPlan {
 struct HousePlan {
   Tick brick_length = 0, brick_width = 0, brick_height = 0;  // including mortar
   Bond bond = Bond::english;
-  Tick height = 0;                // of all storeys
+  Tick height = 0;                // of all storeys together
   std::vector<Interval> courses;  // heights, common to all walls
   std::array<Tick, 2> outer{};    // along x and y
   std::vector<Interval> storeys;  // heights

@@ -117,7 +117,7 @@ bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
   if (are_halves(a, b)) return inside_[static_cast<std::size_t>(a.material)];
-  // Columns stand fixed to the ground (paper 3.3).
+  // Columns are fixed to the ground (paper 3.3).
   if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
   for (std::size_t i = 0; i < between_.size(); ++i) {
     if (fits(i, a, b)) return between_[i].law;

@@ -6,7 +6,7 @@
 
 namespace voussoir::geometry {
 
-/// Where the contact points of a face lie.
+/// Rule for the positions of contact points on a face.
 enum class SegmentRule : std::uint8_t {
   centres,  // at the centroids of equal cells, as in the paper
   rim       // at points up to the rim of the common area of two faces, with weights that give its area, first and second moments exactly

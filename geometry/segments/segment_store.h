@@ -13,7 +13,7 @@
 
 namespace voussoir::geometry {
 
-/// One segment: its contact point (s, t) [m] in the frame of its patch, and its area [m2].
+/// A segment: its contact point (s, t) [m] in the frame of its patch, and its area [m2].
 struct Segment {
   double s = 0.0, t = 0.0, area = 0.0;
 };

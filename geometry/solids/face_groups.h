@@ -24,7 +24,7 @@ RoughFaces faces_of(std::span<const RoughSolid> solids);
 /// Faces connected by contacts.
 struct FaceGroup {
   std::vector<std::size_t> faces;  // indices into RoughFaces, ascending
-  bool exact = true;               // they lie in one plane already
+  bool exact = true;               // the faces are exactly coplanar already
   bool bed = false;                // the faces are separated by a mortar bed
   bool on_base = false;
 };

@@ -53,7 +53,7 @@ std::optional<std::string> fault_of(const Mesh& m);
 /// \pre fault_of(m) is nothing
 Mesh with_merged_faces(const Mesh& m, double tolerance, double angle);
 
-/// Whether no vertex lies over the plane of any face by more than `tolerance` [m]. \pre closed
+/// Whether no vertex is above the plane of any face by more than `tolerance` [m]. \pre closed
 bool is_convex(const Mesh& m, double tolerance);
 
 /// "(1.2, 0, 3.45)", metres, for messages.

@@ -97,7 +97,7 @@ class Cutting {
                       {{{fold.left, along_face}, {fold.right, along_face}, {cut_along(solid_, fold, snap), mild ? 0 : kSecondChoice}}}});
   }
 
-  /// Whether part of an edge lies within the cell.
+  /// Whether part of an edge is within the cell.
   [[nodiscard]] bool is_in(const ReflexEdge& e, const Cell& cell) const {
     double low = 0.0, high = 1.0;
     for (std::size_t f = 0; f < cell.shape.faces.size(); ++f) {

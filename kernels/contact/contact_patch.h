@@ -155,7 +155,8 @@ struct PatchResult {
 double depth_under_face(const Patch& patch, double s, double t, std::int32_t slave, std::int32_t face, const Bodies& bodies,
                         const Face* faces, const ContactOptions& o) noexcept;
 
-/// One step of one patch against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not written).
+/// Advances one patch by one step against its candidates. `wrench[k]` and `active[k]` are set for each candidate (active 0: wrench not
+/// written).
 /// \param touching  number of points with a partner after the last step
 /// \pre there is a candidate, and no travel bound has decreased since the candidate was new
 /// \pre histories of the points are padded to kLanes with points that have no partner

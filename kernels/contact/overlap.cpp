@@ -39,7 +39,7 @@ struct Best {
 /// Both bodies in the axes of the first.
 struct PairOfShapes {
   const ConvexShape &a, &b;
-  Mat3 turn;    // from the axes of b to those of a
+  Mat3 turn;    // from axes of b to axes of a
   Vec3 centre;  // of b
   std::span<const Vec3> vertices_b;
 };

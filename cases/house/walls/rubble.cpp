@@ -13,7 +13,7 @@
 namespace voussoir::cases {
 namespace {
 
-// In thousandths.
+// Limits in thousandths.
 constexpr Tick kHeights = 250;  // of a course's height, greatest deviation from the mean
 constexpr Tick kLengths = 400;  // of a brick's length, greatest deviation
 constexpr Tick kDepths = 150;   // of a stone's depth, greatest offset of a joint within the wall

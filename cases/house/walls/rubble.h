@@ -31,7 +31,7 @@ struct RubbleStone {
 /// range, part of the seed
 std::vector<Interval> rubble_courses(const House& house, const HousePlan& plan, Interval between, std::int64_t number);
 
-/// All walls of a house, storey upon storey.
+/// All walls of a house, from the lowest storey up.
 class RubbleWalls {
  public:
   RubbleWalls(const House& house, const HousePlan& plan);

@@ -35,7 +35,7 @@ struct Timing {
 
 struct TimingOptions {
   int least = 15, most = 60;  // batches for each number of threads: more than the least until thirty samples of each were quiet
-  int steps = 0;              // in a batch; 0: as many as take 0.1 s
+  int steps = 0;              // in a batch; 0: the number that takes 0.1 s
 };
 
 /// Measures all numbers of threads in turn, batch by batch, so that other load of the machine affects all equally. Restores the

@@ -46,7 +46,7 @@ namespace {
 struct BenchOptions {
   double after = 0.0;      // s of shaking before the measurement; 0: intact, at the beginning of gravity
   int batches = 0;         // number of batches for a median; 0: 15, or up to 60 on a machine that is seldom quiet
-  int steps = 0;           // in a batch; 0: as many as take about 0.1 s
+  int steps = 0;           // in a batch; 0: the number that takes about 0.1 s
   std::string csv;         // CSV file for the table; empty: none
   std::string stages_csv;  // CSV file for the table of stages; empty: none
   bool overwrite = false;

@@ -32,7 +32,7 @@ namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// One argument: a record of three components, or the components of a file.
+/// An argument: a record of three components, or the components of a file.
 struct MotionSource {
   Record record;
   std::vector<Component> of_file;

@@ -158,7 +158,7 @@ struct Lines {
   void reference(const KeyInfo& info, const std::string& default_text);
 };
 
-/// One key of struct S: a value (`text`), or a table or tables (`write` and `list`).
+/// A key of struct S: a value (`text`), or a table or tables (`write` and `list`).
 template <class S>
 struct Key {
   KeyInfo info;

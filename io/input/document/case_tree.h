@@ -16,7 +16,7 @@ namespace voussoir::io {
 struct Source {
   int line = 0, column = 0;
   int set = -1;
-  int file = 0;  // index of the file among those of the case
+  int file = 0;  // index among the files of the case
 
   /// Whether this place precedes `o`: file order; overrides come after the file.
   [[nodiscard]] bool before(const Source& o) const noexcept {

@@ -13,7 +13,7 @@ namespace voussoir::io {
 inline std::span<const std::string_view> give_way_to(std::string_view key) {
   static constexpr std::array<std::string_view, 10> kToRecord{"x", "y", "z", "L", "T", "V", "unit", "dt", "from", "to"};
   static constexpr std::array<std::string_view, 9> kToAxes{"record", "L",    "T",  "V",        "unit",
-                                                           "dt",     "from", "to", "direction"};  // which says where L, T, V go
+                                                           "dt",     "from", "to", "direction"};  // direction: axes of L, T, V
   static constexpr std::array<std::string_view, 8> kToComponents{"record", "x", "y", "z", "unit", "dt", "from", "to"};
   if (key == "record") return kToRecord;
   if (key == "x" || key == "y" || key == "z") return kToAxes;

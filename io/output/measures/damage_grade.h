@@ -34,7 +34,7 @@ struct BuildingDamage {
   std::vector<WallDamage> walls;
   double fallen_roof = 0;  // share of the roof's mass; 0 without a roof
   double fallen = 0;       // share of all mass
-  bool collapsed = false;  // solver/run/collapse.h
+  bool collapsed = false;  // see solver/run/collapse.h
 };
 
 /// Damage grade from 0 (no damage) to 5: the highest grade with a criterion that holds. \pre there is a wall

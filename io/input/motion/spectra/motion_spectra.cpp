@@ -37,7 +37,7 @@ struct Curve {
   std::vector<double> sd;
 };
 
-/// All curves of one damping.
+/// Curves of all components and pairs for one damping ratio.
 std::vector<Curve> curves(const Spectra& s, double damping, const std::vector<double>& frequencies) {
   std::vector<Curve> all;
   for (const Component& c : s.components) {
