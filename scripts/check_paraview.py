@@ -21,7 +21,7 @@ folder = os.path.abspath(sys.argv[1])
 
 
 def read(name, dtype, *selection):
-    """A dataset of run.h5. Not by h5py: its HDF5 and ParaView's do not live together in one process."""
+    """A dataset of run.h5. Not read by h5py, whose HDF5 library conflicts with ParaView's in one process."""
     with tempfile.NamedTemporaryFile() as out:
         command = ["h5dump", "-d", name, *selection, "-b", "LE", "-o", out.name, folder + "/run.h5"]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
@@ -43,7 +43,7 @@ def turned(q, v):
 
 
 class Expected:
-    """What run.h5 says."""
+    """Expected values, from run.h5."""
 
     def __init__(self):
         self.times = read("/frames/time", "<f8")
@@ -62,7 +62,7 @@ class Expected:
 
 
 def check(reader, expected):
-    """What is wrong with what a reader gives."""
+    """Differences between a reader's data and the expected values."""
     faults = []
 
     def same(what, got, wanted, tolerance=0.0):

@@ -29,13 +29,13 @@ PARTS = (0.2, 0.4, 0.6, 1.0)  # of the longest run: the four moments if none are
 
 
 def end_of(folder):
-    """Of a run, s."""
+    """The end of a run, s."""
     with run_file.open_results(os.path.join(folder, "run.h5")) as file:
         return float(run_file.frame_times(file)[-1])
 
 
 def runs_in(folder):
-    """The folder itself if it is of a run, or those of runs in it."""
+    """The folder itself if it is that of a run, else the folders of runs in it."""
     if os.path.exists(os.path.join(folder, "run.h5")):
         return [folder]
     inside = sorted(str(path.parent) for path in pathlib.Path(folder).glob("*/run.h5"))
@@ -45,7 +45,7 @@ def runs_in(folder):
 
 
 def stills(folder, view, times, program, kept=None):
-    """Paths of a run's pictures, one a time up to its end. kept: the folder for them; None: DIR/stills."""
+    """Paths of a run's pictures, one for each time up to its end. kept: the folder for them; None: DIR/stills."""
     end = end_of(folder)
     times = [t for t in times if t <= end + 1e-6]
     kept = kept or os.path.join(folder, "stills")
@@ -64,7 +64,7 @@ def stills(folder, view, times, program, kept=None):
 
 
 def name_of_its_own(folder):
-    """Of a run, among runs in folders of the same name."""
+    """A unique name for a run, among runs in folders of the same name."""
     path = os.path.realpath(folder)
     return f"{os.path.basename(path)}-{hashlib.sha256(path.encode()).hexdigest()[:8]}"
 

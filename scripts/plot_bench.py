@@ -60,7 +60,7 @@ def growth(axes, tables):
 
 
 def stages(axes, tables):
-    """One bar a subject and number of threads, by colour: shares of a step; in each part how near it comes to the machine's limits."""
+    """One bar per subject and number of threads, by colour: shares of a step; in each part, its share of the machine's limits."""
     bars = []
     for path in tables:
         mine = [r for r in rows(path) if r["scatter"] == "colour" and r["part_of_the_step"] != "step"]
@@ -85,7 +85,7 @@ def stages(axes, tables):
 
 
 def by_state(path, picture):
-    """From a table of state, threads, part and ms: where a step goes, a panel a state, a bar for each number of threads."""
+    """Times of a step from a table of state, threads, part and ms: one panel per state, one bar per number of threads."""
     plt.rcParams.update({"font.size": 8, "svg.fonttype": "none", "svg.hashsalt": "voussoir"})
     table = rows(path)
     parts = [p for p in dict.fromkeys(r["part"] for r in table) if any(float(r["ms"]) > 0.0 for r in table if r["part"] == p)]

@@ -15,7 +15,7 @@ import run_file
 
 
 def base_shear(run):
-    """N along the push, mean over a first period about each row (io/MEASURES.md, Capacity)."""
+    """Base shear along the push, N, as a running mean over a first period (io/MEASURES.md, Capacity)."""
     time, push = run.assessment.time, run.case["analysis"]["direction"]
     k = np.searchsorted(run.forces.time, np.asarray(time) - 1e-9)
     shear = -(np.asarray(run.forces.base_shear)[k, :2] @ push) / np.hypot(*push)

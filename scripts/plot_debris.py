@@ -24,7 +24,7 @@ ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column")  # and "left ring be
 
 
 class Plan:
-    """One frame of a run from above."""
+    """One frame of a run, seen from above."""
 
     def __init__(self, run, time, below):
         file = run.file
@@ -43,11 +43,11 @@ class Plan:
                       zip(file["model/cells"][:], file["model/cell_type"][:], file["model/cell_element"][:]) if self.now[e, 2] < below]
 
     def outside(self):
-        """Of the walls at first: low and high corner."""
+        """Low and high corner of the walls in their initial position."""
         return self.vertices[:, :2].min(axis=0), self.vertices[:, :2].max(axis=0)
 
     def polygons(self):
-        """(height, corners, colour) of the faces that look up, the lowest first."""
+        """(height, corners, colour) of the upward faces, the lowest first."""
         shown = []
         for cell, kind, e in self.cells:
             corners = (self.vertices[cell[cell >= 0]] - self.start[e]) @ self.turn[e].T + self.now[e]
@@ -67,7 +67,7 @@ class Plan:
 
 
 def extent(plans):
-    """Of everything that is drawn, and half a metre about it."""
+    """Range of everything drawn, with a margin of half a metre."""
     points = np.concatenate([*(np.array([plan.now[e, :2] for _, _, e in plan.cells]) for plan in plans if plan.cells),
                              *(np.array(plan.outside()) for plan in plans)])
     return points.min(axis=0) - 0.5, points.max(axis=0) + 0.5

@@ -15,7 +15,7 @@ from voussoir import plots
 
 
 def peak(run, name, axis, quantity, until):
-    """A row of the table of peaks: the largest magnitude of a curve, and when."""
+    """A row of the table of peaks: the largest magnitude of a curve, and its time."""
     time, values = plots.curve(run, name, quantity)
     curve = values[time <= (np.inf if until is None else until), plots.AXES.index(axis)]
     at = int(np.nanargmax(abs(curve)))

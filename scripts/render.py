@@ -56,7 +56,7 @@ class Run:
 
 
 def view(azimuth, elevation):
-    """Rows: right, up, towards the viewer."""
+    """View axes as rows: right, up, towards the viewer."""
     a, e = np.radians(azimuth), np.radians(elevation)
     toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
     right = np.array([-np.sin(a), np.cos(a), 0.0])
@@ -82,7 +82,7 @@ def draw(axes, run, frame, axis, light=np.array([0.35, -0.55, 0.76])):
 
 
 def window(places, at_first):
-    """From where to where a picture goes: over all that stood, and all but the last few pieces, one of which may fly anywhere."""
+    """Range of a picture: all initial positions, and all elements but the last few, one of which may fly anywhere."""
     low, high = np.quantile(places, [0.002, 0.998])
     return min(low, at_first.min()) - 0.3, max(high, at_first.max()) + 0.3
 

@@ -28,7 +28,7 @@ __all__ = ["COLOURS", "Run", "frame_times", "open_results", "or_exit", "panels",
 
 @contextlib.contextmanager
 def or_exit():
-    """What the package raises ends a script with the message."""
+    """Ends a script with the message of an error of the package."""
     try:
         yield
     except voussoir.VoussoirError as error:
@@ -36,13 +36,13 @@ def or_exit():
 
 
 def open_results(path):
-    """The run.h5 of a run, named by its folder or by itself."""
+    """Opens the run.h5 of a run, given as its folder or as the file."""
     with or_exit():
         return results.open_results(path)
 
 
 def frame_times(file):
-    """s; a run at work may have none yet."""
+    """Times of the frames, s; an unfinished run may have none yet."""
     times = file["frames/time"][:]
     if not len(times):
         sys.exit(f"{file.filename}: has no frames yet")
@@ -50,10 +50,10 @@ def frame_times(file):
 
 
 class Run(voussoir.Run):
-    """A run with a name for figures, of a finished run or of one that goes on."""
+    """A run with a name for figures, finished or not."""
 
     def __init__(self, argument):
-        """argument: DIR, DIR/run.h5, or either behind "LABEL=". A path that is there has no label, even with an = in it."""
+        """argument: DIR, DIR/run.h5, or either after "LABEL=". An existing path has no label, even with an = in it."""
         label, found, path = ("", "", argument) if os.path.exists(argument) else argument.partition("=")
         super().__init__(path if found else argument)
         self.label = label if found else plots.label_of(self)
@@ -66,7 +66,7 @@ class Run(voussoir.Run):
 
 
 def parser(documentation, output, over_time=False):
-    """Arguments all scripts have: the figure's file and size; of those that draw over time, the end of the axis."""
+    """Arguments common to all scripts: the figure's file and size; for scripts that draw over time, the end of the axis."""
     p = argparse.ArgumentParser(description=documentation, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("-o", "--output", default=output, help=f"picture to write: .png, .pdf or .svg (default {output})")
     p.add_argument("--width", type=float, default=16.0, help="of the figure, cm (default 16)")

@@ -22,7 +22,7 @@ _PROGRESS = re.compile(r"(?:(settling), (-?[\d.]+) s|(-?[\d.]+) of (\S+) s)  (\S
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a run has come."""
+    """Progress of a run."""
 
     time: float  # s of shaking; below 0 while it settles
     end: float | None  # s; None while it settles
@@ -47,7 +47,7 @@ def call(*words: Word, folder: str | os.PathLike[str] | None = None) -> str:
 
 
 def holds(*words: Word) -> bool:
-    """The answer of a command that asks a question, as `compare`: exit code 0 is yes, 1 no. Raises for others."""
+    """The answer of a command that asks a question, such as `compare`: True for exit code 0, False for 1. Raises for other codes."""
     done = _ended(words, None)
     said = warn_of(done.stderr)
     if done.returncode not in (0, 1):
@@ -64,11 +64,11 @@ def _ended(words: tuple[Word, ...], folder: str | os.PathLike[str] | None) -> su
 
 
 def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> str:
-    """As `call`, for commands that take long: shows how far they have come.
+    """As `call`, for commands that take long: shows their progress.
 
-    progress: True writes a line to sys.stderr, written over; a function is called with a Progress, five times a second; False: neither.
-    Ctrl-C asks the program to save and stop, waits for it, and raises Stopped. The program runs in a session of its own, so that a Ctrl-C in a
-    terminal reaches it once, by way of Python.
+    progress: True writes a line to sys.stderr, which is overwritten; a function is called with a Progress, five times a second; False: neither.
+    Ctrl-C asks the program to save and stop, waits for it, and raises Stopped. The program runs in a separate session, so that
+    a Ctrl-C in a terminal reaches it only once, by way of Python.
     """
     command = [program(), *map(_word, words)]
     terminal, theirs = os.openpty()  # on a terminal the program says five times a second how far it is
@@ -136,7 +136,7 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
 
 
 def parse_progress(line: str) -> Progress | None:
-    """The program's line about how far a run is; None if it is none."""
+    """Progress from a line that the program writes about a run; None for other lines."""
     found = _PROGRESS.search(line)
     if found is None:
         return None
@@ -146,12 +146,12 @@ def parse_progress(line: str) -> Progress | None:
 
 
 def version() -> str:
-    """As in "voussoir 0.1.0 (physics 13)"."""
+    """The version, as "voussoir 0.1.0 (physics 13)"."""
     return call("--version").strip()
 
 
 def ready_cases() -> dict[str, str]:
-    """Names of the ready cases, and their titles."""
+    """Names of the ready cases, with their titles."""
     lines = (line.split(None, 1) for line in call("cases").splitlines())
     return {words[0]: words[1].strip() if len(words) > 1 else "" for words in lines if words}
 
@@ -173,7 +173,7 @@ def _not_found(name: str, error: OSError) -> ProgramNotFound:
 
 
 def _lines_of(terminal: int) -> Iterator[str]:
-    """Lines that a program writes to its terminal, also those that it writes over, without the terminal's marks."""
+    """Lines that a program writes to its terminal, including overwritten ones, without control characters."""
     rest = b""
     while True:
         try:
@@ -196,9 +196,9 @@ def _drain(terminal: int) -> None:
 
 
 def absolute_if_file(path: str | os.PathLike[str]) -> str:
-    """A path as seen from anywhere, if it leads to something; else the text as it is, which may be a name that the program knows.
+    """The absolute path, if it exists; else the text unchanged, which may be a name known to the program.
 
-    FILE#COMPONENT, of a motion, leads to FILE.
+    FILE#COMPONENT, for a motion, exists if FILE does.
     """
     if pathlib.Path(path).exists():
         return str(pathlib.Path(path).resolve())

@@ -28,11 +28,11 @@ _HALF = 1e-3  # m, of the box about the middle of two stones, by which their con
 
 
 def model_of(path: str | os.PathLike[str], *, unit: str = "m", young: float | None = None, **stones: Any) -> Model:
-    """A case of a problem, a model, an assembly or a list of meshes as `compas.json_dump` writes them.
+    """A Model from a problem, a model, an assembly or a list of meshes, as written by `compas.json_dump`.
 
-    Taken over: stones by the numbers of their nodes (or their names, where all differ), supports, the material (density, Ecm in MPa, poisson), the
-    angle of friction, gravity, body forces, point loads and surface loads. Not taken over, with a warning: cohesion and stiffnesses of contacts.
-    Prescribed displacements other than zero raise InputError. Without gravity and body forces its own weight acts all the same: nothing else would
+    Used: stones by the numbers of their nodes (or their names, where all differ), supports, the material (density, Ecm in MPa, poisson), the
+    angle of friction, gravity, body forces, point loads and surface loads. Ignored, with a warning: cohesion and stiffnesses of contacts.
+    Prescribed displacements other than zero raise InputError. Without gravity and body forces, weight acts all the same, since nothing else would
     hold an assembly together. young: Pa, in place of Ecm. stones: keys of [[stones]], as snap, gap, place.
     """
     path = pathlib.Path(path)
@@ -61,7 +61,8 @@ def model_of(path: str | os.PathLike[str], *, unit: str = "m", young: float | No
 
 
 def follow_contacts(model: Model) -> int:
-    """Adds a cut for every two stones in contact (and with the base): its force over time is in the results. Returns how many there are."""
+    """Adds a cut for every two stones in contact (and for stones on the base), which records their contact force over time. Returns the number of
+    cuts."""
     probe = Model()
     probe.case = json.loads(json.dumps(model.case))
     probe["gravity.settle"], probe["time.duration"], probe["load"] = False, 0.0, None
@@ -75,10 +76,10 @@ def follow_contacts(model: Model) -> int:
 
 
 def solution(run: Results, time: float | None = None) -> dict[str, Any]:
-    """What became of the stones at a time, s (default: the last frame): a dict of plain numbers and of COMPAS's objects.
+    """State of the stones at a time, s (default: the last frame): a dict of plain numbers and of COMPAS objects.
 
-    "blocks": by name, "translation" of the centroid, m (to some 1e-8 m: frames are float32), and "transformation" from where it stood to where it stands, a
-    compas.geometry/Transformation. "contacts" (after follow_contacts): the two "blocks" (None: the base), "point" and "normal" (out of the first),
+    "blocks": by name, "translation" of the centroid, m (to some 1e-8 m: frames are float32), and "transformation" from the initial to the current
+    position, a compas.geometry/Transformation. "contacts" (after follow_contacts): the two "blocks" (None: the base), "point" and "normal" (out of the first),
     "area", and "force" and "moment" about the point, N and N m, that the second exerts on the first.
     """
     frame = run.frames[-1] if time is None else run.frames.at(time)
@@ -105,7 +106,7 @@ def solution(run: Results, time: float | None = None) -> dict[str, Any]:
 
 
 def write(run: Results, path: str | os.PathLike[str], *, time: float | None = None, overwrite: bool = False) -> pathlib.Path:
-    """The solution as a file for `compas.json_load`."""
+    """Writes the solution as a file for `compas.json_load`."""
     path = pathlib.Path(path)
     try:
         with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
@@ -194,7 +195,7 @@ def _centroid(corners: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
 
 
 def _pairs(run: Results) -> Iterator[dict[str, Any]]:
-    """Every two elements of different stones that a joint is between, and what their cut needs; b None: the base."""
+    """Pairs of elements of different stones with a joint between, and the data for their cut; b None: the base."""
     names, start = [_stone(tag) for tag in run.elements.tag], np.asarray(run.elements.position0, dtype=float)
     fixed, joints = np.asarray(run.elements.fixed), run.joints
     a, b, area = joints.element_a, joints.element_b, np.asarray(joints.area, dtype=float)

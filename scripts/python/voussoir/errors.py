@@ -12,19 +12,19 @@ class VoussoirError(Exception):
 
 
 class NumericalFailure(VoussoirError):
-    """The run cannot go on: too much energy is unaccounted for, or a number is none."""
+    """The run cannot continue: too much energy is unaccounted for, or a number is NaN."""
 
     code = 1
 
 
 class InputError(VoussoirError):
-    """A case or an option is wrong. Names file, line, key, value and what is allowed."""
+    """A case or an option is invalid. The message names file, line, key, value and what is allowed."""
 
     code = 2
 
 
 class FileError(VoussoirError):
-    """A file or a folder cannot be read or written, or holds something else."""
+    """A file or a folder cannot be read or written, or has other contents than expected."""
 
     code = 3
 
@@ -36,7 +36,7 @@ class ProcessorError(VoussoirError):
 
 
 class ProgramNotFound(VoussoirError):
-    """There is no program to start."""
+    """The program was not found."""
 
 
 class Stopped(KeyboardInterrupt):
@@ -47,14 +47,14 @@ class Stopped(KeyboardInterrupt):
 
 
 class ProgramWarning(UserWarning):
-    """A warning or a note of the program: what is likely a slip, or what the reader of results should know."""
+    """A warning or a note of the program: a probable mistake, or something to know about the results."""
 
 
 _SAID = ("voussoir: warning: ", "voussoir: note: ")
 
 
 def warn_of(said: str) -> str:
-    """Passes the program's warnings and notes on to Python's `warnings`. Returns the other lines of what it said."""
+    """Passes the program's warnings and notes on to Python's `warnings`. Returns the other lines of its output."""
     others = []
     for line in said.splitlines():
         if line.startswith(_SAID):

@@ -27,7 +27,7 @@ FILES = ("include", *(f"motion.{key}" for key in ("record", "x", "y", "z", "L", 
 
 
 class Model:
-    """A case file in the making.
+    """A case file under construction.
 
     model = Model("A wall", include="parts/adobe-house")     # a ready case, a .toml file, several of them, or nothing
     model.house(inner_size=[2.8, 2.0], height=2.0, brick=[0.4, 0.2, 0.2])
@@ -36,7 +36,7 @@ class Model:
     """
 
     def __init__(self, title: str = "", *, include: Path | Sequence[Path] = ()) -> None:
-        """include: cases over which this one lies, key by key: names of ready ones, or paths."""
+        """include: cases that this one extends, key by key: names of ready ones, or paths."""
         names = [include] if isinstance(include, (str, os.PathLike)) else list(include)
         self.case: dict[str, Any] = {"title": title} if title else {}
         if names:
@@ -45,7 +45,7 @@ class Model:
     # Any key
 
     def __setitem__(self, path: str, value: Any) -> None:
-        """model["time.duration"] = 5.0; None takes a key of this model away (not one that an included case has)."""
+        """model["time.duration"] = 5.0; None removes a key of this model (not one from an included case)."""
         *tables, key = path.split(".")
         table = self.case
         for name in tables:
@@ -58,7 +58,7 @@ class Model:
             table[key] = _from_anywhere(path, value)
 
     def __getitem__(self, path: str) -> Any:
-        """What this model itself says of a key; KeyError if it says nothing."""
+        """The value that this model itself gives to a key; KeyError without one."""
         found: Any = self.case
         for name in path.split("."):
             if not isinstance(found, Mapping) or name not in found:
@@ -73,22 +73,22 @@ class Model:
         self.case.setdefault("materials", {})[name] = {"density": density, "young": young, "poisson": poisson}
 
     def joint_law(self, name: str, *, tension: float, cohesion: float, friction: float, compression: float, **more: float) -> None:
-        """Strengths in Pa, friction in degrees. more: cap; of the mortar thickness (m), young (Pa), poisson."""
+        """Strengths in Pa, friction in degrees. more: cap; and for the mortar thickness (m), young (Pa), poisson."""
         self.case.setdefault("joint_laws", {})[name] = {"tension": tension, "cohesion": cohesion, "friction": friction,
                                                         "compression": compression, **more}
 
     def joint(self, first: str, second: str, law: str) -> None:
-        """The law between two materials; "base" counts as one. Of several that fit, the first said holds."""
+        """Sets the law between two materials; "base" counts as one. The first of several rules that fit applies."""
         self.case.setdefault("joints", {}).setdefault("between", []).append({"materials": [first, second], "law": law})
 
     def friction(self, first: str, second: str, degrees: float) -> None:
-        """Of contacts of two materials."""
+        """Sets the angle of friction, degrees, between two materials without a bond."""
         self.case.setdefault("contact", {}).setdefault("between", []).append({"materials": [first, second], "friction": degrees})
 
     # What is built
 
     def house(self, *, openings: Sequence[Mapping[str, Any]] | None = None, **keys: Any) -> None:
-        """Keys of [house]; roof, wood and reinforcement are dicts. openings: of [[house.opening]], in place of those that are included.
+        """Keys of [house]; roof, wood and reinforcement are dicts. openings: those of [[house.opening]], replacing included ones.
 
         model.house(height=2.4, roof={"kind": "flat"}, openings=[opening("front", start=1.0, width=0.8, height=1.6, lintel=1.2)])
         """
@@ -98,7 +98,7 @@ class Model:
             house["opening"] = [dict(o) for o in openings]
 
     def block(self, name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | None = None, *, material: str, **keys: Any) -> None:
-        """A convex block from a mesh: n x 3 vertices in m and the corners of each face; without faces, the 8 of a hexahedron in VTK's order.
+        """A convex block from a mesh: n x 3 vertices in m and the corners of each face; without faces, the 8 vertices of a hexahedron in VTK's order.
 
         keys: fixed, free, velocity, angular_velocity, rotate, motion.
         """
@@ -116,7 +116,7 @@ class Model:
         self._add_block(name, material, {"box": [_row(low), _row(high)]}, keys)
 
     def prism(self, name: str, polygon: ArrayLike, extrude: tuple[float, float], *, material: str, **keys: Any) -> None:
-        """A block along x: its section in y and z, and from where to where in x, m. keys: as for `block`."""
+        """A block along x: its section in y and z, and its range in x, m. keys: as for `block`."""
         self._add_block(name, material, {"polygon": np.asarray(polygon, dtype=float).tolist(), "extrude": _row(extrude)}, keys)
 
     def _add_block(self, name: str, material: str, shape: Mapping[str, Any], keys: Mapping[str, Any]) -> None:
@@ -124,28 +124,29 @@ class Model:
         self.case.setdefault("block", []).append(_from_anywhere("block", block))
 
     def load(self, block: str, *, force: ArrayLike = (0.0, 0.0, 0.0), moment: ArrayLike = (0.0, 0.0, 0.0), **keys: Any) -> None:
-        """On a block: force in N, moment in N m. keys: at (m), ramp (s, s), history (a file), follows, grows."""
+        """A load on a block: force in N, moment in N m. keys: at (m), ramp (s, s), history (a file), follows, grows."""
         load = {"block": block, "force": _row(force), "moment": _row(moment), **keys}
         self.case.setdefault("load", []).append(_from_anywhere("load", load))
 
     # What happens to it, what is followed
 
     def motion(self, record: Path | None = None, **keys: Any) -> None:
-        """Ground motion, in place of an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, intensity, unit."""
+        """Ground motion, replacing an earlier one of this model: a record, or files by axis (x, y, z or L, T, V); direction, scale, intensity,
+        unit."""
         self.case["motion"] = _from_anywhere("motion", {**({"record": record} if record is not None else {}), **keys})
 
     def follow(self, name: str, point: ArrayLike) -> None:
-        """The element nearest to a point, m, gets a history. The first call takes the place of what an included case follows."""
+        """Records a history of the element nearest to a point, m. The first call replaces the points that an included case follows."""
         self.case.setdefault("output", {}).setdefault("history", []).append({"name": name, "point": _row(point)})
 
     # What the program does with it
 
     def text(self) -> str:
-        """The case file."""
+        """The text of the case file."""
         return toml.document(self.case)
 
     def write(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
-        """Raises FileError if the file is there and may not be replaced. Files that it names are named by absolute paths."""
+        """Writes the case file, with absolute paths to its files. Raises FileError if the file exists and may not be replaced."""
         path = pathlib.Path(path)
         try:
             with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
@@ -155,12 +156,14 @@ class Model:
         return path
 
     def check(self, *, draw: Path | None = None, overwrite: bool = False) -> str:
-        """Builds it and runs nothing: counts, masses, step, faults, as `voussoir check` prints them. draw: an .svg of plans and elevations."""
+        """Builds the model without a run: counts, masses, step, faults, as `voussoir check` prints them. draw: an .svg file for plans and
+        elevations."""
         more: list[Any] = [*(["--draw", pathlib.Path(draw).resolve()] if draw else []), *(["--overwrite"] if overwrite else [])]
         return self._with_file(lambda path: commands.call("check", path, *more))
 
     def view(self, path: Path, *, view: str = "corner", overwrite: bool = False) -> pathlib.Path:
-        """The model as one HTML page, before any run; with a .png as its path a picture (needs Chromium). What is refused is shown in red, and raises."""
+        """One HTML page of the model, before any run; for a .png path a picture (needs Chromium). A refused model is shown with its faults in red,
+        and raises."""
         path = pathlib.Path(path).resolve()
         words: list[Any] = ["--still", path, "--view", view] if path.suffix == ".png" else ["-o", path]
         self._with_file(lambda case: commands.call("view", case, *words, *(["--overwrite"] if overwrite else [])))
@@ -171,21 +174,21 @@ class Model:
         return self._with_file(lambda path: commands.call("limit", path, *options))
 
     def modes(self, count: int = 6, *, shapes: Path | None = None, overwrite: bool = False) -> list[float]:
-        """Its first natural frequencies, Hz. shapes: also a .vtu file of the mode shapes."""
+        """The first natural frequencies, Hz. shapes: a .vtu file for the mode shapes."""
         more: list[Any] = [*(["--shapes", pathlib.Path(shapes).resolve()] if shapes else []), *(["--overwrite"] if overwrite else [])]
         text = self._with_file(lambda path: commands.call("modes", path, "--count", count, "--no-impulse", "--quiet", *more))
         return [float(found) for found in re.findall(r"^ *\d+ +([0-9.eE+-]+)", text, re.MULTILINE)]
 
     def verify(self, *, threads: int | None = None) -> bool:
-        """Whether threads and stops change no bit of its first second (about a minute)."""
+        """Whether the bits of the first second are independent of threads and stops (takes about a minute)."""
         more: list[Any] = ["-j", threads] if threads else []
         return self._with_file(lambda path: commands.holds("run", path, "--verify", *more))
 
     def run(self, folder: Path | None = None, *, until: float | None = None, threads: int | None = None, overwrite: bool = False,
             progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> Run:
-        """Settles it under gravity, shakes it, writes results. Ctrl-C saves and stops: Stopped; `Run(folder).resume()` goes on.
+        """Settles the model under gravity, shakes it, writes results. Ctrl-C saves and stops: Stopped; `Run(folder).resume()` goes on.
 
-        folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: more of `voussoir run --help`.
+        folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: further ones of `voussoir run --help`.
         """
         folder = pathlib.Path(folder or pathlib.Path("results") / self._file_name())
         words: list[Any] = ["-o", folder, *(["--duration", until] if until is not None else []), *(["-j", threads] if threads else []),
@@ -203,7 +206,7 @@ class Model:
 
 def opening(wall: str, *, start: float, width: float, height: float, sill: float = 0.0,
             lintel: float | Mapping[str, float] | None = None) -> dict[str, Any]:
-    """A door or a window for Model.house, m. start: along the wall, from the outer corner of the house. lintel: its length, or its keys."""
+    """A door or a window for Model.house, m. start: position along the wall, from the outer corner of the house. lintel: its length, or its keys."""
     keys: dict[str, Any] = {"wall": wall, "from": start, "width": width, "sill": sill, "height": height}
     if lintel is not None:
         keys["lintel"] = dict(lintel) if isinstance(lintel, Mapping) else {"length": lintel}
@@ -211,7 +214,7 @@ def opening(wall: str, *, start: float, width: float, height: float, sill: float
 
 
 def _from_anywhere(path: str, value: Any) -> Any:
-    """The value of a key with its files, and those of the tables in it, named by absolute paths."""
+    """The value of a key with the files that it and its tables name replaced by absolute paths."""
     if isinstance(value, Mapping):
         return {key: _from_anywhere(f"{path}.{key}", v) for key, v in value.items()}
     if isinstance(value, (list, tuple)):

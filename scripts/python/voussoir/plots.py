@@ -33,17 +33,17 @@ MODES = {"tension": "#0072b2", "shear": "#e69f00", "compression": "#009e73"}
 
 
 def label_of(run: Results) -> str:
-    """What a figure calls a run: its `label` if it was given one, else the name of its folder."""
+    """The label of a run in a figure: its `label` if set, else the name of its folder."""
     return getattr(run, "label", None) or run.folder.absolute().name
 
 
 def style(number: int) -> dict[str, Any]:
-    """Colour and dashes of the number-th line."""
+    """Colour and dashes of line `number`."""
     return {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)]}
 
 
 def panels(rows: int, width: float = 16.0, height: float = 4.2, **options: Any) -> tuple[Figure, list[Axes]]:
-    """A figure of `rows` panels one above the other, cm; its axes as a list."""
+    """A figure of `rows` panels, one above the other, sizes in cm; its axes as a list."""
     with matplotlib.rc_context(LOOK):
         figure, axes = plt.subplots(rows, 1, figsize=(width / 2.54, (height * rows + 1.2) / 2.54), squeeze=False, **options)
     return figure, list(axes[:, 0])
@@ -61,7 +61,7 @@ def plain_numbers(axes: Axes) -> None:
 
 
 def time_axis(axes: Axes, until: float | None, ends: Sequence[float]) -> None:
-    """From the start of shaking until as told, else until the last run's end."""
+    """Time axis from the start of shaking to a given end, else to the end of the longest run."""
     axes.set(xlabel="time, s", xlim=(0.0, until or max(*ends, 0.01)))
 
 
@@ -77,7 +77,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
 
 
 def curve(run: Results, name: str, quantity: str) -> tuple[Array, Array]:
-    """Time (n) and displacement, velocity or rotation (n x 3) of a followed element. Raises VoussoirError where there is none."""
+    """Time (n) and displacement, velocity or rotation (n x 3) of a followed element. Raises VoussoirError if there is none."""
     try:
         history = run.history(name)
     except VoussoirError as error:
@@ -89,7 +89,7 @@ def curve(run: Results, name: str, quantity: str) -> tuple[Array, Array]:
 
 
 def rows_of(run: Results, group: str) -> dict[str, Array]:
-    """All columns of a table of rows. Raises VoussoirError where it has no rows yet."""
+    """All columns of a table of rows. Raises VoussoirError if it has no rows yet."""
     columns = dict(getattr(run, group))
     if not len(columns["time"]):
         raise VoussoirError(f"{label_of(run)}: has no rows of {group} yet")
@@ -97,7 +97,7 @@ def rows_of(run: Results, group: str) -> dict[str, Array]:
 
 
 def history_panels(runs: Sequence[Results], show: Sequence[str] | None, quantity: str) -> list[tuple[str, str]]:
-    """(name, axis) of each panel. Without a wish: every history of the first run, along the horizontal axis on which it moves more."""
+    """(name, axis) of each panel. By default every history of the first run, along the horizontal axis with the larger motion."""
     if show:
         wanted = [(text.rpartition(":")[0], text.rpartition(":")[2]) for text in show]
         for name, axis in wanted:
@@ -117,8 +117,8 @@ def histories(runs: Sequence[Results], show: Sequence[str] | None = None, *, qua
               until: float | None = None, width: float = 16.0) -> Figure:
     """Motion of followed elements, several runs in one figure, a panel for each element.
 
-    show: panels, as ["front:y", ...] (default: all, along the axis that moves more). quantity: displacement, velocity or rotation. limit: of the
-    vertical axes, both ways. until: end of the time axis, s. width: cm.
+    show: panels, as ["front:y", ...] (default: all, along the axis with the larger motion). quantity: displacement, velocity or rotation.
+    limit: of the vertical axes, both ways. until: end of the time axis, s. width: cm.
     """
     if quantity not in UNITS:
         raise VoussoirError(f"quantity {quantity!r}: allowed: {', '.join(UNITS)}")
@@ -139,8 +139,8 @@ def histories(runs: Sequence[Results], show: Sequence[str] | None = None, *, qua
 
 
 def damage(runs: Sequence[Results], *, first: bool = False, until: float | None = None, width: float = 16.0) -> Figure:
-    """Percent of all segments that are open over time, by what opened them, a panel for each run; first: that have failed, by the limit that
-    they reached first."""
+    """Percent of all segments that are open over time, by the mode that opened them, a panel for each run; first: percent that have failed, by
+    the limit that they reached first."""
     prefix, verb = ("first_", "reached first") if first else ("", "opened by")
     ends = [0.0]
     figure, all_axes = panels(len(runs), width, sharex=True, sharey=True)
@@ -161,7 +161,7 @@ def damage(runs: Sequence[Results], *, first: bool = False, until: float | None 
 
 
 def energy(run: Results, *, until: float | None = None, width: float = 16.0) -> Figure:
-    """Energy since the shaking began: above, what came in and where it went; below, the residual of the ledger."""
+    """Energy since the shaking began: above, input against stored and lost energy; below, the residual of the ledger."""
     rows = rows_of(run, "energy")
     start = int(np.searchsorted(rows["time"], 0.0))
     if start == len(rows["time"]):

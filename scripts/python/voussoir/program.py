@@ -13,7 +13,7 @@ CHECKOUT = _UP if (_UP / "CMakeLists.txt").exists() else None  # None where the 
 def program() -> str:
     """VOUSSOIR if it is set, else what `scripts/build` built in the checkout that holds this package, else `voussoir` on the PATH.
 
-    Where none of them is there: the path at which one should be.
+    If none exists: the path where one is expected.
     """
     if os.environ.get("VOUSSOIR"):
         return os.path.abspath(os.environ["VOUSSOIR"])
@@ -24,5 +24,5 @@ def program() -> str:
 
 
 def results() -> pathlib.Path:
-    """The folder in which results lie: of the checkout, or, where there is none, of the working folder."""
+    """The folder for results: of the checkout, or, without one, of the working folder."""
     return (CHECKOUT or pathlib.Path.cwd()) / "results"

@@ -19,7 +19,7 @@ from .errors import FileError, VoussoirError
 
 
 class Array(np.ndarray[Any, Any]):
-    """A NumPy array that knows its `unit`, `name` and `description`. What is computed from it is a plain array: its unit may be another."""
+    """A NumPy array with `unit`, `name` and `description`. Results of computations with it are plain arrays, as their unit may differ."""
 
     unit: str
     name: str
@@ -40,7 +40,7 @@ class Array(np.ndarray[Any, Any]):
 
 
 def open_results(path: str | os.PathLike[str]) -> h5py.File:
-    """The run.h5 of a run, named by its folder or by itself. Raises FileError."""
+    """Opens the run.h5 of a run, given as its folder or as the file. Raises FileError."""
     path = pathlib.Path(path)
     path = path / "run.h5" if path.is_dir() else path
     if not path.is_file():
@@ -123,7 +123,7 @@ class History(Table):
 
 
 class Frame:
-    """All elements at one moment. `position` n x 3 m, `quaternion` n x 4 (w, x, y, z), `broken` n: share of bonds, 0 to 1."""
+    """All elements at one time. `position` n x 3 m, `quaternion` n x 4 (w, x, y, z), `broken` n: share of bonds, 0 to 1."""
 
     def __init__(self, results: "Results", row: int) -> None:
         self._results, self._group, self.row = results, results.file["frames"], row
@@ -145,7 +145,7 @@ class Frame:
         return array_of(self._group["broken"], self.row)
 
     def vertices(self) -> NDArray[Any]:
-        """Of all elements, where they are now: v x 3, m, in the rows of /model/vertex."""
+        """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex."""
         model = self._results.file["model"]
         first = model["element/first_vertex"][:]
         corners = model["vertex"][:]
@@ -157,7 +157,7 @@ class Frame:
 
 
 def rotation_matrices(quaternions: NDArray[Any]) -> NDArray[Any]:
-    """n x 3 x 3 from n x 4 (w, x, y, z)."""
+    """Rotation matrices, n x 3 x 3, from quaternions, n x 4 (w, x, y, z)."""
     w, x, y, z = np.asarray(quaternions, dtype=float).T
     rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -166,7 +166,7 @@ def rotation_matrices(quaternions: NDArray[Any]) -> NDArray[Any]:
 
 
 class Frames:
-    """`frames[i]`, `frames[-1]`, `frames.at(2.5)`, `len(frames)`; a frame is read when something of it is asked for."""
+    """`frames[i]`, `frames[-1]`, `frames.at(2.5)`, `len(frames)`; a frame is read when its data are used."""
 
     def __init__(self, results: "Results") -> None:
         self._results = results
@@ -195,23 +195,23 @@ class Frames:
 
 
 class Results:
-    """What stands in run.h5. Nothing is read before it is asked for."""
+    """Contents of run.h5. Data are read when used."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        """folder: of a run, or its run.h5."""
+        """folder: that of a run, or its run.h5."""
         path = pathlib.Path(folder)
         self.folder = path.parent if path.name == "run.h5" else path
         self._path, self._file = path, None
 
     @property
     def file(self) -> h5py.File:
-        """The file itself, for what has no name here."""
+        """The HDF5 file itself, for data without a method here."""
         if self._file is None:
             self._file = open_results(self._path)
         return self._file
 
     def refresh(self) -> None:
-        """Of a run that goes on: see the rows that it has written since."""
+        """Makes rows available that an unfinished run has written since."""
         self.close()
 
     def close(self) -> None:
@@ -235,12 +235,12 @@ class Results:
 
     @property
     def energy(self) -> Table:
-        """The ledger of energy, J, while settling too: time, kinetic, strain, contact, gravity, input, four losses, residual."""
+        """The ledger of energy, J, also during settling: time, kinetic, strain, contact, gravity, input, four losses, residual."""
         return self._table("energy")
 
     @property
     def forces(self) -> Table:
-        """Of the base on the structure: time, base_shear (N), base_moment (N m)."""
+        """Forces of the base on the structure: time, base_shear (N), base_moment (N m)."""
         return self._table("forces")
 
     @property
@@ -250,27 +250,27 @@ class Results:
 
     @property
     def cracks(self) -> Table:
-        """A row for each spring that broke, in the order of time."""
+        """Breaks of springs, one row each, in order of time."""
         return self._table("cracks")
 
     @property
     def measures(self) -> Table:
-        """Measures of the collapse, a row a frame."""
+        """Measures of the collapse, one row per frame."""
         return self._table("measures")
 
     @property
     def assessment(self) -> Table:
-        """The rows of a quasi-static analysis; a time history has none."""
+        """The rows of a quasi-static analysis; empty for a time history."""
         return self._table("assessment")
 
     @property
     def capacity(self) -> dict[str, Any]:
-        """What a quasi-static analysis has found (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
+        """Results of a quasi-static analysis (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
         return _plain(self.file["capacity"].attrs) if "capacity" in self.file else {}
 
     @property
     def elements(self) -> Table:
-        """What stands still: material, tag, mass, position0, ... of each element."""
+        """Constant data of each element: material, tag, mass, position0, ..."""
         return self._table("model/element")
 
     @property
@@ -288,12 +288,12 @@ class Results:
 
     @property
     def summary(self) -> dict[str, Any]:
-        """By name, as in io/RESULTS.md: collapsed, first_crack_time, peak_base_shear, damage_grade, ..."""
+        """The summary by name, as in io/RESULTS.md: collapsed, first_crack_time, peak_base_shear, damage_grade, ..."""
         return _plain(self.file["summary"].attrs)
 
     @property
     def walls(self) -> dict[str, dict[str, float]]:
-        """Of each wall: fallen_mass_fraction, peak_drift, ..."""
+        """Measures of each wall: fallen_mass_fraction, peak_drift, ..."""
         group = self.file["summary"].get("wall")
         if group is None:
             return {}
@@ -308,12 +308,12 @@ class Results:
 
     @property
     def finished(self) -> bool:
-        """Whether the run came to its end."""
+        """Whether the run has reached its end."""
         return bool(self.summary["finished"])
 
 
 def _plain(attributes: Any) -> dict[str, Any]:
-    """Attributes as Python's own types, without the text that says their units."""
+    """Attributes as Python's own types, without the attribute of units."""
     def value(v: Any) -> Any:
         return v.decode() if isinstance(v, bytes) else v.item() if isinstance(v, np.generic) else v
     return {name: value(v) for name, v in attributes.items() if name != "units"}

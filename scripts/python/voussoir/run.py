@@ -19,7 +19,7 @@ class Run(Results):
     """Results of a run, and the commands that take one: `Run("results/hut").history("front").displacement`."""
 
     def resume(self, *, until: float | None = None, threads: int | None = None, progress: bool | Callable[[Progress], None] = True) -> "Run":
-        """Goes on from the newest good checkpoint: after Ctrl-C, a kill, or, with a later end in s, after the end. To the same bits."""
+        """Continues from the newest intact checkpoint: after Ctrl-C, a kill, or, with a later end in s, after the end. To the same bits."""
         self.close()
         words: list[Any] = ["resume", self.folder]
         words += ["--until", until] if until is not None else []
@@ -28,30 +28,30 @@ class Run(Results):
         return self
 
     def report(self, *, other: "Run | None" = None, output: str | os.PathLike[str] | None = None, overwrite: bool = False) -> pathlib.Path:
-        """One HTML page that shows the run, or this one and another side by side. Its path."""
+        """Writes one HTML page that shows the run, or this one and another side by side. Returns its path."""
         words: list[Any] = ["report", self.folder, *([other.folder] if other else []), *(["-o", output] if output else [])]
         commands.call(*words, *(["--overwrite"] if overwrite else []))
         return pathlib.Path(output) if output else self.folder / ("comparison.html" if other else "report.html")
 
     def stills(self, times: Sequence[float], *, views: Sequence[str] = ("corner",), overwrite: bool = False) -> pathlib.Path:
-        """Pictures at these times, s (needs Chromium). The folder that holds them."""
+        """Writes pictures at these times, s (needs Chromium). Returns their folder."""
         words: list[Any] = ["report", self.folder, "--stills", ",".join(f"{t:g}" for t in times), "--view", ",".join(views)]
         commands.call(*words, *(["--overwrite"] if overwrite else []))
         return self.folder / "stills"
 
     def film(self, file: str | os.PathLike[str], *, view: str = "corner", speed: float = 1.0, overwrite: bool = False) -> pathlib.Path:
-        """A film: .mp4, .webm or .gif (needs Chromium and ffmpeg)."""
+        """Writes a film: .mp4, .webm or .gif (needs Chromium and ffmpeg)."""
         commands.call("report", self.folder, "--film", file, "--view", view, "--speed", speed, *(["--overwrite"] if overwrite else []))
         return pathlib.Path(file)
 
     def same_as(self, other: "Run") -> bool:
-        """Whether the results of two runs are the same, bit for bit (provenance apart)."""
+        """Whether the results of two runs are equal, bit for bit (except provenance)."""
         self.close()
         other.close()
         return commands.holds("compare", self.folder, other.folder)
 
     def describe(self) -> str:
-        """What came out of it, as `voussoir summary` prints it."""
+        """Results in words, as `voussoir summary` prints them."""
         return commands.call("summary", self.folder)
 
     def plot_histories(self, **options: Any) -> "matplotlib.figure.Figure":
@@ -60,12 +60,12 @@ class Run(Results):
         return plots.histories([self], **options)
 
     def plot_energy(self, **options: Any) -> "matplotlib.figure.Figure":
-        """Where the energy came from and went."""
+        """Input, stored and lost energy over time."""
         from . import plots
         return plots.energy(self, **options)
 
     def plot_damage(self, **options: Any) -> "matplotlib.figure.Figure":
-        """Open segments over time, by what opened them."""
+        """Open segments over time, by the mode that opened them."""
         from . import plots
         return plots.damage([self], **options)
 

@@ -16,9 +16,9 @@ _SAME = 1e-9  # of the block's size: coordinates that differ by less are the sam
 def shape_of(name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | None = None) -> dict[str, Any]:
     """Keys of a [[block]] for a convex block.
 
-    vertices: n x 3, m. Without faces: the eight corners of a hexahedron in VTK's order (four of one face, then those above them).
+    vertices: n x 3, m. Without faces: the eight corners of a hexahedron in VTK's order (four of one face, then the four above).
     faces: corners of each face, rows of `vertices`, in order around it, in either sense; triangles of one plane need not be merged.
-    Raises InputError for a mesh that is damaged; whether it is convex and closed the program finds out.
+    Raises InputError for a damaged mesh; the program checks whether it is convex and closed.
     """
     points = np.asarray(vertices, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3:
@@ -42,13 +42,13 @@ def shape_of(name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | No
 
 
 def _normal(loop: NDArray[Any]) -> NDArray[Any]:
-    """Newell's: twice the area times the normal of a polygon."""
+    """Twice the area times the normal of a polygon, by Newell's method."""
     normal: NDArray[Any] = np.cross(loop, np.roll(loop, -1, axis=0)).sum(axis=0)
     return normal
 
 
 def _merged(name: str, points: NDArray[Any], faces: Sequence[Sequence[int]]) -> list[list[int]]:
-    """Faces with triangles of one plane made one polygon, all counted counter-clockwise from outside. Unused vertices play no part."""
+    """Faces with triangles of one plane merged to polygons, all counter-clockwise seen from outside. Unused vertices are ignored."""
     for face in faces:
         if len(face) < 3 or len(set(face)) != len(face) or not all(0 <= k < len(points) for k in face):
             raise InputError(f"block \"{name}\": face {list(face)} is not three or more different vertices of 0 to {len(points) - 1}")
@@ -75,7 +75,7 @@ def _merged(name: str, points: NDArray[Any], faces: Sequence[Sequence[int]]) -> 
 
 
 def _outline(name: str, points: NDArray[Any], loops: list[list[int]]) -> list[int]:
-    """The polygon around faces of one plane: edges that only one of them has. Corners on a straight line are dropped."""
+    """The polygon around faces of one plane: the edges of only one of the faces. Corners on a straight line are dropped."""
     edges = {(a, b) for loop in loops for a, b in zip(loop, loop[1:] + loop[:1])}
     after = {a: b for a, b in edges if (b, a) not in edges}
     start = next(iter(after), None)
@@ -95,7 +95,7 @@ def _outline(name: str, points: NDArray[Any], loops: list[list[int]]) -> list[in
 
 
 def _hexahedron(sides: list[list[int]]) -> list[int] | None:
-    """Corners in VTK's order, or None: six faces of four corners, eight corners of three edges."""
+    """Corners in VTK's order, or None if the shape is not six faces of four corners with three edges at each of eight corners."""
     if len(sides) != 6 or any(len(s) != 4 for s in sides) or len({k for s in sides for k in s}) != 8:
         return None
     bottom = sides[0][::-1]  # seen from inside counter-clockwise, as VTK has the first face

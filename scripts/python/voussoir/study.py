@@ -32,7 +32,7 @@ class Study:
     """
 
     def __init__(self, folder: str | os.PathLike[str], build: Callable[..., Model], **parameters: Sequence[Any]) -> None:
-        """build: makes the model of one combination; its arguments are the names of `parameters`, each with its values."""
+        """build: a function that makes the model of one combination; its arguments are the names of `parameters`, each with its values."""
         self.folder = pathlib.Path(folder)
         self._build = build
         self.runs: dict[str, dict[str, Any]] = {}  # by name of the folder: its parameters
@@ -44,10 +44,12 @@ class Study:
             self.runs[name] = point
 
     def run(self, *, until: float | None = None, threads: int = 1, workers: int = 1, quiet: bool = False) -> "Study":
-        """Runs what has not ended yet, `workers` at a time with `threads` each; what was stopped or killed goes on from its checkpoint.
+        """Runs all combinations that have not ended yet, `workers` at a time with `threads` each.
 
-        All models are built and checked before anything runs. A numerical failure is a result. Raises InputError where the model of a run that is
-        there has changed since, with the name of its folder; Stopped after Ctrl-C, when all runs at work have saved.
+        Runs that were stopped or killed continue from their checkpoint.
+
+        All models are built and checked before anything runs. A numerical failure is a result. Raises InputError if the model of an
+        existing run has changed since, with the name of its folder; Stopped after Ctrl-C, when all active runs have saved.
         """
         models = {name: self._build(**point) for name, point in self.runs.items()}
         for name, model in models.items():
@@ -97,7 +99,7 @@ class Study:
             raise InputError(f"{self.folder / name}: was run with another model ({before}); remove the folder, or give the study another one")
 
     def status(self, name: str) -> str:
-        """done, numerical failure, stopped (a resume goes on), to be done."""
+        """Status of each run: done, numerical failure, stopped (can be resumed), to be done."""
         folder = self.folder / name
         if (folder / "failure.txt").exists():
             return "numerical failure"
@@ -110,11 +112,11 @@ class Study:
             results.close()
 
     def __iter__(self) -> Iterator[tuple[dict[str, Any], Run]]:
-        """Parameters and run of those that are done."""
+        """Parameters and run of each finished combination."""
         return ((point, Run(self.folder / name)) for name, point in self.runs.items() if self.status(name) == "done")
 
     def table(self) -> list[dict[str, Any]]:
-        """A row a run: parameters, status, and of those that are done all of `Run.summary`."""
+        """One row per run: parameters, status, and for finished ones all of `Run.summary`."""
         rows = []
         for name, point in self.runs.items():
             row = {"run": name, **point, "status": self.status(name)}
@@ -126,7 +128,7 @@ class Study:
         return rows
 
     def write(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """The table as CSV, replaced if it is there."""
+        """Writes the table as CSV, replacing an existing file."""
         rows = self.table()
         names = list(dict.fromkeys(key for row in rows for key in row))
         try:
@@ -140,7 +142,7 @@ class Study:
 
 
 def _short(value: Any) -> str:
-    """A value in the name of a folder."""
+    """A value in short form for the name of a folder."""
     text = f"{value:g}" if isinstance(value, float) else str(value)
     return re.sub(r"[^A-Za-z0-9.+-]+", "_", text).strip("_") or "_"
 
@@ -151,7 +153,7 @@ def _raise_if(stop: list[bool]) -> None:
 
 
 def _write(path: pathlib.Path, text: str) -> None:
-    """Whole or not at all."""
+    """Writes a complete file, or none."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(path.name + ".tmp")
     temporary.write_text(text, encoding="utf-8")

@@ -15,12 +15,12 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def key_text(key: str) -> str:
-    """A key as it stands in a file: bare if it may be, else in quotes."""
+    """A key as TOML text: bare if possible, else quoted."""
     return key if _BARE.fullmatch(key) else _string(key)
 
 
 def value_text(value: Any) -> str:
-    """A value as it stands behind "=" and behind `--set KEY=`: numbers, texts, lists, tables in a line, and NumPy's of these.
+    """A value as TOML text for "=" and `--set KEY=`: numbers, texts, lists, tables in a line, and NumPy equivalents.
 
     Raises TypeError for other types, ValueError for numbers that are not finite.
     """
