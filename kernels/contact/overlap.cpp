@@ -11,7 +11,7 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kParallel = 1e-20;  // square of the sine between two edges whose normal is all round-off; a face stands for it
+constexpr double kParallel = 1e-12;  // square of the sine between two edges whose normal is all round-off; a face stands for it
 
 /// The vertex that lies least far along an axis.
 struct Lowest {
@@ -63,21 +63,27 @@ void try_faces_of_b(const PairOfShapes& p, Best& best) noexcept {
   }
 }
 
-void try_axis(const PairOfShapes& p, Vec3 n, int edge_a, int edge_b, Best& best) noexcept {
+/// \param of_faces  m, the least depth along normals of faces
+void try_axis(const PairOfShapes& p, Vec3 n, int edge_a, int edge_b, double of_faces, Best& best) noexcept {
   for (const double sign : {1.0, -1.0}) {
     const Vec3 axis = sign * n;
     const double depth = -lowest(p.a.vertices, -axis).value - lowest(p.vertices_b, axis).value;
-    if (depth < best.depth) best = {depth, axis, Meets::edges, edge_a, edge_b};
+    if (depth < std::min(best.depth, of_faces - kNoLess)) {
+      best = {depth, axis, Meets::edges, edge_a, edge_b};
+    } else {
+      best.depth = std::min(best.depth, depth);
+    }
   }
 }
 
 void try_crossed_edges(const PairOfShapes& p, double enough, Best& best) noexcept {
+  const double of_faces = best.depth;
   for (int i = 0; i < static_cast<int>(p.a.edges.size()); ++i) {
     for (int j = 0; j < static_cast<int>(p.b.edges.size()); ++j) {
       const Vec3 n = cross(p.a.edges[static_cast<std::size_t>(i)], p.turn * p.b.edges[static_cast<std::size_t>(j)]);
       const double square = dot(n, n);
       if (square < kParallel) continue;
-      try_axis(p, n / std::sqrt(square), i, j, best);
+      try_axis(p, n / std::sqrt(square), i, j, of_faces, best);
       if (best.depth <= enough) return;
     }
   }
@@ -101,7 +107,7 @@ Vec3 point_of(const PairOfShapes& p, const Best& best) noexcept {
   const bool of_a = best.what == Meets::face_of_a;
   const Vec3 outward = of_a ? best.normal : -best.normal;
   const Lowest low = of_a ? lowest(p.vertices_b, outward) : lowest(p.a.vertices, outward);
-  return meeting_point(of_a ? b : a, of_a ? a : b, outward, static_cast<std::size_t>(low.vertex), low.value) + 0.5 * best.depth * outward;
+  return meeting_point(of_a ? b : a, of_a ? a : b, outward, static_cast<std::size_t>(low.vertex), best.depth) + 0.5 * best.depth * outward;
 }
 
 /// Room for the vertices of the largest shape that is small, unset: most shapes need little of it.
@@ -137,12 +143,13 @@ Overlap overlap_with_base(const ConvexShape& a, const Pose& pose_a, double heigh
   const Vec3 up = turned_back(pose_a, {0.0, 0.0, 1.0});
   const Lowest low = lowest(a.vertices, up);
   const double depth = -(height + low.value);
+  const Vec3 deepest = a.vertices[static_cast<std::size_t>(low.vertex)];
   Vec3 sum;  // of the vertices that are equally deep: of an edge or a face that lies flat the middle meets the base
   double deep = 0.0;
   for (const Vec3& v : a.vertices) {
-    if (dot(v, up) <= low.value + kFlush) sum += v, deep += 1.0;
+    if (dot(v, up) <= low.value + kFlush * norm(v - deepest)) sum += v, deep += 1.0;
   }
-  const Vec3 point = deep > 1.0 ? sum / deep : a.vertices[static_cast<std::size_t>(low.vertex)];
+  const Vec3 point = deep > 1.0 ? sum / deep : deepest;
   Overlap r{depth, {0.0, 0.0, -1.0}, turned(pose_a, point) + Vec3{0.0, 0.0, 0.5 * depth}, {}};
   r.arm_b = r.arm_a;
   return r;

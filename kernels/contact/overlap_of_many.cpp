@@ -15,7 +15,7 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kParallel = 1e-20;  // as in overlap.cpp
+constexpr double kParallel = 1e-12;  // as in overlap.cpp
 constexpr double kRound = 1e-9;      // sine, by which an axis may miss the normals that its edge has
 
 /// The second body as the first sees it: its points are centre + turn · r.
@@ -56,9 +56,8 @@ struct BestFace {
 /// Between the face and what lies deepest under it.
 Vec3 point_under(const Pairing& p, const BestFace& best) noexcept {
   const std::int32_t low = lowest(p.other, transposed(p.turn) * best.normal);
-  return meeting_point({p.other, p.turn, p.centre}, {p.own, Mat3{}, {}}, best.normal, static_cast<std::size_t>(low),
-                       dot(best.reached, best.normal)) +
-         0.5 * best.depth * best.normal;
+  const PlacedShape other{p.other, p.turn, p.centre}, own{p.own, Mat3{}, {}};
+  return meeting_point(other, own, best.normal, static_cast<std::size_t>(low), best.depth) + 0.5 * best.depth * best.normal;
 }
 
 /// The face of the first body under which the other lies least deep. \param depth  only one that is less is of interest
@@ -104,7 +103,8 @@ Vec3 between(Vec3 a, Vec3 along_a, Vec3 b, Vec3 along_b) noexcept {
   return 0.5 * ((a + (x - c * y) / sine2 * along_a) + (b + (c * x - y) / sine2 * along_b));
 }
 
-void try_edges(const Pairing& p, const Crease& ea, const Crease& eb, Best& best) noexcept {
+/// \param of_faces  m, the least depth along normals of faces
+void try_edges(const Pairing& p, const Crease& ea, const Crease& eb, double of_faces, Best& best) noexcept {
   const Vec3 along = p.turn * eb.direction, n = cross(ea.direction, along);
   const double square = dot(n, n);
   if (square < kParallel) return;
@@ -112,18 +112,21 @@ void try_edges(const Pairing& p, const Crease& ea, const Crease& eb, Best& best)
     const Vec3 axis = n / length;
     if (!supports(p.own, ea, axis) || !supports(p.other, eb, transposed(p.turn) * -axis)) continue;
     const double depth = dot(axis, vertex_of(p.own, lowest(p.own, -axis)) - reaching(p, axis));
-    if (depth < best.depth) best = {depth, axis, between(vertex_of(p.own, ea.vertex), ea.direction, p.of_other(eb.vertex), along)};
+    const bool less = depth < std::min(best.depth, of_faces - kNoLess);
+    best.depth = std::min(best.depth, depth);
+    if (less) best = {depth, axis, between(vertex_of(p.own, ea.vertex), ea.direction, p.of_other(eb.vertex), along)};
   }
 }
 
 void try_crossed_edges(const Pairing& p, double enough, Best& best) noexcept {
+  const double of_faces = best.depth;
   const Vec3 of_other = reaching(p, best.normal), of_own = vertex_of(p.own, lowest(p.own, -best.normal));
   const Vec3 of_own_there = transposed(p.turn) * (of_own - p.centre);
   for (const Crease& ea : p.own.creases) {
     if (!is_near(p.own, ea, of_other, best.depth)) continue;
     for (const Crease& eb : p.other.creases) {
       if (!is_near(p.other, eb, of_own_there, best.depth)) continue;
-      try_edges(p, ea, eb, best);
+      try_edges(p, ea, eb, of_faces, best);
       if (best.depth <= enough) return;
     }
   }

@@ -9,7 +9,13 @@
 /// Where a body meets the face of another under which it is deepest. Internal to kernels/overlap*.cpp.
 namespace voussoir::kernels {
 
-inline constexpr double kFlush = 1e-9;  // m, vertices that differ by less are equally deep under a face: their edge or face lies along it
+// rad: an edge or a face lies along a face if it is tilted by less. More than that between edges whose normal is round-off (kParallel):
+// these cross nowhere.
+inline constexpr double kFlush = 2e-6;
+
+// m: crossed edges that are no less deep than a face by more have its normal. They lie along it, and their lines may cross anywhere.
+inline constexpr double kNoLess = 1e-7;
+inline constexpr double kTouch = 1e-9;  // m, round-off on the border of a body
 
 /// A convex body in the axes in which its overlap is looked at: those of one of the two bodies.
 struct PlacedShape {
@@ -28,7 +34,7 @@ inline PartInside part_inside(const PlacedShape& body, Vec3 from, Vec3 to) noexc
   double first = 0.0, last = 1.0;
   for (const Face& f : body.shape.faces) {
     const Vec3 n = body.turn * f.normal;
-    const double room = f.distance + kFlush - dot(n, from - body.centre), falls = dot(n, to - from);
+    const double room = f.distance + kTouch - dot(n, from - body.centre), falls = dot(n, to - from);
     if (falls > 0.0) last = std::min(last, room / falls);
     if (falls < 0.0) first = std::max(first, room / falls);
     if (falls == 0.0 && room < 0.0) last = 0.0;
@@ -38,9 +44,13 @@ inline PartInside part_inside(const PlacedShape& body, Vec3 from, Vec3 to) noexc
 
 /// The vertex that lies least far along the outward normal of a face, on its way into the body that has the face. An edge or a face that
 /// lies along that face meets it in the middle of what is over it: each of its corners may be far beside the body.
-/// \param lowest  the number of that vertex, and how far it lies
-inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec3 normal, std::size_t lowest, double low) noexcept {
-  const auto is_deep = [&](Vec3 v) { return dot(v, normal) <= low + kFlush; };
+/// \param lowest  the number of that vertex
+/// \param depth   m, of the vertex under the face
+inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec3 normal, std::size_t lowest, double depth) noexcept {
+  const Vec3 deepest = other.vertex(lowest);
+  const double low = dot(deepest, normal), face = low + depth;
+  const auto is_deep = [&](Vec3 v) { return dot(v, normal) <= low + kFlush * norm(v - deepest); };
+  const auto on_face = [&](Vec3 v) { return v + (face - dot(v, normal)) * normal; };
   const std::size_t count = other.shape.vertices.size();
   double length = 0.0;
   Vec3 sum;
@@ -52,21 +62,20 @@ inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec
     for (std::size_t j = 0; j < count; ++j) {
       const Vec3 to = other.vertex(j);
       if ((j <= i && j != lowest) || !is_deep(to)) continue;
-      const PartInside part = part_inside(body, from, to);
+      const PartInside part = part_inside(body, on_face(from), on_face(to));
       if (part.share == 0.0) continue;
       const double weight = part.share * norm(to - from);
       length += weight, sum += weight * part.middle;
     }
   }
-  if (alone) return other.vertex(lowest);
-  if (length > 0.0) return sum / length;
+  if (alone) return deepest;
+  if (length > 0.0) return sum / length - depth * normal;
   // Its edges and diagonals pass by: the face lies within them.
-  double top = -1e300, corners = 0.0;
-  for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) top = std::max(top, dot(body.vertex(i), normal));
+  double corners = 0.0;
   for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) {
-    if (const Vec3 v = body.vertex(i); dot(v, normal) >= top - kFlush) sum += v, corners += 1.0;
+    if (const Vec3 v = body.vertex(i); dot(v, normal) >= face - kTouch) sum += v, corners += 1.0;
   }
-  return sum / corners + (low - top) * normal;
+  return corners > 0.0 ? sum / corners - depth * normal : deepest;
 }
 
 }  // namespace voussoir::kernels

@@ -42,6 +42,36 @@ cases::Case on_edge(double length, double density, geometry::SegmentRule rule) {
   return c;
 }
 
+/// Twelve cubes turned anyhow between four walls, and a block that falls on them, at the step that the program chooses.
+cases::Case heap(unsigned seed) {
+  cases::Case c = small_wall(1, 1);
+  c.blocks.clear();
+  c.joints.default_law = "dry";
+  c.damping.alpha = 0.0;
+  c.segment_rule = geometry::SegmentRule::rim;
+  const auto add = [&](const std::string& name, Vec3 low, Vec3 high) -> cases::BlockSpec& {
+    cases::BlockSpec& b = c.blocks.emplace_back();
+    b.name = name, b.material = "adobe";
+    b.box = {{low, high}};
+    return b;
+  };
+  add("left", {-0.4, -0.4, 0.0}, {-0.2, 0.4, 2.0}).fixed = true;
+  add("right", {0.2, -0.4, 0.0}, {0.4, 0.4, 2.0}).fixed = true;
+  add("front", {-0.2, -0.4, 0.0}, {0.2, -0.2, 2.0}).fixed = true;
+  add("rear", {-0.2, 0.2, 0.0}, {0.2, 0.4, 2.0}).fixed = true;
+  const auto number = [&] { return static_cast<double>((seed = seed * 1664525U + 1013904223U) >> 8U) / 0x1p24; };  // 0 to 1
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 at{0.19 * (i % 2 - 0.5), 0.19 * (i / 2 % 2 - 0.5), 0.1 + 0.19 * (i / 4)}, half{0.05, 0.05, 0.05};
+    cases::BlockSpec& cube = add("cube " + std::to_string(i), at - half, at + half);
+    cube.free = true;
+    cube.rotate = cases::Rotation{.axis = {number() - 0.5, number() - 0.5, number() - 0.5}, .angle = 180.0 * number(), .about = at};
+  }
+  cases::BlockSpec& top = add("top", {-0.14, -0.14, 0.77}, {0.14, 0.14, 1.17});
+  top.free = true;
+  top.rotate = cases::Rotation{.axis = {1.0, 0.3, 0.0}, .angle = 10.0, .about = {0.0, 0.0, 0.97}};
+  return c;
+}
+
 /// The worst residual of the ledger while the block comes to rest and falls over.
 double residual_of(const cases::Case& c, double until) {
   const cases::Model m = cases::build_model(c);
@@ -57,5 +87,12 @@ TEST_CASE("a block that rests on its edge gives out no energy, at the step that 
   CHECK(residual_of(on_edge(0.15, 1800.0, rim), 0.3) < 1e-4);  // shorter than the brick under it
   CHECK(residual_of(on_edge(0.15, 20000.0, rim), 0.3) < 1e-3);
   CHECK(residual_of(on_edge(1.0, 1800.0, rim), 0.3) < 1e-4);  // across three bricks
-  CHECK(residual_of(on_edge(1.0, 20000.0, centres), 0.3) < 2e-3);
+  CHECK(residual_of(on_edge(1.0, 20000.0, centres), 0.3) < 1e-3);
+}
+
+TEST_CASE("a heap of cubes under a block that falls on it stays in balance, at the step that the program chooses") {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    CAPTURE(seed);
+    CHECK(residual_of(heap(seed), 0.5) < 1e-3);
+  }
 }
