@@ -208,8 +208,8 @@ void report_facing(const SideBlock& block, int at, const LaneFields& f, unsigned
 
 }  // namespace
 
-unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
-                         StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept {
+void advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
+                     StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept {
   k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
   LaneFields fields;
   const FrameLanes f = frame_of(block, at, k, k.n);
@@ -236,7 +236,6 @@ unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const 
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
   if (touching != 0) assemble(block, at, state.first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
   report_facing(block, at, fields, chosen, result);
-  return touching;
 }
 
 }  // namespace voussoir::kernels

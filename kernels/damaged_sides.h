@@ -10,8 +10,7 @@ namespace voussoir::kernels {
 /// unchanged) and adds the dashpot forces to the elements' rows. `k`: the mean normal has length 1 except in lanes turned far, where it is
 /// normalised here.
 /// \param result  of the group
-/// \return bit mask of the lanes with active dashpots
-unsigned advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
-                         StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept;
+void advance_damaged(const SideBlock& block, int at, unsigned chosen, const BlockState& state, Kinematics& k, const Rows& rows,
+                     StepClock clock, FailureOptions o, SumLanes& sums, DamagedSide* result, EventSink& sink) noexcept;
 
 }  // namespace voussoir::kernels

@@ -165,27 +165,22 @@ struct SideParts {
   SegmentsView segments;
 };
 
-/// Buffer for the forces of sides that are not added to the elements' rows: 12 numbers a side, force and torque on the master, then force
-/// and torque on the slave.
+/// Where sides leave a copy of what they add to the elements' rows: 12 numbers a side, the force and torque on the master, then those on
+/// the slave, dashpots included.
 inline constexpr int kPairStride = 12;
-struct PairBuffer {
-  double *wrench = nullptr, *dashpot = nullptr;  // total; dashpots' share
-  std::uint8_t* on = nullptr;                    // by side: kOnWrench, kOnDashpot or both; 0: no force in this step
-  bool copy = false;                             // forces are also added to the elements' rows
+struct PairForces {
+  double* wrench = nullptr;
+  std::uint8_t* on = nullptr;  // by side: 1; 0: it has no force in this step
 };
-inline constexpr std::uint8_t kOnWrench = 1, kOnDashpot = 2;
 
 /// Rows of the elements.
 struct Rows {
   const double *pose = nullptr, *twist = nullptr;
   double *wrench = nullptr, *dashpot = nullptr;
-  PairBuffer pairs;  // if it has buffers, forces go there (with `copy`, to both)
+  PairForces pairs;  // if it has arrays, forces go there, too
 };
 
-/// Adds the buffered forces of sides to the rows of element e, in the order of `codes`: side × 2 + (0: as master, 1: as slave).
-void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept;
-
-/// Adds zeros to the rows of the elements of the sides `live` of a block, at the cost of adding forces. For measurements.
+/// Hands out zeros for the sides `live` of a block to the rows of their elements, with the work that forces take.
 void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept;
 
 /// Result of a side whose segments were processed.

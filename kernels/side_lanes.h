@@ -135,19 +135,17 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
   return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
 }
 
-/// Adds the wrenches of the chosen lanes to the rows of their elements, or stores them in the buffer for pairs. `dashpot`: whether they are
-/// the dashpots' share.
+/// Hands the wrenches of the chosen lanes to their elements. `dashpot`: they are the dashpots' share, which the others include.
 VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
                               bool dashpot) noexcept {
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
   const SixColumns from_b = rows_of({w.force.x, w.force.y, w.force.z, w.torque_b.x, w.torque_b.y, w.torque_b.z});  // on b: the opposite
-  if (rows.pairs.on != nullptr) {
-    double* buffer = (dashpot ? rows.pairs.dashpot : rows.pairs.wrench) + (first + at) * kPairStride;
+  if (rows.pairs.on != nullptr && !dashpot) {
+    double* buffer = rows.pairs.wrench + (first + at) * kPairStride;
     for (int l = 0; l < kWidth; ++l) {
       store_row(buffer + l * kPairStride, on_a, l);
       store_opposite(buffer + l * kPairStride + 6, from_b, l);
     }
-    if (!rows.pairs.copy) return;
   }
   static_assert(kDashpotStride == kWrenchStride);
   const auto row = [&](std::int32_t element) {
@@ -168,12 +166,10 @@ VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, co
   }
 }
 
-/// Notes which lanes left something in the buffer for pairs, if there is one. \param first  side in lane 0
-VOUSSOIR_INLINE void note_left(const Rows& rows, std::int64_t first, unsigned wrench, unsigned dashpot) noexcept {
+/// Notes which lanes left a copy of their forces, if such are kept. \param first  side in lane 0
+VOUSSOIR_INLINE void note_copies(const Rows& rows, std::int64_t first, unsigned lanes) noexcept {
   if (rows.pairs.on == nullptr) return;
-  for (int l = 0; l < kWidth; ++l) {
-    rows.pairs.on[first + l] = static_cast<std::uint8_t>((wrench >> l & 1U ? kOnWrench : 0) | (dashpot >> l & 1U ? kOnDashpot : 0));
-  }
+  for (int l = 0; l < kWidth; ++l) rows.pairs.on[first + l] = static_cast<std::uint8_t>(lanes >> l & 1U);
 }
 
 }  // namespace voussoir::kernels

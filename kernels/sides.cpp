@@ -31,7 +31,7 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   Kinematics k = kinematics(block, at, rows.pose);
   const unsigned still_open = open == 0 ? 0U : open & bits(all_open(constants, at, k));
   if (still_open == live) {
-    note_left(rows, state.first + at, 0, 0);
+    note_copies(rows, state.first + at, 0);
     return 0;
   }
   SumLanes sums{};
@@ -42,12 +42,9 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   }
   if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.side_state + at), sums));
   const unsigned left = live & ~(certain | still_open);
-  unsigned touching = 0;
-  if (left != 0) {
-    touching = advance_damaged(block, at, left, state, k, rows, clock, o, sums, result + at, sink);
-  }
+  if (left != 0) advance_damaged(block, at, left, state, k, rows, clock, o, sums, result + at, sink);
   assemble(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
-  note_left(rows, state.first + at, certain | left, touching);
+  note_copies(rows, state.first + at, certain | left);
   return left;
 }
 
@@ -68,22 +65,6 @@ unsigned advance_sides(const SideBlock& block, const BlockState& state, const Ro
     if (here != 0) looked_at |= advance_any(block, at, here, state, rows, clock, o, result, sink) << at;
   }
   return looked_at;
-}
-
-void gather_sides(std::span<const std::int64_t> codes, std::int64_t e, const Rows& rows) noexcept {
-  const auto add = [](double* to, const double* from) {
-    add_quad(to, load_quad(from));
-    add_pair(to + 4, load_pair(from + 4));
-  };
-  const PairBuffer& pairs = rows.pairs;
-  double* row = rows.wrench + e * kWrenchStride;
-  for (const std::int64_t code : codes) {
-    const std::uint8_t on = pairs.on[code / 2];
-    if (on == 0) continue;
-    const std::int64_t from = code * (kPairStride / 2);
-    if (on & kOnWrench) add(row, pairs.wrench + from);
-    if (on & kOnDashpot) add(rows.dashpot + e * kDashpotStride, pairs.dashpot + from), row[kDashedColumn] = 1.0;
-  }
 }
 
 void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept {

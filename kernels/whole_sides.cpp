@@ -200,7 +200,7 @@ VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live
   const VecLanes along_t = load_lanes(c.about_t + at) * scaled_sum(f * bn, k.n, k.b);
   const VecLanes m = cross_plus(k.es, along_s, cross(k.et, along_t));
   assemble(block, at, first, {force, cross_plus(k.arm_a, force, m), cross_plus(k.arm_b, force, m)}, live, rows, false);
-  note_left(rows, first + at, live, 0);
+  note_copies(rows, first + at, live);
   return true;
 }
 

@@ -31,15 +31,13 @@ def in_powers_of_two(axis, set_scale):
 def speedups(axes, tables):
     most = 1
     for path in tables:
-        for scatter in ("colour", "gather"):
-            mine = [r for r in rows(path) if r["scatter"] == scatter]
-            threads = [int(r["threads"]) for r in mine]
-            most = max(most, *threads)
-            style = "-o" if scatter == "colour" else "--s"
-            # What others did on the machine left out, if it was quiet often enough with every number of threads.
-            quiet = all(int(r.get("quiet") or 0) >= 10 and r["quiet_speedup"] for r in mine)
-            speedup = [float(r["quiet_speedup" if quiet else "speedup"]) for r in mine]
-            axes.plot(threads, speedup, style, label=f"{path.stem}, {scatter}" + (", quiet" if quiet else ""))
+        mine = rows(path)
+        threads = [int(r["threads"]) for r in mine]
+        most = max(most, *threads)
+        # What others did on the machine left out, if it was quiet often enough with every number of threads.
+        quiet = all(int(r.get("quiet") or 0) >= 10 and r["quiet_speedup"] for r in mine)
+        speedup = [float(r["quiet_speedup" if quiet else "speedup"]) for r in mine]
+        axes.plot(threads, speedup, "-o", label=path.stem + (", quiet" if quiet else ""))
     axes.plot([1, most], [1, most], color="grey", linewidth=0.8)
     axes.set(xlabel="threads", ylabel="speed-up")
     in_powers_of_two(axes.xaxis, axes.set_xscale)
@@ -49,10 +47,8 @@ def speedups(axes, tables):
 
 def growth(axes, tables):
     houses = {float(m.group(1)): rows(p) for p in tables if (m := re.search(r"-x([0-9.]+)$", p.stem))}
-    for scatter, style in (("colour", "-o"), ("gather", "--s")):
-        points = sorted((n, float(r["ns_per_joint"])) for n, table in houses.items() for r in table
-                        if r["scatter"] == scatter and r["threads"] == "1")
-        axes.plot([n for n, _ in points], [t for _, t in points], style, label=f"{scatter}, 1 thread")
+    points = sorted((n, float(r["ns_per_joint"])) for n, table in houses.items() for r in table if r["threads"] == "1")
+    axes.plot([n for n, _ in points], [t for _, t in points], "-o", label="1 thread")
     axes.set(xlabel="houses", ylabel="ns a joint and step")
     in_powers_of_two(axes.xaxis, axes.set_xscale)
     axes.set_ylim(bottom=0.0)
@@ -60,10 +56,10 @@ def growth(axes, tables):
 
 
 def stages(axes, tables):
-    """One bar per subject and number of threads, by colour: shares of a step; in each part, its share of the machine's limits."""
+    """One bar a subject and number of threads: shares of a step; in each part how near it comes to the machine's limits."""
     bars = []
     for path in tables:
-        mine = [r for r in rows(path) if r["scatter"] == "colour" and r["part_of_the_step"] != "step"]
+        mine = [r for r in rows(path) if r["part_of_the_step"] != "step"]
         for threads in dict.fromkeys(r["threads"] for r in mine):
             name = path.stem.removesuffix("-stages")
             bars.append((f"{name}, {threads} thread{'s' if threads != '1' else ''}", [r for r in mine if r["threads"] == threads]))

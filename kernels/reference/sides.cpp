@@ -52,9 +52,7 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   to_wrench(f, r.dash, w.dash_force, w.dash_torque_a, w.dash_torque_b);
   if (rows.pairs.on != nullptr) {
     put_pair(rows.pairs.wrench + id * kPairStride, w.force, w.torque_a, w.torque_b);
-    put_pair(rows.pairs.dashpot + id * kPairStride, w.dash_force, w.dash_torque_a, w.dash_torque_b);
-    rows.pairs.on[id] = kOnWrench | kOnDashpot;
-    if (!rows.pairs.copy) return;
+    rows.pairs.on[id] = 1;
   }
   add_wrench(rows.wrench, side.master, w.force, w.torque_a);
   add_dashpot(rows.wrench, rows.dashpot, side.master, w.dash_force, w.dash_torque_a);

@@ -6,7 +6,7 @@
 
 namespace voussoir::solver {
 
-/// After a step: adds zeros to the elements' rows for all joints, by colour, in the order of a step and by a team of the same size. This
+/// After a step: adds zeros to the elements' rows for all joints, in the order of a step and by a team of the same size. This
 /// changes nothing and takes what adding the forces takes alone, which cannot be timed within the kernels.
 /// \param tasks  of its own, or the shares of the step would follow what this takes
 /// \return s, of the mean thread, without its waiting

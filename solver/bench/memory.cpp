@@ -33,8 +33,8 @@ std::size_t bytes_of(const Multirate& m) {
 std::size_t bytes_of(const Sides& s) {
   return bytes(s.constants, s.whole, s.blocks, s.task_first, s.task_level, s.colour_first, s.live, s.live_first, s.live_level, s.live_lanes,
                s.joint, s.set, s.master_face, s.slave_face, s.faces) +
-         bytes(s.parts, s.size, s.pair_wrench, s.pair_dashpot, s.pair_on, s.first_gather, s.gather) +
-         bytes(s.side_state, s.retired, s.held, s.friction, s.impact, s.fracture) + bytes(s.soft, s.closing, s.crushed_of);
+         bytes(s.parts, s.size, s.pair_wrench, s.pair_on) + bytes(s.side_state, s.retired, s.held, s.friction, s.impact, s.fracture) +
+         bytes(s.soft, s.closing, s.crushed_of);
 }
 
 std::size_t bytes_of(const Patches& p) {

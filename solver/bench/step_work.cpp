@@ -23,7 +23,6 @@ constexpr double kUpdate = 360.0;                                // of an elemen
 constexpr double kRow = kernels::kPoseStride * sizeof(double);       // bytes, of a pose
 constexpr double kTwist = kernels::kTwistStride * sizeof(double);    // of a twist
 constexpr double kWrench = kernels::kWrenchStride * sizeof(double);  // of a wrench
-constexpr double kLeft = kernels::kPairStride * sizeof(double) + 1;  // what a side leaves in the buffer for pairs
 constexpr double kTwice = 2.0;                                       // read and written
 
 /// Joints of one kind: what their blocks fetch, things that several share once.
@@ -83,7 +82,6 @@ void add_joints(const World& w, StepWork& work) {
       work.damaged_joints.operations += side.operations, work.damaged_joints.bytes += side.bytes;
     }
   }
-  if (w.options.gather) work.whole_joints.bytes += work.whole_sides * kLeft, work.damaged_joints.bytes += work.damaged_sides * kLeft;
   work.whole_joints.bytes += whole.bytes(sizeof(kernels::WholeConstants), kRow);
   work.damaged_joints.bytes += damaged.bytes(sizeof(kernels::SideConstants), kRow + kTwist);
 }
@@ -117,11 +115,7 @@ void add_assembly(const World& w, StepWork& work) {
   work.assembly.bytes += static_cast<double>(w.elements.count) * kTwice * kWrench;
   double sides = 0.0;
   for (const std::int32_t b : w.sides.live) sides += std::popcount(w.sides.live_lanes[static_cast<std::size_t>(b)]);
-  if (w.options.gather) {
-    work.assembly.bytes += sides * (kLeft + 2 * sizeof(std::int64_t));
-  } else {
-    work.assembly.bytes += sides * 2 * sizeof(std::int32_t);
-  }
+  work.assembly.bytes += sides * 2 * sizeof(std::int32_t);
 }
 
 /// kick, drift, advance_travel.

@@ -133,7 +133,6 @@ void retire_side(World& w, std::int32_t side) {
     activate_last_patch(w);
   }
   sides.retired[i] = 1;
-  if (w.options.gather) sides.pair_on[i] = 0;
   sides.side_state[i] = kernels::SideState::segments;
   const std::int32_t cycle = w.multirate.cycle;
   w.travel.ask_for_search((kStepsToSearch + cycle - 1) / cycle);

@@ -143,19 +143,10 @@ auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
 
 void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * s.w.points.largest));
-  if (s.w.options.gather) {
-    constexpr std::int32_t kBlocksAtATime = 8;  // blocks
-    const auto n = static_cast<std::int32_t>(s.w.sides.live.size());
-#pragma omp for schedule(dynamic) nowait
-    for (std::int32_t i = 0; i < n; i += kBlocksAtATime) advance_blocks(s, 0, i, std::min(i + kBlocksAtATime, n), {}, found, clock);
-    return;
-  }
   s.tasks.run_own(advance_task(s, found, clock));
 }
 
-void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
-  if (!s.w.options.gather) s.tasks.help(advance_task(s, found, clock));
-}
+void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock) { s.tasks.help(advance_task(s, found, clock)); }
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {
   out.events.clear();

@@ -37,7 +37,7 @@ struct JointStep {
   int levels;  // that are due in it, from 0 on
   JointTasks& tasks;
 };
-/// Those of a thread's own queue; by gather, where no task has to wait for another, all that are left.
+/// Those of a thread's own queue.
 void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock);
 /// Then: what other threads have left of theirs, if they are late.
 void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock);

@@ -94,7 +94,7 @@ void Cuts::measure(const World& w, std::vector<CutSample>& out) const {
   for (std::size_t k = 0; k < cuts_.size(); ++k) {
     const cases::Cut& cut = cuts_[k].cut;
     for (const Crossing& c : cuts_[k].crossings) {
-      if ((s.pair_on[static_cast<std::size_t>(c.side)] & kernels::kOnWrench) == 0) continue;
+      if (s.pair_on[static_cast<std::size_t>(c.side)] == 0) continue;
       const double* pair = s.pair_wrench.data() + c.side * kernels::kPairStride;
       const std::int32_t master = s.blocks[static_cast<std::size_t>(c.side / kernels::kLanes)].master[c.side % kernels::kLanes];
       OnElement behind{vec(pair), vec(pair + 3)}, before{vec(pair + 6), vec(pair + 9)};

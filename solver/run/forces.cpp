@@ -8,24 +8,14 @@ namespace voussoir::solver {
 
 namespace {
 
-/// What each element takes from the buffer for pairs and from the slots of its contacts.
+/// What each element takes from the slots of its contacts.
 void gather(World& w, int due, LapClock& clock) {
-  const Sides& s = w.sides;
-  const bool contacts = !w.contacts.active.empty();
-  if (!w.options.gather && !contacts) return;
-  const kernels::Rows rows = w.rows();
+  if (w.contacts.active.empty()) return;
 #pragma omp barrier
   clock.begin();
   const std::int64_t elements = gatherers(w, due);
 #pragma omp for schedule(static) nowait
-  for (std::int64_t e = 0; e < elements; ++e) {
-    const auto i = static_cast<std::size_t>(e);
-    if (w.options.gather) {
-      const auto first = static_cast<std::size_t>(s.first_gather[i]), last = static_cast<std::size_t>(s.first_gather[i + 1]);
-      kernels::gather_sides({s.gather.data() + first, last - first}, static_cast<std::int32_t>(e), rows);
-    }
-    if (contacts) gather_contacts(w, due, e);
-  }
+  for (std::int64_t e = 0; e < elements; ++e) gather_contacts(w, due, e);
   clock.lap(ForcePart::assembly);
 }
 
@@ -33,7 +23,7 @@ void gather(World& w, int due, LapClock& clock) {
 
 void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   stage.by_thread.resize(static_cast<std::size_t>(w.threads));
-  if (!w.options.gather) stage.tasks.begin(w.threads);
+  stage.tasks.begin(w.threads);
   const int due = w.multirate.due(step);
   const JointStep joints{w, time, step, due, stage.tasks};
   int team = 0;  // the system may give fewer

@@ -230,11 +230,12 @@ double Simulation::fastest_square() {
     const auto k = static_cast<std::size_t>(i);
     const auto [v2, w2] = squares(i);
     char text[400];
-    std::snprintf(text, sizeof text,
-                  "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
-                  "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
-                  cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
-                  step(i), 0.5 * world_->dt);
+    std::snprintf(
+        text, sizeof text,
+        "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
+        "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
+        cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
+        step(i), 0.5 * world_->dt);
     throw NumericalError(text);
   }
   return most;
@@ -321,7 +322,7 @@ void Simulation::step(Due due) {
   const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
     const StageTimer timer(times_, Stage::forces);
-    if (cuts_due && !w.options.gather) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
+    if (cuts_due) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
     w.keep_pairs = cuts_due;
     solver::forces(w, t, step_, forces_stage_);
     ledger_.add_load_work(apply_ties(w, gravity_share(static_cast<double>(step_) * w.dt)));

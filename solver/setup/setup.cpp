@@ -154,11 +154,10 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   set_up_softening(*w);
   set_up_closing(*w);
   set_up_crushing(*w, c.contact);
-  set_up_side_gather(*w, c);
+  set_up_pair_forces(*w, c);
   set_up_ties(*w);
   set_up_loads(*w, c);
-  // By gather all batches are active: several threads may look at an element at a time, and none may write its velocity row then.
-  w->travel = Travel(w->elements, choose_skin(m), o.gather);
+  w->travel = Travel(w->elements, choose_skin(m));
   w->travel.set_margin(search_margin(*w, w->travel.skin()));
   return w;
 }

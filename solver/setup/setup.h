@@ -47,8 +47,8 @@ void set_up_closing(World& w);
 kernels::Crushing crushing_of(const cases::Contact& c);
 /// What each segment has gone through of it. \pre sides have their views
 void set_up_crushing(World& w, const cases::Contact& c);
-/// The buffer for pairs, for --scatter gather and for cuts, and the lists of the former.
-void set_up_side_gather(World& w, const cases::Case& c);
+/// Room for the forces of sides, where cuts ask for them.
+void set_up_pair_forces(World& w, const cases::Case& c);
 /// Ties, their stiffness no more than the step allows. \pre sides have their views
 void set_up_ties(World& w);
 void set_up_loads(World& w, const cases::Case& c);

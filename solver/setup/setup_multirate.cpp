@@ -77,7 +77,6 @@ void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
   m.wanted = c.time.multirate;
   if (m.wanted == 1) return;
-  if (w.options.gather) throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " goes with --scatter colour alone");
   if (cases::is_assessment(c.analysis))
     throw cases::InputError("time.multirate",
                             "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");

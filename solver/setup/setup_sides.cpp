@@ -345,27 +345,11 @@ void set_up_sides(World& w, const cases::Case& c) {
   w.sides.springs.assign_zeros(n / kernels::kWidth);
 }
 
-void set_up_side_gather(World& w, const cases::Case& c) {
+void set_up_pair_forces(World& w, const cases::Case& c) {
+  if (c.output.cuts.empty()) return;
   Sides& s = w.sides;
-  if (!w.options.gather && c.output.cuts.empty()) return;
-  const std::size_t n = s.parts.size();
-  s.pair_wrench.assign(n * kernels::kPairStride, 0.0);
-  s.pair_dashpot.assign(n * kernels::kPairStride, 0.0);
-  s.pair_on.assign(n, 0);
-  if (!w.options.gather) return;
-  std::vector<std::vector<std::int64_t>> of_element(static_cast<std::size_t>(w.elements.count));
-  for (std::size_t id = 0; id < n; ++id) {
-    if (s.joint[id] < 0) continue;
-    const kernels::SideBlock& b = s.blocks[id / kernels::kLanes];
-    const std::int32_t master = b.master[id % kernels::kLanes], slave = b.slave[id % kernels::kLanes];
-    of_element[static_cast<std::size_t>(master)].push_back(static_cast<std::int64_t>(2 * id));
-    if (slave != w.elements.base) of_element[static_cast<std::size_t>(slave)].push_back(static_cast<std::int64_t>(2 * id + 1));
-  }
-  for (const std::vector<std::int64_t>& codes : of_element) {
-    s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
-    s.gather.insert(s.gather.end(), codes.begin(), codes.end());
-  }
-  s.first_gather.push_back(static_cast<std::int64_t>(s.gather.size()));
+  s.pair_wrench.assign(s.parts.size() * kernels::kPairStride, 0.0);
+  s.pair_on.assign(s.parts.size(), 0);
 }
 
 void set_up_side_views(World& w) {

@@ -11,7 +11,6 @@ namespace voussoir::solver {
 struct Options {
   bool reference_kernels = false;  // --kernels reference: every segment on its own, in plain scalar code
   bool merge_sides = true;         // false: the literal pair of springs of Eq. 11 for coinciding grids too
-  bool gather = false;             // --scatter gather: each side keeps its forces, each element adds up its own; same bits as by colour
   double cell = 0.0;               // m, cells of the decomposition; 0: chosen from the model
   std::size_t out_of_cache_from =
       25'000;  // elements from which a model is out of cache, see World::out_of_cache; a number of its own, or bits would depend on caches

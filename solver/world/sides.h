@@ -68,11 +68,9 @@ struct Sides {
   std::vector<double*> crushed_of;        // by side, into `crushed`; empty: contacts bear any pressure
   ZeroArray<double> crushed;              // m, State by segment, kernels/laws/crushing.h
 
-  // --scatter gather, or World::keep_pairs: what each side left; for the former also where each element finds its own (side × 2 + (0:
-  // master, 1: slave), ascending).
-  Array<double> pair_wrench, pair_dashpot;
+  // Pair forces (kernels::PairForces), of steps with World::keep_pairs; empty: nobody asks for them.
+  Array<double> pair_wrench;
   std::vector<std::uint8_t> pair_on;
-  std::vector<std::int64_t> first_gather, gather;  // by element, count + 1 entries; codes
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;

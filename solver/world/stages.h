@@ -27,8 +27,8 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What the threads of a team do in the stage of forces, each at its own pace. By colour `assembly` is what elements take from the slots of
-/// their contacts: joints add their forces as they go (see assembly_time).
+/// What the threads of a team do in the stage of forces, each at its own pace. `assembly` is what elements take from the slots of their
+/// contacts: joints add their forces as they go (see assembly_time).
 enum class ForcePart : std::size_t { whole_joints, damaged_joints, contacts, assembly };
 inline constexpr std::size_t kForceParts = 4;
 using ForceTimes = std::array<double, kForceParts>;  // s

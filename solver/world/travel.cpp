@@ -16,11 +16,11 @@ std::size_t batch_of(std::int32_t element) { return static_cast<std::size_t>(ele
 
 }  // namespace
 
-Travel::Travel(const Elements& e, double skin, bool all_active) : skin_(skin) {
+Travel::Travel(const Elements& e, double skin) : skin_(skin) {
   const std::size_t rows = e.ux.size(), batches = rows / kernels::kBatch;
   for (Array<double>* a : {&bound_, &safe_}) a->assign(rows, 0.0);
   for (Array<double>* a : {&batch_bound_, &batch_safe_, &largest_radius_}) a->assign(batches, 0.0);
-  active_.assign(batches, all_active ? 1 : 0);
+  active_.assign(batches, 0);
   for (std::size_t i = 0; i < rows; ++i) {
     double& largest = largest_radius_[i / kernels::kBatch];
     largest = std::max(largest, e.radius[i]);

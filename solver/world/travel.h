@@ -25,8 +25,8 @@ struct Elements;
 class Travel {
  public:
   Travel() = default;
-  /// \param skin  m, see skin()  \param all_active  every batch is active from the start
-  Travel(const Elements& e, double skin, bool all_active);
+  /// \param skin  m, see skin()
+  Travel(const Elements& e, double skin);
 
   /// The skin [m]: a search lists the pairs that may touch before either element has moved by half of this.
   [[nodiscard]] double skin() const noexcept { return skin_; }

@@ -69,8 +69,8 @@ kernels::PointsView PointSets::view(std::int32_t set) const noexcept {
 }
 
 kernels::Rows World::rows(int level) noexcept {
-  kernels::PairBuffer pairs;
-  if (options.gather || keep_pairs) pairs = {sides.pair_wrench.data(), sides.pair_dashpot.data(), sides.pair_on.data(), !options.gather};
+  kernels::PairForces pairs;
+  if (keep_pairs) pairs = {sides.pair_wrench.data(), sides.pair_on.data()};
   if (level == 0) return {elements.pose.data(), elements.twist.data(), elements.wrench.data(), elements.dashpot.data(), pairs};
   Multirate::Rows& of_level = multirate.rows[static_cast<std::size_t>(level) - 1];
   return {elements.pose.data(), of_level.twist.data(), of_level.wrench.data(), of_level.dashpot.data(), pairs};

@@ -29,14 +29,13 @@ solver::Work work_of(StepPart part, const solver::StepWork& w) {
 }  // namespace
 
 Cells timing_header() {
-  return {"scatter",     "threads",      "ms_per_step",        "steps_per_s",       "speedup",
-          "samples",     "quiet",        "quiet_ms_per_step",  "quiet_steps_per_s", "quiet_speedup",
-          "handover_ns", "ns_per_joint", "ns_per_segment_side"};
+  return {"threads",           "ms_per_step",       "steps_per_s",   "speedup",     "samples",      "quiet",
+          "quiet_ms_per_step", "quiet_steps_per_s", "quiet_speedup", "handover_ns", "ns_per_joint", "ns_per_segment_side"};
 }
 
-Cells timing_row(bool gather, const Timing& t, const cases::Census& n) {
+Cells timing_row(const Timing& t, const cases::Census& n) {
   const double joints = static_cast<double>(n.joints + n.base_joints), segments = static_cast<double>(n.joint_sides);
-  Cells cells{gather ? "gather" : "colour", std::to_string(t.threads)};
+  Cells cells{std::to_string(t.threads)};
   const auto put_if = [&](bool measured, const char* format, double value) {
     measured ? put(cells, format, value) : static_cast<void>(cells.emplace_back());
   };
@@ -49,14 +48,13 @@ Cells timing_row(bool gather, const Timing& t, const cases::Census& n) {
 }
 
 Cells stage_header() {
-  return {"scatter", "threads",       "part_of_the_step", "ms_per_step",   "share_of_step",
-          "gflops",  "share_of_peak", "gbytes_per_s",     "share_of_triad"};
+  return {"threads", "part_of_the_step", "ms_per_step", "share_of_step", "gflops", "share_of_peak", "gbytes_per_s", "share_of_triad"};
 }
 
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, MachineLimits best) {
+std::vector<Cells> stage_rows(const StepSplit& split, MachineLimits best) {
   std::vector<Cells> rows;
   const auto add = [&](const char* name, double time, solver::Work its) {
-    Cells cells{gather ? "gather" : "colour", std::to_string(split.threads), name};
+    Cells cells{std::to_string(split.threads), name};
     put(cells, "%.4f", 1e3 * time), put(cells, "%.3f", time / split.step());
     const auto put_rate = [&](double amount, double limit) {
       if (amount <= 0.0 || time <= 0.0) return static_cast<void>(cells.insert(cells.end(), 2, ""));

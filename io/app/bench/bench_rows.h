@@ -15,7 +15,7 @@ namespace voussoir::io {
 
 /// The table of step times, one row per number of threads.
 Cells timing_header();
-Cells timing_row(bool gather, const Timing& t, const cases::Census& n);
+Cells timing_row(const Timing& t, const cases::Census& n);
 
 /// Best performance of a machine for a number of threads.
 struct MachineLimits {
@@ -24,7 +24,7 @@ struct MachineLimits {
 
 /// The table of step times by part, and their share of the limits: a row for each part, and one for the sum.
 Cells stage_header();
-std::vector<Cells> stage_rows(bool gather, const StepSplit& split, MachineLimits best);
+std::vector<Cells> stage_rows(const StepSplit& split, MachineLimits best);
 
 /// The table of step times predicted for more cores (solver/bench/schedule.h).
 Cells schedule_header();

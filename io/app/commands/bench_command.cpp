@@ -134,8 +134,8 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
 
 /// Prints the times of parts of a step, from a separate measurement. \param folder  for temporary results
 template <class Run>
-void bench_stages(Run& run, bool gather, const std::string& folder, std::span<const Timing> timings, const std::vector<MachineLimits>& best,
-                  int batches, BenchTable& table) {
+void bench_stages(Run& run, const std::string& folder, std::span<const Timing> timings, const std::vector<MachineLimits>& best, int batches,
+                  BenchTable& table) {
   ResultsOptions when_told;
   when_told.interval = 1e9, when_told.bytes = std::numeric_limits<std::size_t>::max();
   when_told.cuts = cut_names(run.value);
@@ -145,9 +145,8 @@ void bench_stages(Run& run, bool gather, const std::string& folder, std::span<co
   for (const Timing& t : timings) counts.push_back(t.threads), steps.push_back(t.steps);
   const std::vector<StepSplit> splits = split_steps({run.value, *run.sim, run.plan, results}, counts, steps, batches);
   for (std::size_t k = 0; k < splits.size(); ++k) {
-    for (const Cells& cells : stage_rows(gather, splits[k], best[k])) table.add(cells);
+    for (const Cells& cells : stage_rows(splits[k], best[k])) table.add(cells);
   }
-  if (gather) return;
   print_schedule(run.sim->joint_tasks(), splits, timings);
 }
 
@@ -164,9 +163,9 @@ std::vector<MachineLimits> limits_of(std::span<const int> counts) {
   return limits;
 }
 
-/// Prints all tables of one case or checkpoint: `build(gather)` creates its run.
-template <class Build>
-void bench(Build build, const cases::Model& model, const BenchOptions& o) {
+/// The tables of one subject.
+template <class Run>
+void bench(Run& run, const BenchOptions& o) {
   namespace fs = std::filesystem;
   if (!o.csv.empty() && fs::weakly_canonical(o.csv) == fs::weakly_canonical(o.stages_csv)) {
     throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
@@ -174,32 +173,25 @@ void bench(Build build, const cases::Model& model, const BenchOptions& o) {
   for (const std::string& path : {o.csv, o.stages_csv}) check_output(path, o.overwrite);
   const ScratchFolder scratch;
   BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
-  const cases::Census census = cases::census(model);
+  const cases::Census census = cases::census(run.model);
   const std::vector<int> counts = thread_counts(omp_get_max_threads());
   TimingOptions timing;
   if (o.batches > 0) timing.least = timing.most = o.batches;
   timing.steps = o.steps;
-  std::vector<MachineLimits> best;
-  for (const bool gather : {false, true}) {
-    auto holder = build(gather);
-    solver::Simulation& sim = *holder->sim;
-    sim.set_threads(counts.back());
-    advance_to(sim, o.after);
-    holder->plan.shaking |= sim.phase() == solver::Phase::shaking;
-    if (!gather) {
-      print_subject(census, sim.world());
-      std::printf("waiting threads          %s\n", waiting_threads().c_str());
-      best = limits_of(counts);
-    }
-    std::printf("\n");
-    table.print_header();
-    const std::vector<Timing> timings = time_steps(sim, counts, timing);
-    for (const Timing& t : timings) table.add(timing_row(gather, t, census));
-    std::printf("\n");
-    stages.print_header();
-    bench_stages(*holder, gather, scratch.path() + (gather ? "/gather" : "/colour"), timings, best, timing.least, stages);
-    if (sim.world().multirate.on()) break;  // forces are not gathered with several rates
-  }
+  solver::Simulation& sim = *run.sim;
+  sim.set_threads(counts.back());
+  advance_to(sim, o.after);
+  run.plan.shaking |= sim.phase() == solver::Phase::shaking;
+  print_subject(census, sim.world());
+  std::printf("waiting threads          %s\n", waiting_threads().c_str());
+  const std::vector<MachineLimits> best = limits_of(counts);
+  std::printf("\n");
+  table.print_header();
+  const std::vector<Timing> timings = time_steps(sim, counts, timing);
+  for (const Timing& t : timings) table.add(timing_row(t, census));
+  std::printf("\n");
+  stages.print_header();
+  bench_stages(run, scratch.path() + "/run", timings, best, timing.least, stages);
 }
 
 /// A new run of a case, in the form of RestoredRun.
@@ -210,22 +202,15 @@ struct FreshRun {
   std::unique_ptr<solver::Simulation> sim;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, up to the number set by use_threads, by colour and by gather, and prints tables: times of a
-/// step and of its parts, and, by colour, the predictions of a model of the schedule for more cores. \throw cases::InputError, FileError
-/// before anything runs
+/// Steps the case with 1, 2, 4, ... threads, up to those that use_threads has set, and prints tables: what a step takes, where it goes,
+/// and what a model of the schedule says of more cores. \throw cases::InputError, FileError before anything runs
 int bench_case(const LoadedCase& c, const BenchOptions& o) {
   const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // without a motion nothing happens, even after settling
   if (o.after > 0.0) motion = ground_motion(c.value);
-  const auto build = [&](bool gather) {
-    solver::Options options;
-    options.gather = gather;
-    auto run =
-        std::make_unique<FreshRun>(FreshRun{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)});
-    choose_drive(*run->sim, c.value);
-    return run;
-  };
-  bench(build, model, o);
+  FreshRun run{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, solver::Options{})};
+  choose_drive(*run.sim, c.value);
+  bench(run, o);
   return kDone;
 }
 
@@ -233,18 +218,10 @@ int bench_case(const LoadedCase& c, const BenchOptions& o) {
 int bench_checkpoint(const std::string& path, const BenchOptions& o) {
   if (o.after > 0.0)
     throw cases::InputError("--after", "= " + cases::text(o.after) + " s; a checkpoint is measured as it stands, leave it out");
-  const auto build = [&](bool gather) {
-    Checkpoint checkpoint = read_checkpoint(path);
-    cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
-    solver::Options options;
-    options.gather = gather;
-    return restore_run(path, std::move(checkpoint), std::move(value), options);
-  };
-  CheckpointFacts facts = read_checkpoint(path).facts;
-  cases::Case value = read_case({path, facts.case_toml, "."}).value;
-  for (std::size_t i = 0; i < std::min(facts.stones.size(), value.stones.size()); ++i) value.stones[i].stones = std::move(facts.stones[i]);
-  const cases::Model model = build_on_all_threads(value);
-  bench(build, model, o);
+  Checkpoint checkpoint = read_checkpoint(path);
+  cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
+  const std::unique_ptr<RestoredRun> run = restore_run(path, std::move(checkpoint), std::move(value), {});
+  bench(*run, o);
   return kDone;
 }
 

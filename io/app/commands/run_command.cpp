@@ -31,7 +31,6 @@ namespace {
 struct RunOptions {
   std::string folder;  // of the results
   bool reference_kernels = false;
-  bool gather = false;  // --scatter gather
   bool overwrite = false, quiet = false;
   CheckpointSchedule checkpoints;
   Views views;  // written at the end
@@ -53,7 +52,6 @@ int run(const LoadedCase& c, const RunOptions& o) {
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
-  options.gather = o.gather;
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);
@@ -88,13 +86,12 @@ int run(const LoadedCase& c, const RunOptions& o) {
 struct RunWords {
   CaseWords c;
   RunOptions run;
-  std::string kernels = "fast", scatter = "colour";
+  std::string kernels = "fast";
   bool verify = false;
 };
 
 int run_as_told(RunWords& w) {
   w.run.reference_kernels = w.kernels == "reference";
-  w.run.gather = w.scatter == "gather";
   if (w.verify) return with_case(w.c, [&](const auto& c) { return verify(c, w.run.reference_kernels); });
   if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.c.name).stem().string();
   return with_case(w.c, [&](const auto& c) { return run(c, w.run); });
@@ -110,8 +107,6 @@ Command add_run(CLI::App& program) {
   add_short_keys(*words, w->c);
   words->add_option("--kernels", w->kernels, "fast, or reference: every segment on its own in plain code")
       ->check(CLI::IsMember({"fast", "reference"}));
-  words->add_option("--scatter", w->scatter, "how forces are summed: colour by colour, or gather, by element (not the random [scatter])")
-      ->check(CLI::IsMember({"colour", "gather"}));
   add_checkpoints(*words, w->run.checkpoints);
   words->add_flag("--verify", w->verify, "no results: try in about a minute that threads and stops do not change a bit of this case");
   add_views(*words, w->run.views);

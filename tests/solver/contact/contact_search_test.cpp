@@ -50,7 +50,7 @@ TEST_CASE("at every moment the candidates of searched patches hold all that is n
     solver::RunState plan, plan_again;
     solver::Simulation again(c, m, g, {});
     solver::restore(again, plan_again, solver::save(sim, plan));
-    again.world().travel = solver::Travel(again.world().elements, 1e-5, true);
+    again.world().travel = solver::Travel(again.world().elements, 1e-5);
     solver::search_all(again.world());
     const std::set<Pair> listed = pairs(w), only_origin = pairs(w, contacts.searched);  // of sides that came apart ten steps ago at most
     const auto is_new = [&](const Pair& p) {

@@ -53,9 +53,9 @@ solver::CutSample by_balance(const solver::World& before, const solver::World& a
   return sum;
 }
 
-solver::Options with(int threads, bool gather = false) {
+solver::Options with(int threads) {
   solver::Options o;
-  o.threads = threads, o.gather = gather;
+  o.threads = threads;
   return o;
 }
 
@@ -138,21 +138,20 @@ TEST_CASE("cuts: bodies that overlap, where edges cross") {
   CHECK(overlapped);
 }
 
-TEST_CASE("cuts: the same bits for any threads and either scatter; they change nothing of the run") {
+TEST_CASE("cuts: the same bits for any threads; they change nothing of the run") {
   const cases::Case c = cut_wall();
   cases::Case without = c;
   without.output.cuts.clear();
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion motion = strong_shaking();
-  solver::Simulation one(c, m, motion, with(1)), three(c, m, motion, with(3)), gather(c, m, motion, with(2, true));
+  solver::Simulation one(c, m, motion, with(1)), three(c, m, motion, with(3));
   solver::Simulation plain(without, m, motion, with(2));
   for (int i = 0; i < 6000; ++i) {
     const bool look = i % 53 == 0;
-    for (solver::Simulation* s : {&one, &three, &gather, &plain}) s->step({look, look});
+    for (solver::Simulation* s : {&one, &three, &plain}) s->step({look, look});
     if (!look) continue;
     INFO("step " << i);
     REQUIRE(same(one.cuts(), three.cuts()));
-    REQUIRE(same(one.cuts(), gather.cuts()));
     REQUIRE(solver::state_hash(one.world()) == solver::state_hash(plain.world()));
   }
 }

@@ -118,15 +118,12 @@ TEST_CASE("the bits of a wall in a mesh of straps do not depend on the number of
   CHECK(runs[0]->sim.worst_residual() < 1e-2);
 }
 
-TEST_CASE("the bits of joints of two sides and of timber depend neither on the number of threads nor on how forces are scattered") {
+TEST_CASE("the bits of joints of two sides and of timber do not depend on the number of threads") {
   const cases::Case c = mixed_wall(4, 8);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
-  solver::Options gather;
-  gather.gather = true;
   std::vector<std::unique_ptr<Run>> runs;
-  for (const int threads : {1, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
-  runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
+  for (const int threads : {1, 2, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
   const solver::World& w = runs[0]->sim.world();
   CHECK(std::ranges::count_if(m.assembly.joints, [](const geometry::Joint& j) { return j.element_b >= 0 && !j.merged; }) > 30);
   CHECK(std::ranges::count_if(m.assembly.joints, [](const geometry::Joint& j) { return j.element_b >= 0 && j.merged; }) > 20);
@@ -140,17 +137,15 @@ TEST_CASE("the bits of joints of two sides and of timber depend neither on the n
   CHECK(w.contacts.searches > 10);
 }
 
-TEST_CASE("an out-of-cache model gives the same bits with any number of threads and however forces are scattered") {
+TEST_CASE("an out-of-cache model gives the same bits with any number of threads") {
   const cases::Case c = small_wall(8, 6);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
-  solver::Options far, gather;
-  far.out_of_cache_from = gather.out_of_cache_from = 1;
-  far.cell = gather.cell = 0.45;
-  gather.gather = true;
+  solver::Options far;
+  far.out_of_cache_from = 1;
+  far.cell = 0.45;
   std::vector<std::unique_ptr<Run>> runs;
   for (const int threads : {1, 2, 3, 8}) runs.push_back(std::make_unique<Run>(c, m, g, threads, far));
-  runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
   const solver::World& w = runs[0]->sim.world();
   CHECK(w.out_of_cache);
   CHECK(w.sides.task_first.size() > 5);
@@ -210,19 +205,13 @@ TEST_CASE("sides that span more than two cells are run after all others, with th
   }
 }
 
-TEST_CASE("forces scattered by colour and gathered from pairs give the same bits") {
+TEST_CASE("the plain kernels give the same bits with any number of threads") {
   const cases::Case c = small_wall(4, 8);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
-  for (const bool reference : {false, true}) {
-    solver::Options colour, gather;
-    gather.gather = true;
-    colour.reference_kernels = gather.reference_kernels = reference;
-    std::vector<std::unique_ptr<Run>> runs;
-    runs.push_back(std::make_unique<Run>(c, m, g, 2, colour));
-    runs.push_back(std::make_unique<Run>(c, m, g, 2, gather));
-    runs.push_back(std::make_unique<Run>(c, m, g, 3, gather));
-    step_side_by_side(runs, reference ? 400 : 3600);
-    if (!reference) CHECK(runs[0]->sim.damage().tension > 500);
-  }
+  solver::Options plain;
+  plain.reference_kernels = true;
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 2, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads, plain));
+  step_side_by_side(runs, 400);
 }

@@ -286,7 +286,7 @@ TEST_CASE("multi-rate: a wall of loose bricks and timber at rest loses no energy
   }
 }
 
-TEST_CASE("multi-rate goes with neither --scatter gather nor a quasi-static analysis nor other cycles, and says so") {
+TEST_CASE("multi-rate goes with neither a quasi-static analysis nor other cycles, and says so") {
   cases::Case c = small_wall(2, 2);
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g;
@@ -295,7 +295,6 @@ TEST_CASE("multi-rate goes with neither --scatter gather nor a quasi-static anal
     CHECK_THROWS_WITH_AS(simulate(c, m, g), doctest::Contains("allowed: 1, 2, 4, 8"), cases::InputError);
   }
   c.time.multirate = 2;
-  CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {.gather = true}), doctest::Contains("time.multirate"), cases::InputError);
   c.analysis.kind = cases::AnalysisKind::tilt;
   CHECK_THROWS_WITH_AS(solver::Simulation(c, m, g, {}), doctest::Contains("time histories alone"), cases::InputError);
 }

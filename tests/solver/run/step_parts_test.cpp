@@ -19,13 +19,8 @@ double part(const solver::Simulation& s, solver::ForcePart p) { return s.part_ti
 
 /// A wall that has cracked, with blocks on the ground.
 struct Ruin {
-  explicit Ruin(bool gather) : ground(strong_shaking()), sim(value, model, ground, options(gather)) {
+  Ruin() : ground(strong_shaking()), sim(value, model, ground, {}) {
     for (int i = 0; i < 2000; ++i) sim.step({});
-  }
-  static solver::Options options(bool gather) {
-    solver::Options o;
-    o.gather = gather;
-    return o;
   }
   cases::Case value = small_wall(4, 8);
   cases::Model model = cases::build_model(value);
@@ -36,33 +31,31 @@ struct Ruin {
 }  // namespace
 
 TEST_CASE("parts of the forces are timed when asked for, and looking at clocks and handing out zeros change no bit") {
-  for (const bool gather : {false, true}) {
-    Ruin plain(gather), timed(gather);
-    for (const double t : timed.sim.part_times()) CHECK(t == 0.0);
-    timed.sim.time_parts(true);
-    solver::JointTasks tasks(timed.sim.world());
-    for (int i = 0; i < 100; ++i) {
-      plain.sim.step({});
-      timed.sim.step({});
-      const solver::Elements& e = timed.sim.world().elements;
-      const auto before = e.wrench, dashpots_before = e.dashpot;
-      if (!gather) CHECK(solver::assembly_time(timed.sim.world(), tasks) > 0.0);
-      CHECK(std::ranges::equal(e.wrench, before));
-      CHECK(std::ranges::equal(e.dashpot, dashpots_before));
-    }
-    CHECK(solver::state_hash(plain.sim.world()) == solver::state_hash(timed.sim.world()));
-    for (const solver::ForcePart p : {solver::ForcePart::damaged_joints, solver::ForcePart::contacts, solver::ForcePart::assembly}) {
-      CHECK(part(timed.sim, p) > 0.0);
-    }
-    // No part is timed twice: the mean thread cannot have more than the stage has.
-    double sum = 0.0;
-    for (const double t : timed.sim.part_times()) sum += t;
-    CHECK(sum <= timed.sim.stage_times()[static_cast<std::size_t>(solver::Stage::forces)]);
-    timed.sim.time_parts(false);
-    const solver::ForceTimes then = timed.sim.part_times();
+  Ruin plain, timed;
+  for (const double t : timed.sim.part_times()) CHECK(t == 0.0);
+  timed.sim.time_parts(true);
+  solver::JointTasks tasks(timed.sim.world());
+  for (int i = 0; i < 100; ++i) {
+    plain.sim.step({});
     timed.sim.step({});
-    CHECK(timed.sim.part_times() == then);
+    const solver::Elements& e = timed.sim.world().elements;
+    const auto before = e.wrench, dashpots_before = e.dashpot;
+    CHECK(solver::assembly_time(timed.sim.world(), tasks) > 0.0);
+    CHECK(std::ranges::equal(e.wrench, before));
+    CHECK(std::ranges::equal(e.dashpot, dashpots_before));
   }
+  CHECK(solver::state_hash(plain.sim.world()) == solver::state_hash(timed.sim.world()));
+  for (const solver::ForcePart p : {solver::ForcePart::damaged_joints, solver::ForcePart::contacts, solver::ForcePart::assembly}) {
+    CHECK(part(timed.sim, p) > 0.0);
+  }
+  // No part is timed twice: the mean thread cannot have more than the stage has.
+  double sum = 0.0;
+  for (const double t : timed.sim.part_times()) sum += t;
+  CHECK(sum <= timed.sim.stage_times()[static_cast<std::size_t>(solver::Stage::forces)]);
+  timed.sim.time_parts(false);
+  const solver::ForceTimes then = timed.sim.part_times();
+  timed.sim.step({});
+  CHECK(timed.sim.part_times() == then);
 }
 
 TEST_CASE("all time of whole joints goes to them") {
@@ -98,13 +91,11 @@ TEST_CASE("an intact wall has whole joints and the update to do, twice the wall 
   CHECK(two.assembly.bytes / one.assembly.bytes == doctest::Approx(2.0).epsilon(0.02));
 }
 
-TEST_CASE("in a ruin, contacts and damaged joints have work; by gather, elements fetch what sides left") {
-  Ruin colour(false), gather(true);
-  const solver::StepWork a = solver::step_work(colour.sim.world()), b = solver::step_work(gather.sim.world());
-  CHECK(a.damaged_sides > 0.0);
-  CHECK(a.damaged_joints.operations > 0.0);
-  CHECK(a.contacts.operations > 0.0);
-  CHECK(a.contacts.bytes > 0.0);
-  const double sides = a.whole_sides + a.damaged_sides;
-  CHECK(b.assembly.bytes - a.assembly.bytes >= sides * kernels::kPairStride * sizeof(double));
+TEST_CASE("in a ruin, contacts and damaged joints have work") {
+  const Ruin ruin;
+  const solver::StepWork w = solver::step_work(ruin.sim.world());
+  CHECK(w.damaged_sides > 0.0);
+  CHECK(w.damaged_joints.operations > 0.0);
+  CHECK(w.contacts.operations > 0.0);
+  CHECK(w.contacts.bytes > 0.0);
 }

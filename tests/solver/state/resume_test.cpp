@@ -155,11 +155,6 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
     for (int i = 0; i < 12; ++i) stops.insert(std::uniform_int_distribution<std::int64_t>(0, all)(random));
     check_same(straight, run_with_stops(c, stops, {1, 2, 3, 8}));
   }
-  SUBCASE("gathering forces by element") {
-    solver::Options gather;
-    gather.gather = true;
-    check_same(straight, run_with_stops(c, {100, 700, 1500}, {2, 1}, gather));
-  }
   SUBCASE("at several rates, stopped within cycles") {
     cases::Case two = everything(14);
     two.time.step = 5e-5, two.time.multirate = 4;

@@ -24,42 +24,38 @@ TEST_CASE("a step is split among its parts for every team; the run goes on and t
   const cases::Model model = cases::build_model(c);
   const io::test::TempFolder folder;
   const std::array counts{1, 2}, steps{40, 40};
-  for (const bool gather : {false, true}) {
-    solver::Options options;
-    options.gather = gather;
-    solver::Simulation sim(c, model, {}, options);
-    const int threads_before = sim.threads();
-    solver::RunState plan;
-    plan.shaking = true;
-    const std::string results_folder = folder.file(gather ? "gather" : "colour");
-    std::filesystem::create_directory(results_folder);
-    io::ResultsWriter results(results_folder, model, "", {}, io::provenance(0));
-    const std::vector<io::StepSplit> splits = io::split_steps({c, sim, plan, results}, counts, steps, 3);
-    REQUIRE(splits.size() == counts.size());
-    for (std::size_t k = 0; k < splits.size(); ++k) {
-      const io::StepSplit& s = splits[k];
-      const auto part = [&](io::StepPart p) { return s.parts[static_cast<std::size_t>(p)]; };
-      CHECK(s.threads == counts[k]);
-      double sum = 0.0;
-      for (const double t : s.parts) {
-        CHECK(t >= 0.0);
-        sum += t;
-      }
-      CHECK(s.step() == doctest::Approx(sum));
-      for (const io::StepPart p : {io::StepPart::whole_joints, io::StepPart::assembly, io::StepPart::update, io::StepPart::output}) {
-        CHECK(part(p) > 0.0);
-      }
-      CHECK(part(io::StepPart::contacts) < 0.1 * s.step());
+  solver::Simulation sim(c, model, {}, {});
+  const int threads_before = sim.threads();
+  solver::RunState plan;
+  plan.shaking = true;
+  const std::string results_folder = folder.file("run");
+  std::filesystem::create_directory(results_folder);
+  io::ResultsWriter results(results_folder, model, "", {}, io::provenance(0));
+  const std::vector<io::StepSplit> splits = io::split_steps({c, sim, plan, results}, counts, steps, 3);
+  REQUIRE(splits.size() == counts.size());
+  for (std::size_t k = 0; k < splits.size(); ++k) {
+    const io::StepSplit& s = splits[k];
+    const auto part = [&](io::StepPart p) { return s.parts[static_cast<std::size_t>(p)]; };
+    CHECK(s.threads == counts[k]);
+    double sum = 0.0;
+    for (const double t : s.parts) {
+      CHECK(t >= 0.0);
+      sum += t;
     }
-    CHECK(sim.threads() == threads_before);
-    CHECK(sim.steps() == plan.steps);
-    CHECK(plan.steps >= 2 * 3 * 40);
-    CHECK(results.rows()[static_cast<std::size_t>(io::RowTable::frames)] > 10);
-    CHECK(results.rows()[static_cast<std::size_t>(io::RowTable::energy)] > 10);
-    const solver::ForceTimes then = sim.part_times();
-    sim.step({});
-    CHECK(sim.part_times() == then);
+    CHECK(s.step() == doctest::Approx(sum));
+    for (const io::StepPart p : {io::StepPart::whole_joints, io::StepPart::assembly, io::StepPart::update, io::StepPart::output}) {
+      CHECK(part(p) > 0.0);
+    }
+    CHECK(part(io::StepPart::contacts) < 0.1 * s.step());
   }
+  CHECK(sim.threads() == threads_before);
+  CHECK(sim.steps() == plan.steps);
+  CHECK(plan.steps >= 2 * 3 * 40);
+  CHECK(results.rows()[static_cast<std::size_t>(io::RowTable::frames)] > 10);
+  CHECK(results.rows()[static_cast<std::size_t>(io::RowTable::energy)] > 10);
+  const solver::ForceTimes then = sim.part_times();
+  sim.step({});
+  CHECK(sim.part_times() == then);
 }
 
 TEST_CASE("the parts of a step add up to its stages; handing out is taken off the joints that do it, no more than they have") {
@@ -93,13 +89,12 @@ TEST_CASE("rates are work over time, shares those over what the machine can do; 
   split.parts[static_cast<std::size_t>(io::StepPart::update)] = 3e-3;
   split.parts[static_cast<std::size_t>(io::StepPart::ledger)] = 1e-3;
   split.work.update = {6e7, 3e6};
-  const std::vector<io::Cells> rows = io::stage_rows(false, split, {80e9, 4e9});
+  const std::vector<io::Cells> rows = io::stage_rows(split, {80e9, 4e9});
   REQUIRE(rows.size() == io::kStepPartNames.size() + 1);
-  CHECK(rows[static_cast<std::size_t>(io::StepPart::update)] ==
-        io::Cells{"colour", "2", "update", "3.0000", "0.750", "20.0", "0.25", "1.0", "0.25"});
-  CHECK(rows[static_cast<std::size_t>(io::StepPart::ledger)] == io::Cells{"colour", "2", "ledger", "1.0000", "0.250", "", "", "", ""});
-  CHECK(rows[static_cast<std::size_t>(io::StepPart::contacts)] == io::Cells{"colour", "2", "contacts", "0.0000", "0.000", "", "", "", ""});
-  CHECK(rows.back() == io::Cells{"colour", "2", "step", "4.0000", "1.000", "", "", "", ""});
+  CHECK(rows[static_cast<std::size_t>(io::StepPart::update)] == io::Cells{"2", "update", "3.0000", "0.750", "20.0", "0.25", "1.0", "0.25"});
+  CHECK(rows[static_cast<std::size_t>(io::StepPart::ledger)] == io::Cells{"2", "ledger", "1.0000", "0.250", "", "", "", ""});
+  CHECK(rows[static_cast<std::size_t>(io::StepPart::contacts)] == io::Cells{"2", "contacts", "0.0000", "0.000", "", "", "", ""});
+  CHECK(rows.back() == io::Cells{"2", "step", "4.0000", "1.000", "", "", "", ""});
   for (const io::Cells& row : rows) CHECK(row.size() == io::stage_header().size());
 }
 
