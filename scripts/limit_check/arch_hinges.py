@@ -15,7 +15,7 @@ def cross(omega, arm):
 
 
 class Arch:
-    """sections: of the voussoirs from one springing to the other, as inner, outer, outer, inner corner (x, z)."""
+    """sections: corners (x, z) of the voussoirs from one springing to the other, each inner, outer, outer, inner."""
 
     def __init__(self, sections):
         self.joints = [(numpy.array(s[0]), numpy.array(s[1])) for s in sections] + [(numpy.array(sections[-1][3]), numpy.array(sections[-1][2]))]
@@ -30,12 +30,12 @@ class Arch:
             self.ahead.append(normal if normal @ way > 0.0 else -normal)
 
     def multiplier(self, push):
-        """The least of all mechanisms; push: +1 or -1, along x."""
+        """The least multiplier of all mechanisms; push: +1 or -1, along x."""
         hinges = itertools.product(itertools.combinations(range(len(self.joints)), 4), ((0, 1, 0, 1), (1, 0, 1, 0)))
         return min(self.of(joints, ends, push) for joints, ends in hinges)
 
     def of(self, joints, ends, push):
-        """Of one mechanism: three parts turn, the first about the first hinge, the last about the last one."""
+        """The multiplier of one mechanism: three parts rotate, the first about the first hinge, the last about the last one."""
         h = [self.joints[j][end] for j, end in zip(joints, ends)]
         matrix = numpy.column_stack([h[2] - h[1], h[3] - h[2]])  # the ends of the chain stand still
         if abs(numpy.linalg.det(matrix)) < 1e-12:

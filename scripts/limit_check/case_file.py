@@ -67,7 +67,7 @@ def obj_text(model):
 
 
 def write(model, path):
-    """Writes `path` (.toml), and beside it an .obj where the model is a file of stones."""
+    """Writes `path` (.toml), and beside it an .obj if the model is a file of stones."""
     lines = head(model)
     if model.form == "stones":
         obj = path.with_suffix(".obj")
@@ -83,7 +83,7 @@ def write(model, path):
 
 
 def options(model):
-    """Those of `voussoir limit` that the model asks for."""
+    """Options of `voussoir limit` for the model."""
     words = {0.0: "x", 90.0: "y", 180.0: "-x", -180.0: "-x", -90.0: "-y"}
     out = ["--direction=" + words.get(model.direction, repr(model.direction))]
     return out + ([] if model.plane else ["--facets", str(model.facets), "--cone", model.cone])

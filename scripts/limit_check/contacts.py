@@ -15,12 +15,12 @@ BASE = -1
 
 
 class Doubtful(Exception):
-    """The rules leave open where contact points of this model lie."""
+    """The documented rules do not determine the contact points of this model."""
 
 
 @dataclasses.dataclass
 class Contact:
-    """a and b are numbers of blocks, b may be BASE. normal: from a to b. points: the corners of the hull of its contact points."""
+    """a and b are numbers of blocks, b may be BASE. normal: from a to b. points: corners of the convex hull of the contact points."""
     a: int
     b: int
     normal: numpy.ndarray
@@ -52,8 +52,8 @@ def centroid_of(polygon):
 
 
 def clipped(polygon, other):
-    """What two convex polygons share; both counter-clockwise. A corner within a 1e-9 of the size of an edge's line is on its inner side, for
-    where two edges lie on one line their crossing is anywhere."""
+    """The intersection of two convex polygons, both counter-clockwise. A corner within a 1e-9 of the size of an edge's line is on its inner side,
+    since the crossing of two edges on one line is undetermined."""
     size = max(math.dist(other[0], corner) for corner in other)
     for (ps, pt), (qs, qt) in zip(other, other[1:] + other[:1]):
         ds, dt = qs - ps, qt - pt
@@ -73,8 +73,8 @@ def clipped(polygon, other):
 
 
 def hull(points):
-    """The corners of the convex hull, counter-clockwise. It is found on a raster of a 1e-10 of its size, so that the order of points in a
-    column is no matter of round-off."""
+    """The corners of the convex hull, counter-clockwise. Computed on a raster of 1e-10 of its size, so that the order of points in a
+    column does not depend on round-off."""
     low = [min(p[k] for p in points) for k in (0, 1)]
     step = 1e-10 * max(math.dist(low, p) for p in points) or 1.0
     at = {tuple(round((p[k] - low[k]) / step) for k in (0, 1)): p for p in points}
@@ -91,7 +91,7 @@ def hull(points):
 
 
 def least_width(polygon):
-    """Over all directions across an edge."""
+    """Least width over all directions perpendicular to an edge."""
     widths = []
     for (ps, pt), (qs, qt) in zip(polygon, polygon[1:] + polygon[:1]):
         length = math.hypot(qs - ps, qt - pt)
@@ -101,7 +101,7 @@ def least_width(polygon):
 
 
 class Face:
-    """A face in coordinates (s, t) of its own: s runs along its longest edge, t = normal x s, from a corner of its bounding rectangle."""
+    """A face in its own coordinates (s, t): s runs along its longest edge, t = normal x s, from a corner of its bounding rectangle."""
 
     def __init__(self, corners):
         self.corners = corners
@@ -135,7 +135,7 @@ def cells_along(extent, size):
 
 
 def cell_points(face, overlap, size):
-    """Centroids of what the cells of a face share with the overlap, in the face's coordinates (segments.rule = "centres")."""
+    """Centroids of the intersections of a face's cells with the overlap, in the face's coordinates (segments.rule = "centres")."""
     if not face.one_grid:
         raise Doubtful("which of equal edges a grid runs along")
     columns, rows = cells_along(face.width, size), cells_along(face.height, size)
@@ -153,7 +153,7 @@ def cell_points(face, overlap, size):
 
 
 def merged(pieces, small):
-    """Small pieces go to their largest neighbour of eight."""
+    """Pieces with small ones merged into their largest neighbour of eight."""
     out = {key: list(piece) for key, piece in pieces.items()}
     for (i, k), (area, s, t) in pieces.items():
         if area >= small:
@@ -174,7 +174,7 @@ def merged(pieces, small):
 
 
 def size_of(block, size):
-    """Of its segments: the model's, or a quarter of the least distance between a face and the corner farthest behind it."""
+    """Segment size: the model's, or a quarter of the least distance between a face and the corner farthest behind it."""
     if size is not None:
         return size
     faces = [block.vertices[list(loop)] for loop in block.faces]
@@ -182,7 +182,7 @@ def size_of(block, size):
 
 
 def touch(face, other, rule, sizes, of_both=True):
-    """The corners of the hull of the contact points of two faces (of_both: those of either; else of the first), or none."""
+    """Corners of the hull of the contact points of two faces (of_both: of the points of either; else of the first), or none."""
     if numpy.abs(face.normal + other.normal).max() > OPPOSITE:
         return None
     if abs(numpy.dot(other.corners.mean(axis=0) - face.corners.mean(axis=0), face.normal)) > NEAR:
@@ -199,7 +199,7 @@ def touch(face, other, rule, sizes, of_both=True):
 
 
 def of_base(face, base, rule, size):
-    """The same of a face that stands on the base."""
+    """Corners of the hull of the contact points of a face that stands on the base."""
     if face.normal[2] > -1.0 + OPPOSITE**2 or abs(face.corners[:, 2].mean() - base) > NEAR:
         return None
     return face.space(hull(face.polygon if rule == "rim" else cell_points(face, face.polygon, size)))

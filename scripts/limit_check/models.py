@@ -30,7 +30,7 @@ def mirrored(model):
 
 
 def on_slab(rng, model):
-    """A fixed block in place of the base."""
+    """Replaces the base by a fixed block."""
     low = numpy.min([b.vertices.min(axis=0) for b in model.blocks], axis=0)
     high = numpy.max([b.vertices.max(axis=0) for b in model.blocks], axis=0)
     more = rng.uniform(0.0, 1.0)
@@ -41,7 +41,7 @@ def on_slab(rng, model):
 
 
 def rub(rng, model):
-    """Friction, by whatever key."""
+    """Sets friction by one of the keys for it."""
     angle = lambda: round(math.degrees(math.atan(rng.choice([rng.uniform(0.15, 0.3), rng.uniform(0.15, 0.5), rng.uniform(0.4, 1.0)]))), 2)
     model.friction = angle()
     if model.base is not None and rng.random() < 0.2:
@@ -51,7 +51,7 @@ def rub(rng, model):
 
 
 def load_points(rng, model):
-    """Some loads act beside the centroid, or have a moment; in a plane model both stay in the plane."""
+    """Moves some loads beside the centroid, or gives them a moment; in a plane model both stay in the plane."""
     for load in model.loads:
         block = next(b for b in model.blocks if b.name == load.block)
         if rng.random() < 0.5:
@@ -67,7 +67,7 @@ def rounded(points, digits):
 
 
 def put(block, change, digits):
-    """The block with its corners changed and rounded."""
+    """A block with its corners changed and rounded."""
     out = Block(block.name, rounded(change(block.vertices), digits), block.faces, block.material, block.fixed, stone=block.stone)
     corners = out.vertices
     if block.box and (corners[0] <= corners[6]).all() and upright_box("", corners[0], corners[6]).vertices.tolist() == corners.tolist():
@@ -76,7 +76,7 @@ def put(block, change, digits):
 
 
 def place(rng, model, scale):
-    """Size, place and turn: in the coordinates, or by keys."""
+    """Sets size, place and rotation: in the coordinates, or by keys."""
     way = rng.choice(["as it is", "as it is", "quarter", "turned", "key", "stones"])
     if way == "stones" and len(model.density) > 1:
         way = "key"
@@ -113,7 +113,7 @@ def place(rng, model, scale):
 
 
 def on_part(rng, model, angle):
-    """The base lies lower, and all stands on a part of it: a rectangle along the axes."""
+    """Lowers the base and puts all blocks on a part of it: a rectangle along the axes."""
     if model.base is None or (model.turn and model.turn[0] % 90.0) or rng.random() > 0.2:
         return
     corners = numpy.concatenate([b.vertices for b in model.blocks])
@@ -130,7 +130,7 @@ def on_part(rng, model, angle):
 
 
 def aim(rng, model, angle):
-    """The direction of the live force, and a tilt of the base."""
+    """Sets the direction of the live force, and a tilt of the base."""
     if model.plane:
         model.direction = angle + rng.choice([0.0, 180.0])
         level, about = angle % 90.0 == 0.0, ("x" if angle % 180.0 else "y")
@@ -145,7 +145,7 @@ def aim(rng, model, angle):
 
 
 def choose_points(rng, model, scale):
-    """The rule of contact points; that of centres only where the documents say exactly where they lie."""
+    """Chooses the rule of contact points; `centres` only if the documents determine the points."""
     if rng.random() < 0.3:
         model.size = round(scale * rng.uniform(0.12, 0.6), 3 - math.floor(math.log10(scale)))
     if rng.random() > 0.3 or model.outlines:
@@ -160,7 +160,7 @@ def choose_points(rng, model, scale):
 
 
 def make(seed, number, share=None):
-    """share: "plane" or "space"; none: either."""
+    """share: "plane" or "space"; None: either."""
     rng = random.Random(f"{seed}:{number}")
     while True:
         kinds = {"plane": plane_kinds.KINDS, "space": space_kinds.KINDS}[share or rng.choice(["plane", "space"])]

@@ -7,7 +7,7 @@ from shapes import Load, Model, across, upright_box
 
 
 def course(rng, length, kind, number, stone):
-    """Where the head joints of a course are, ends included."""
+    """Positions of the head joints of a course, ends included."""
     count = max(1, round(length / stone))
     stone = length / count
     if kind == "whole":
@@ -76,7 +76,7 @@ def steps(rng):
 
 
 def angles(rng, a, b, n):
-    """n parts from a to b, alike or not."""
+    """n parts from a to b, equal or not."""
     weights = [1.0 if rng.random() < 0.5 else rng.uniform(0.6, 1.4)] * n
     if rng.random() < 0.4:
         weights = [rng.uniform(0.6, 1.4) for _ in range(n)]
@@ -134,7 +134,7 @@ def pointed_arch(rng):
 
 
 def arch_on_piers(rng):
-    """A round arch on piers of boxes, wider than the arch or not."""
+    """A round arch on piers of boxes, which may be wider than the arch."""
     r, depth = rng.uniform(3.0, 6.0), rng.uniform(0.5, 2.0)
     t = r * rng.uniform(0.12, 0.35)
     inner, outer, z, blocks = r - t / 2, r + t / 2, 0.0, []
@@ -164,7 +164,7 @@ def flat_arch(rng):
 
 
 def slope(rng):
-    """Blocks with beds that lean, on a fixed wedge."""
+    """Blocks with inclined beds, on a fixed wedge."""
     lean, width, z = rng.uniform(-0.5, 0.5), rng.uniform(1.0, 2.5), 1.0
     sloped = lambda name, z0, z1, lean0, lean1, **more: across(
         name, [(0.0, z0), (width, z0 + lean0 * width), (width, z1 + lean1 * width), (0.0, z1)], 0.0, 1.0, **more)

@@ -41,8 +41,8 @@ def apart(one, other):
 
 
 def bound_of_mechanism(model, result, table):
-    """The multiplier at which the dead and the live forces do no power under the velocities that the program writes; and by how much they
-    close contacts, beside the fastest point. The first bounds the multiplier from above, if the second is nothing."""
+    """The multiplier at which the power of dead and live forces vanishes for the velocities that the program writes, and the greatest closing
+    velocity of a contact relative to the fastest point. The first is an upper bound of the multiplier, if the second is zero."""
     p = Programme(model, plane=result["plane"])
     rows = {row["tag"]: row for row in csv.DictReader(table.read_text().splitlines()) if row["flow"] == "associated"}
     velocities = []
@@ -59,7 +59,7 @@ def bound_of_mechanism(model, result, table):
 
 
 def compare(voussoir, model, case, coulomb=False):
-    """Writes the case and compares; `coulomb`: its multiplier, too."""
+    """Writes the case, runs the program and compares; `coulomb`: also its multiplier of Coulomb friction."""
     case_file.write(model, case)
     answer = solve(model)
     table = case.with_suffix(".csv")

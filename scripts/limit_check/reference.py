@@ -30,7 +30,7 @@ class Answer:
 
 
 def friction_of(model, contact):
-    """tan of the angle of friction of a contact."""
+    """Tangent of the angle of friction of a contact."""
     if model.law_friction is not None:
         return numpy.tan(numpy.radians(model.law_friction))
     pair = {model.blocks[contact.a].material, "base" if contact.b == BASE else model.blocks[contact.b].material}
@@ -39,7 +39,7 @@ def friction_of(model, contact):
 
 
 def gravity_of(model):
-    """Gravity in the axes of the base, which is turned about x, then about y."""
+    """Gravity in axes of the base, which is rotated about x, then about y."""
     g = numpy.array([0.0, 0.0, -model.gravity])
     if model.base is None:
         return g
@@ -49,7 +49,7 @@ def gravity_of(model):
 
 
 def shears(normal, live, facets, cone):
-    """Corners of the polygon of unit shears in a joint: one of them in the direction of the live force, as far as it lies in the joint."""
+    """Corners of the polygon of unit shears in a joint: one in the direction of the live force, projected on the joint."""
     first = live - numpy.dot(live, normal) * normal
     if numpy.linalg.norm(first) < 1e-6:
         first = numpy.array([0.0, 0.0, 1.0]) - normal[2] * normal
@@ -70,13 +70,13 @@ def ends_in_plane(points, normal, live):
 
 
 def first_pieces(blocks):
-    """Of each block, the number of the first piece of its stone, which stands for the body."""
+    """For each block, the number of the first piece of its stone, which represents the body."""
     firsts = {}
     return [firsts.setdefault(block.stone or block.name, i) for i, block in enumerate(blocks)]
 
 
 class Programme:
-    """Columns: unit forces along the edges of all cones. dead, live: the forces on the free bodies. Rows: three a body in a plane, else six."""
+    """Columns: unit forces along the edges of all cones. dead, live: forces on the free bodies. Rows: three per body in a plane, else six."""
 
     def __init__(self, model: Model, plane=None, facets=None, cone=None):
         plane = model.plane if plane is None else plane
@@ -156,7 +156,7 @@ def linprog(*args, method="highs-ds", **kwargs):
 
 
 def fall_of(p):
-    """Velocities (at most 1) that no contact forbids, under which the dead forces do the most power; and that power, checked."""
+    """Velocities (at most 1) admissible at all contacts with the greatest power of the dead forces; and that power, checked."""
     n = p.matrix.shape[0]
     result = linprog(-p.dead, A_ub=-p.matrix.T, b_ub=numpy.zeros(p.matrix.shape[1]), bounds=[(-1.0, 1.0)] * n)
     if result.status != 0:
@@ -166,7 +166,7 @@ def fall_of(p):
 
 
 def bounds_of(p, result):
-    """The distance between the multiplier and the bound by its velocities, with what either violates."""
+    """The gap between the multiplier and the bound by its velocities, with the violations of both."""
     forces, multiplier, velocities = result.x[:-1], result.x[-1], result.eqlin.marginals
     power = float(p.live @ velocities)
     if power == 0.0:
@@ -179,7 +179,7 @@ def bounds_of(p, result):
 
 
 def solve(model: Model, **how) -> Answer:
-    """The multiplier of associated flow, or the verdict that there is none."""
+    """The multiplier of associated flow, or a verdict that there is none."""
     p = Programme(model, **how)
     power, velocities = fall_of(p)
     if power is None:

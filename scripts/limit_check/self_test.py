@@ -76,7 +76,7 @@ def facets(tally):
 
 
 def notched(tally):
-    """A stone with an arm turns about the edges of its foot."""
+    """A stone with an arm rotates about the edges of its foot."""
     pieces = [upright_box("foot", (0, 0, 0), (1, 1, 2)), upright_box("arm", (1, 0, 1.5), (1.6, 1, 2))]
     for piece in pieces:
         piece.stone = "stone"
@@ -114,8 +114,8 @@ def inclined(tally):
 
 
 def towers(tally):
-    """Stacks of boxes that do not slide, turned and pushed anyhow: the line of the forces on all above a bed must meet what its two boxes
-    share, a rectangle by the boxes' own ends."""
+    """Stacks of boxes that do not slide, rotated and pushed in any direction: the line of the forces on all boxes above a bed must meet the common
+    area of its two boxes, a rectangle bounded by the ends of the boxes."""
     rng = random.Random(2)
     for number in range(30):
         angle, push, z, boxes = rng.choice([0.0, rng.uniform(0.0, 360.0)]), rng.uniform(0.0, 360.0), 0.0, []
@@ -137,7 +137,7 @@ def towers(tally):
 
 
 def overturning(boxes, push):
-    """The least multiplier over all beds and their edges; negative if the centroid of what is above a bed lies beside it."""
+    """The least multiplier over all beds and their edges; negative if the centroid of the boxes above a bed lies beside the bed."""
     best = math.inf
     for k, (low, high) in enumerate(boxes):
         below = boxes[k - 1] if k else (low, high)
@@ -152,7 +152,7 @@ def overturning(boxes, push):
 
 
 def overlaps(tally):
-    """Rectangles with edges on one line, and columns of points, but for round-off."""
+    """Rectangles with edges on one line, and columns of points, up to round-off."""
     rng = random.Random(3)
     for number in range(200):
         noise = lambda points: [tuple(x * (1.0 + rng.uniform(-4e-16, 4e-16)) for x in turned([(s, t, 0.0)], turn)[0][:2] + shift) for s, t in points]
@@ -170,7 +170,7 @@ def section_of(block):
 
 
 def arches(tally):
-    """Against all mechanisms of four hinges. Friction is high, so that nothing slides."""
+    """Arches against all mechanisms of four hinges. Friction is high, so that nothing slides."""
     rng = random.Random(1)
     for number in range(6):
         half, thickness, count = rng.uniform(1.1, 0.5 * math.pi), rng.uniform(0.6, 1.0), rng.randint(6, 11)
@@ -200,7 +200,7 @@ def moved(model, scale, angle, shift):
 
 
 def invariance(tally):
-    """Random models in other sizes and places, turned, their blocks in another order: the same answer. Plane ones in space, too."""
+    """Random models in other sizes and places, rotated, with blocks in another order: same answer. Plane ones also in space."""
     for number in range(40):
         model = models.make("invariance", number)
         model.rule = "rim"

@@ -31,7 +31,7 @@ class Load:
 
 @dataclasses.dataclass
 class Model:
-    """What a case file says. Coordinates are those that the program reads, after all its turns."""
+    """The contents of a case file. Coordinates are those that the program reads, after all rotations."""
     kind: str
     blocks: list
     plane: bool = False  # prisms across one vertical plane, equally thick, and all forces lie in it
@@ -62,7 +62,7 @@ def upright_box(name, low, high, material="stone", fixed=False):
 
 
 def between_loops(name, low, high, material="stone", fixed=False):
-    """The block between two plane loops of as many corners, corner by corner."""
+    """The block between two plane loops with equal numbers of corners, corner by corner."""
     n = len(low)
     faces = [(i, (i + 1) % n, (i + 1) % n + n, i + n) for i in range(n)] + [tuple(range(n))[::-1], tuple(range(n, 2 * n))]
     block = Block(name, numpy.array(list(low) + list(high), float), tuple(faces), material, fixed)
@@ -82,7 +82,7 @@ def standing(name, plan, z0, z1, **more):
 
 
 def volume_and_centroid(vertices, faces):
-    """Of the polyhedron, by tetrahedra about its first corner."""
+    """Volume and centroid of the polyhedron, by tetrahedra about its first corner."""
     origin = vertices[0]
     six, moment = 0.0, numpy.zeros(3)
     for face in faces:
@@ -104,6 +104,6 @@ def unit(direction):
 
 
 def turned(points, angle, about=(0.0, 0.0, 0.0)):
-    """Points turned about the vertical through `about`."""
+    """Points rotated about the vertical axis through `about`."""
     c, s = unit(angle)[:2]
     return numpy.asarray(about) + (numpy.asarray(points, float) - numpy.asarray(about)) @ numpy.array([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)])

@@ -81,7 +81,7 @@ def opening(rng):
 
 
 def twin_arches(rng):
-    """Two rings side by side, parted otherwise, on the base."""
+    """Two rings side by side with different joints, on the base."""
     r, y = rng.uniform(3.0, 6.0), 0.0
     t, blocks = r * rng.uniform(0.13, 0.35), []
     for k in range(2):
@@ -92,7 +92,7 @@ def twin_arches(rng):
 
 
 def turned_stack(rng):
-    """Prisms of 3 to 8 corners, each turned and moved against the one below."""
+    """Prisms of 3 to 8 corners, each rotated and moved relative to the one below."""
     blocks, z = [], 0.0
     for i in range(rng.randint(2, 9)):
         n, radius, turn, height = rng.randint(3, 8), rng.uniform(0.8, 1.6), rng.uniform(0.0, 360.0), rng.uniform(0.3, 1.2)
@@ -104,7 +104,7 @@ def turned_stack(rng):
 
 
 def rings(rng):
-    """Courses of wedges round an axis, each turned against the one below and drawn in."""
+    """Courses of wedges round an axis, each rotated relative to the one below and of smaller radius."""
     blocks, outer, width = [], rng.uniform(2.5, 4.0), rng.uniform(0.6, 1.2)
     for k in range(rng.randint(1, 4)):
         n, start = rng.randint(5, 10), rng.uniform(0.0, 72.0)
@@ -130,7 +130,7 @@ def leaning_beds(rng):
 
 
 def pyramid(rng):
-    """Frustums, one on the other, each turned."""
+    """Frustums, one on the other, each rotated."""
     blocks, z, r = [], 0.0, rng.uniform(1.5, 2.5)
     for i in range(rng.randint(2, 6)):
         height, shrink, turn = rng.uniform(0.4, 1.0), rng.uniform(0.7, 1.0), rng.uniform(0.0, 90.0)
@@ -142,7 +142,7 @@ def pyramid(rng):
 
 
 def saddle(rng):
-    """Blocks that ride on fixed wedges: their beds lean to both sides, so that corners of the friction polygon count."""
+    """Saddle-shaped blocks on fixed wedges: their beds are inclined to both sides, so that corners of the friction polygon matter."""
     a, n, blocks = rng.uniform(0.3, 1.2), rng.randint(1, 4), []
     wide, long = rng.uniform(0.8, 1.6), rng.uniform(1.0, 2.0)
     blocks.append(between_loops("fixed", [(-wide, 0, -1), (wide, 0, -1), (wide, 0, 0), (0, 0, a), (-wide, 0, 0)],
@@ -156,7 +156,7 @@ def saddle(rng):
 
 
 def pushed_across(rng):
-    """A plane model whose live force is not in its plane (the dressing turns it)."""
+    """A plane model with a live force out of its plane (set by models.aim)."""
     model = rng.choice([wall, round_arch, arch_on_piers, tower])(rng)
     model.kind, model.plane = "plane one, pushed across", False
     return model

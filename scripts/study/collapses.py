@@ -19,7 +19,7 @@ from versions import one_version
 
 
 def place(case):
-    """The paper's houses in its order, others behind them."""
+    """Order of a house: the paper's houses in the paper's order, then others."""
     return HOUSES.index(case) if case in HOUSES else len(HOUSES)
 
 

@@ -45,7 +45,7 @@ def known(values):
 
 
 def distance(a, b):
-    """Largest difference of the two shares of values up to any number; 0 if one of the two has none."""
+    """Largest difference of the cumulative shares of two samples (Kolmogorov-Smirnov distance); 0 if one is empty."""
     a, b = sorted(known(a)), sorted(known(b))
     if not a or not b:
         return 0.0
@@ -63,7 +63,7 @@ def same_seeds(runs, others):
 
 
 def exchanged(a, b):
-    """a and b side by side: the two values of each seed exchanged, or not."""
+    """a and b side by side: the two values of each seed exchanged at random."""
     source = random.Random(36)
     for _ in range(WAYS):
         pairs = [(x, y) if source.random() < 0.5 else (y, x) for x, y in zip(a, b)]
@@ -71,7 +71,7 @@ def exchanged(a, b):
 
 
 def divided(a, b):
-    """All values in two sets as large as a and b."""
+    """All values divided at random into two sets of the sizes of a and b."""
     size, values, source = len(known(a)), known(a) + known(b), random.Random(36)
     for _ in range(WAYS):
         source.shuffle(values)

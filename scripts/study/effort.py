@@ -35,7 +35,7 @@ def number(text):
 
 
 def rows_of(text, title):
-    """Rows of a bill: name, and its numbers by column."""
+    """Rows of a bill: name, with its numbers by column."""
     lines = iter(text.splitlines())
     if not any(line.startswith(title) for line in lines):
         return
@@ -48,12 +48,12 @@ def rows_of(text, title):
 
 
 def kind_of(name):
-    """"adobe brick, cut, 0.15 x 0.1 x 0.1 m" is "adobe brick"; what beams carry is no part of their name."""
+    """"adobe brick, cut, 0.15 x 0.1 x 0.1 m" is "adobe brick"; loads of beams are not part of the name."""
     return re.sub(r" (with roof surcharge|of floor \d+ with) [^ ]+ kg/m2", "", name.split(",")[0])
 
 
 def bill(text):
-    """What a model takes: m3 by kind of block, m of rod, m2 of mesh, m2 of decks, anchors, bars."""
+    """Material of a model: m3 by kind of block, m of rod, m2 of mesh, m2 of decks, anchors, bars."""
     sums = {}
 
     def add(what, amount):
@@ -72,7 +72,7 @@ def bill(text):
 
 
 def checked(case, folder, bills):
-    """What `voussoir check` prints of a case of the study."""
+    """The output of `voussoir check` for a case of the study."""
     kept = bills / f"{pathlib.Path(case).stem}.txt" if bills else None
     if kept and kept.exists():
         return kept.read_text()
@@ -86,7 +86,7 @@ def checked(case, folder, bills):
 
 
 def effort(bare, bill_of_case):
-    """What a case takes more than the bare house, and less."""
+    """Material of a case in addition to that of the bare house, and saved material."""
     words = []
     for what in sorted(bare.keys() | bill_of_case.keys()):
         more = bill_of_case.get(what, 0.0) - bare.get(what, 0.0)
@@ -112,7 +112,7 @@ def mean(runs, column):
 
 
 def gain(runs, bare):
-    """Means over what both have done."""
+    """Means over the runs that are done with and without the measure."""
     both = sorted(runs.keys() & bare.keys())
     if not both:
         return "–"
@@ -123,7 +123,7 @@ def gain(runs, bare):
 
 
 def add(runs, run):
-    """One more of a case's runs."""
+    """Adds one of a case's runs."""
     first = runs.setdefault(key(run), run)
     if first is not run and not same_run(first, run):
         sys.exit(f"{run['run']}: the same house, direction, motion and strength as {first['run']}; they differ in {difference(first, run)}; "
@@ -131,7 +131,8 @@ def add(runs, run):
 
 
 def read(paths, record):
-    """Runs that are done, of that record if one is given, by case, then by direction, motion and strength; and in their order those of the latter that some case has done."""
+    """Finished runs, of one record if given, by case, then by direction, motion and strength; and a sorted list of all directions, motions and
+    strengths that occur."""
     done, keys, tables = {}, {}, {}
     for path in paths:
         with open(path, newline="", encoding="utf-8") as file:

@@ -38,7 +38,7 @@ COLUMNS = ("curve", "state", "runs", "reached", "median", "median_low", "median_
 
 
 class Fit:
-    """Phi(a + b ln x): its two coefficients, their covariance, how many standard errors a band goes out, and what it was taken by."""
+    """Phi(a + b ln x): its two coefficients, their covariance, the quantile of the band in standard errors, and the unit of the covariance."""
 
     def __init__(self, coefficients, covariance, quantile, bands):
         self.coefficients, self.covariance, self.quantile, self.bands = coefficients, covariance, quantile, bands
@@ -72,7 +72,7 @@ class Fit:
 
 
 def remark_of(x, reached):
-    """Why there is no curve; empty if there is one. Likelihood has a maximum only where outcomes overlap (Albert and Anderson 1984)."""
+    """The reason why there is no curve; empty if there is one. Likelihood has a maximum only where outcomes overlap (Albert and Anderson 1984)."""
     if not x.size:
         return "no walls: no grades"
     if not reached.any():
@@ -86,7 +86,7 @@ def remark_of(x, reached):
 
 
 def scores(design, reached, coefficients):
-    """Slopes of each run's log-likelihood."""
+    """Gradient of each run's log-likelihood."""
     sign = np.where(reached, 1.0, -1.0)
     eta = sign * (design @ coefficients)
     hazard = np.exp(-0.5 * eta**2 - 0.5 * math.log(2 * math.pi) - special.log_ndtr(eta))
@@ -100,7 +100,7 @@ def fisher_information(design, coefficients):
 
 
 def by_cluster(score, information, clusters):
-    """Covariance by the sandwich, and its quantile; None where the clusters tell too little."""
+    """Covariance by the sandwich estimator, and its quantile; None if there are too few clusters."""
     names = sorted(set(clusters))
     free = len(names) - 1
     if "" in names or free < 2:
@@ -114,7 +114,7 @@ def by_cluster(score, information, clusters):
 
 
 def likeliest(x, reached, clusters, bands):
-    """Maximum likelihood: the log-likelihood is concave in the coefficients, so there is one maximum."""
+    """Maximum of the likelihood, which is unique, since the log-likelihood is concave in the coefficients."""
     design = np.column_stack([np.ones_like(x), np.log(x)])
 
     def loss(coefficients):
@@ -130,8 +130,8 @@ def likeliest(x, reached, clusters, bands):
 
 
 def fit(x, reached, clusters, bands="by seed"):
-    """The curve, and why there is none: one of the two is None or empty. `clusters`: by run, of runs that are not independent of each other;
-    `bands`: what they are called."""
+    """The curve, and the reason why there is none: one of the two is None or empty. `clusters`: by run, equal for runs that depend on each
+    other; `bands`: name of the clusters."""
     remark = remark_of(x, reached)
     result = None if remark else likeliest(x, reached, clusters, bands)
     if result and result.coefficients[1] <= 0:
@@ -140,7 +140,7 @@ def fit(x, reached, clusters, bands="by seed"):
 
 
 def tells(row, state):
-    """Whether the run says anything of the state: what has no walls has no damage grade (-1), but may collapse."""
+    """Whether the run gives information on the state: a building without walls has no damage grade (-1), but may collapse."""
     return state == "collapse" or int(row["damage_grade"]) >= 0
 
 
@@ -149,7 +149,7 @@ def has_reached(row, state):
 
 
 def done_rows(path):
-    """Rows of runs that have ended and whose motion has one level of intensity, or one scale, above zero."""
+    """Rows of finished runs whose motion has a single level of intensity, or a single scale, above zero."""
     try:
         with open(path, newline="") as file:
             rows = list(csv.DictReader(file))
@@ -168,7 +168,7 @@ def done_rows(path):
 
 
 def name_of_strength(path, rows, peak=None, all_records=False):
-    """Of the axis below the curves."""
+    """Name of the horizontal axis."""
     try:
         axis = axis_of(rows)
     except ValueError as error:
@@ -182,14 +182,14 @@ def name_of_strength(path, rows, peak=None, all_records=False):
 
 
 def refuse_table(table, outputs):
-    """The table may have taken days; no file that is written may be it, by whatever name."""
+    """Refuses to overwrite the table, which may have taken days, by any name for it."""
     for path in outputs:
         if os.path.exists(path) and os.path.samefile(table, path):
             sys.exit(f"{path}: is the table itself; wanted another file to write to")
 
 
 def curves(rows, states, peak=1.0, all_records=False):
-    """(name, state, x, reached, clusters) of each curve; clusters are the seeds, of all records together the records."""
+    """(name, state, x, reached, clusters) of each curve; clusters are seeds, or records if all records are taken together."""
     group = [key for key in GROUP if not (all_records and key == "record")]
 
     def name_of(row):
@@ -212,7 +212,7 @@ def table_row(name, state, x, reached, result, remark):
 
 
 def draw(axes, number, name, x, reached, result):
-    """The runs' shares at each level; the curve with its band, if there is one."""
+    """Draws the shares of runs at each level, and the curve with its band, if there is one."""
     look = run_file.style(number)
     levels = np.unique(x)
     marker, size = MARKERS[number % len(MARKERS)]

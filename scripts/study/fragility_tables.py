@@ -20,7 +20,7 @@ STATES = {"2": "grade 2", "3": "grade 3", "4": "grade 4", "collapse": "collapse"
 
 
 def told_apart(rows):
-    """The columns of GROUP in which the runs differ; the case at least."""
+    """Columns of GROUP in which the runs differ; at least the case."""
     return [key for key in GROUP if key == "case" or len({row[key] for row in rows}) > 1]
 
 
@@ -48,7 +48,7 @@ def grades(rows):
 
 
 def bracket(x, reached):
-    """Where the median lies, of runs that determine no curve."""
+    """Range of the median for runs that determine no curve."""
     if reached.all():
         return f"below {x.min():g}"
     if not reached.any():

@@ -25,7 +25,7 @@ COSTS = ("starts", "wall_clock", "core_hours")
 
 
 def flat(summary):
-    """A value a name: `grade_2_time`, `front wall: peak_drift`. What there is not, as the drift of a fallen wall, is empty."""
+    """One value per name: `grade_2_time`, `front wall: peak_drift`. Undefined values, as the drift of a fallen wall, are empty."""
     names = [name for name in FIRST if name in summary] + [name for name in summary if name not in (*FIRST, *NOT_RESULTS)]
     out = {name: summary[name] for name in names}
     out |= {f"grade_{grade}_time": time for grade, time in enumerate(summary["grade_time"], 1)}
@@ -37,11 +37,11 @@ def flat(summary):
 
 
 class Unreadable(Exception):
-    """A run's results, and why."""
+    """The results of a run cannot be read, with the reason."""
 
 
 def results(voussoir, folder):
-    """What came out of a run, measured afresh, and which program made it. Figures keep all digits."""
+    """Results of a run, measured anew, and the program that made it. Numbers keep all digits."""
     said = subprocess.run([voussoir, "summary", str(folder), "--format", "json"], capture_output=True, text=True, check=False)
     if said.returncode != 0:
         raise Unreadable(said.stderr.strip())
@@ -54,7 +54,7 @@ def results(voussoir, folder):
 
 
 def costs(folder):
-    """Core-hours: threads times wall-clock, of all starts. A kill without notice loses what it took since its last results."""
+    """Core-hours: threads times wall-clock time, of all starts. A kill without notice loses the time since the last results."""
     path = folder / "sessions.json"
     sessions = json.loads(path.read_text()) if path.exists() else []
     seconds = [s["wall_clock"] or 0.0 for s in sessions]
@@ -68,7 +68,7 @@ def place(run, status):
 
 
 def outcome(voussoir, folder):
-    """Status of a run, and its results."""
+    """Status of a run, with its results."""
     done = folder / "done.json"
     try:
         if done.exists():
@@ -85,7 +85,7 @@ def row(voussoir, run):
 
 
 def known_row(known, run):
-    """As a row of this table, of which the known one may not be: its place is this study's, its columns may come in another order."""
+    """A known row in the form of this table: its place becomes this study's, its columns may be in another order."""
     here = place(run, known["status"])
     found = {name: value for name, value in known.items() if name not in (*here, *STRENGTH, *COSTS)}
     return here, found, {name: known[name] for name in COSTS}

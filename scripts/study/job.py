@@ -22,21 +22,21 @@ DONE, NUMERICAL_FAILURE = 0, 1  # exit codes of the program
 
 
 def write(path, text):
-    """Whole or not at all."""
+    """Writes a complete file, or none."""
     temporary = path.with_name(path.name + ".tmp")
     temporary.write_text(text)
     os.replace(temporary, path)
 
 
 def take_turn(folder):
-    """Waits until no other process works on the run. The program inherits the lock, so that it outlasts this script."""
+    """Waits until no other process works on the run. The program inherits the lock, which therefore outlasts this script."""
     lock = os.open(folder / ".job", os.O_RDWR | os.O_CREAT, 0o666)
     fcntl.flock(lock, fcntl.LOCK_EX)
     return lock
 
 
 def attributes(folder, group):
-    """Of a run's results; empty if they are not there, or cannot be read."""
+    """Attributes of a run's results; empty if these are missing or unreadable."""
     try:
         with h5py.File(folder / "run.h5") as file:
             return dict(file[group].attrs)
@@ -49,7 +49,7 @@ def finished(folder):
 
 
 class Sessions:
-    """sessions.json: when the program worked on the run, for how long, with how many threads; what is left of killed ones, too."""
+    """sessions.json: when the program worked on the run, for how long, with how many threads; including killed sessions."""
 
     def __init__(self, folder):
         self.folder, self.path = folder, folder / "sessions.json"
@@ -60,7 +60,7 @@ class Sessions:
         write(self.path, json.dumps(self.all))
 
     def close_killed(self):
-        """A killed session took as long as its last results say, or longer."""
+        """Closes a killed session with the duration recorded in its last results, a lower bound."""
         if self.all and self.all[-1]["wall_clock"] is None:
             self.close(self.known_time(self.all[-1]["started"]), None)
 
@@ -83,7 +83,7 @@ def command(plan, run, folder):
 
 
 def go_on(words, folder, sessions, threads, lock):
-    """Starts or resumes the program; its exit code."""
+    """Starts or resumes the program; returns its exit code."""
     sessions.close_killed()
     sessions.open(threads)
     start = time.monotonic()
@@ -97,7 +97,7 @@ def go_on(words, folder, sessions, threads, lock):
 
 
 def draw(plan, folder):
-    """What makes a run worth looking at. A picture that fails does not undo a run of hours."""
+    """Draws pictures and page of a run. Failure to draw does not invalidate the run."""
     if plan["stills"]:
         words = [sys.executable, str(RENDER), str(folder), "-o", str(folder / "stills.png"), "--time", *map(str, plan["stills"])]
         subprocess.run(words, stdout=subprocess.DEVNULL, check=False)
@@ -106,7 +106,7 @@ def draw(plan, folder):
 
 
 def status_of(code, folder):
-    """How a run has ended; None: it has not. Without results, a fault stood in the way of the run, and not its own numbers."""
+    """Status of a finished run; None if unfinished. Without results, the run failed for other reasons than numerical ones."""
     if code == NUMERICAL_FAILURE and (folder / "run.h5").exists():
         return "numerical failure"
     return "done" if code == DONE else None

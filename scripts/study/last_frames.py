@@ -26,7 +26,7 @@ KEPT = "last-frame-{}.png"  # beside run.h5, by its width
 
 
 def picture(folder, width):
-    """Of the last frame of a run; drawn if it is not there, or older than the run."""
+    """Picture of the last frame of a run; drawn if missing, or older than the run."""
     path = folder / KEPT.format(width)
     if not path.exists() or path.stat().st_mtime < (folder / "run.h5").stat().st_mtime:
         run = render.Run(str(folder))
@@ -48,7 +48,7 @@ def picture(folder, width):
 
 
 def runs_of(folders, columns):
-    """(row, column, folder) of each run that is done, in the order of the studies. `columns` is an axis of the study; the others make the row."""
+    """(row, column, folder) of each finished run, in the order of the studies. `columns` is an axis of the study; the other axes make the row."""
     for study in folders:
         try:
             plan = json.loads((study / "plan.json").read_text())
@@ -63,7 +63,7 @@ def runs_of(folders, columns):
 
 
 def name(values):
-    """What is written beside a row or over a column: of paths, the last part."""
+    """Label of a row or a column: for paths, the last part."""
     return " ".join(pathlib.Path(v).name for v in values)
 
 

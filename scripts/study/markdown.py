@@ -21,20 +21,20 @@ def percent(text):
 
 
 def by_mode(row, prefix):
-    """Segment sides; a table of an earlier version has no limits reached first."""
+    """Segment sides by mode; a table of an earlier version has no limits reached first."""
     counts = [row.get(prefix + mode, "") for mode in ("tension", "shear", "compression")]
     return NOTHING if "" in counts else " / ".join(f"{int(n):,}" for n in counts)
 
 
 def first_wall(row):
-    """The first wall of whose mass a quarter has fallen: a wall from which single bricks fall may stand to the end."""
+    """The first wall to lose a quarter of its mass: a wall that loses single bricks may stand to the end."""
     quarter = ": quarter_fallen_time"
     fallen = [(float(row[column]), column.removesuffix(quarter)) for column in row if column.endswith(quarter) and float(row[column] or -1) >= 0]
     return "{1}, {0:.2f}".format(*min(fallen)).replace(" wall", "") if fallen else "none"
 
 
 def first_crack(row):
-    """And how many segments the weight has opened before anything shakes."""
+    """First crack, with the number of segments opened by weight before the shaking."""
     by_weight = int(row.get("settling_cracks") or 0)
     return time(row["first_crack_time"]) + (f" ({by_weight:,} by weight)" if by_weight else "")
 
@@ -65,7 +65,7 @@ COLUMNS = {
 
 
 def chosen(words):
-    """The columns that begin with these words."""
+    """Columns whose names begin with these words."""
     if unknown := [word for word in words if not any(head.startswith(word) for head in COLUMNS)]:
         sys.exit(f"{unknown[0]}: no column begins so; allowed: {'; '.join(COLUMNS)}")
     return {head: cell for head, cell in COLUMNS.items() if not words or head.startswith(tuple(words))}

@@ -19,7 +19,7 @@ from versions import one_version
 
 
 def number(text, measure):
-    """As the table has it: a count stays one."""
+    """A number as in the table: counts stay integers."""
     for kind in (int, float):
         try:
             return kind(text)

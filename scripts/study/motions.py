@@ -29,7 +29,7 @@ FIGURE_9A, FIGURE_9B = (3.5, 0.2, 30.0), (10.0, 0.2, 5.7)  # until, s; frequenci
 
 
 def share(motions, until, low, high, holds):
-    """By motion: at what share of the frequencies a statement on the spectra of L and T holds."""
+    """By motion: share of the frequencies at which a statement on the spectra of L and T is true."""
     with tempfile.TemporaryDirectory() as folder:
         table = pathlib.Path(folder) / "spectra.csv"
         words = [program.program(), "motion", *motions, "--until", str(until), "--spectra", str(table)]

@@ -30,7 +30,7 @@ NORMAL_95 = 1.959963984540054
 
 
 def wilson(holds, runs):
-    """The score interval of a share, 95 %."""
+    """Wilson's score interval of a share, 95 %."""
     z2 = NORMAL_95**2
     middle = (holds + z2 / 2) / (runs + z2)
     half = NORMAL_95 / (runs + z2) * math.sqrt(holds * (runs - holds) / runs + z2 / 4)
@@ -38,7 +38,7 @@ def wilson(holds, runs):
 
 
 def answer(statement, rows):
-    """Whether the statement holds in the run, or the two runs, of these rows; None: undecided."""
+    """Whether the statement is true for the run, or the two runs, of these rows; None: undecided."""
     try:
         return statement.holds(*map(Run, rows))
     except Unknown:
@@ -46,7 +46,7 @@ def answer(statement, rows):
 
 
 def answers(statement, runs):
-    """By record: whether the statement holds; None: undecided."""
+    """By record: whether the statement is true; None: undecided."""
     mine = runs[statement.case, statement.direction]
     others = runs[statement.other] if statement.other else None
     found = {}
@@ -58,7 +58,7 @@ def answers(statement, runs):
 
 
 def count(found):
-    """In how many runs a statement holds, of how many that tell."""
+    """Number of runs in which a statement is true, and number of decided runs."""
     return sum(a is True for a in found.values()), sum(a is not None for a in found.values())
 
 
@@ -90,17 +90,17 @@ def done(rows):
 
 
 def difference(a, b):
-    """In which column of the study two rows differ, to say why they clash."""
+    """The column of the study in which two rows differ, for a message."""
     return next((f"{name} ({a.get(name, '')}, {b.get(name, '')})" for name in ("options", "scale", "intensity", "level", "seed") if a.get(name) != b.get(name)), "nothing")
 
 
 def same_run(a, b):
-    """Two studies may share runs (--known of scripts/study/run)."""
+    """Whether two rows are of one run, since studies may share runs (--known of scripts/study/run)."""
     return bool(a.get("identity")) and a["identity"] == b.get("identity")
 
 
 def by_record(rows):
-    """By case and direction, then by record."""
+    """Rows by case and direction, then by record."""
     runs = collections.defaultdict(dict)
     for row in rows:
         of_house = runs[row["case"], row["direction"]]
@@ -126,7 +126,7 @@ OTHER_DIRECTION = {"LTV": "TLV", "TLV": "LTV"}
 
 
 def exchanged(runs):
-    """Runs as they would be if LTV were called TLV, and TLV LTV."""
+    """Runs with the names of the directions LTV and TLV exchanged."""
     return collections.defaultdict(dict, {(case, OTHER_DIRECTION.get(direction, direction)): of_house
                                           for (case, direction), of_house in runs.items()})
 
@@ -138,7 +138,7 @@ def share(found):
 
 
 def said(found):
-    """Of the one run that there is."""
+    """The answer in words for a single run."""
     return [{True: "yes", False: "no", None: "undecided"}[a] for a in found.values()]
 
 

@@ -25,14 +25,14 @@ NEVER = ("collapse_time", "first_crack_time", "first_fallen_time")  # a time bel
 
 
 def shown(name, text):
-    """A cell for people."""
+    """Text of a cell."""
     if name in ("damage_grade", "settling_damage_grade") and text:
         return "–" if text.startswith("-") else "G" + text
     return "never" if name in NEVER and text.startswith("-") else short(text)
 
 
 def short(text):
-    """Five digits of a figure; all of everything else."""
+    """Numbers with five digits; other values unchanged."""
     try:
         number = float(text)
     except ValueError:
@@ -45,7 +45,7 @@ def picture(path, kind, css):
 
 
 def links(folder):
-    """The run's own page and pictures, as far as they are there."""
+    """Links to the run's own page and pictures, if they exist."""
     still, report = folder / "stills.png", folder / "report.html"
     cells = [f'<a href="{html.escape(str(report))}">report</a>'] if report.exists() else []
     if still.exists():

@@ -66,7 +66,7 @@ MOTION_KEYS = (*MOTION_FILES, *MOTION_TEXTS, "dt", "from", "to", "taper")
 
 
 def is_record(value):
-    """A name or a path, or a table: a name, and keys of [motion] with their values, files among them."""
+    """A name or a path, or a table: a name, and keys of [motion] with their values, including files."""
     if not isinstance(value, dict):
         return is_text(value)
     keys = {key: v for key, v in value.items() if key != "name"}
@@ -126,8 +126,8 @@ def read_list(path, key, value, test, allowed):
 
 
 def from_environment(text):
-    """${NAME} in a text is the environment's: where records lie is no part of a study. A path that is there is made
-    absolute, since runs work elsewhere."""
+    """Replaces ${NAME} by the environment's value, since the location of records is no part of a study. Makes existing paths absolute, since runs
+    have other working folders."""
     def value(match):
         found = os.environ[match[1]]
         return os.path.abspath(found) if os.path.exists(found) else found
@@ -135,7 +135,7 @@ def from_environment(text):
 
 
 def read_options(path, table):
-    """Sets of overrides by their names; without any, one that has no name."""
+    """Sets of overrides by name; without any, a single set without a name."""
     if not isinstance(table, dict):
         raise fault(path, "options", table, "a table [options] of lines name = [\"key=value\", ...]")
     for name, overrides in table.items():
@@ -146,7 +146,7 @@ def read_options(path, table):
 
 
 def read_intensity(path, table):
-    """The levels of [intensity]: each with its measure in words, its name and its overrides. Without the table there is one, None."""
+    """The levels of [intensity]: each with its measure in words, its name and its overrides. Without the table a single level, None."""
     if table is None:
         return [None]
     given = table if isinstance(table, dict) else {}
@@ -175,7 +175,7 @@ def read_document(path):
 
 
 def read_study(path):
-    """All keys of the file with their defaults."""
+    """All keys of the study file with their defaults."""
     document = read_document(path)
     for key in document:
         if key not in KEYS:
@@ -206,7 +206,7 @@ def is_built_in(record):
 
 
 def from_folder(folder, name, on_disk):
-    """A path from the study file's folder, else the name of something built in."""
+    """A path relative to the study file's folder, else the name of something built in."""
     return str((folder / name).resolve()) if on_disk else name
 
 
@@ -215,7 +215,7 @@ def scale_name(scale):
 
 
 def motion_of(record, folder):
-    """Overrides of a record that is a table, as the study says them and as they are in fact: in place of what the case names."""
+    """Overrides for a record that is a table, as written in the study and with actual paths, replacing the motion of the case."""
     yield from ((f"motion.{key}=", None) for key in (*MOTION_FILES, "unit", "dt", "from", "to") if key not in record)
     for key, value in record.items():
         if key in MOTION_FILES:
@@ -269,14 +269,15 @@ def one_run(study, folder, case, direction, record, scale, intensity, options, s
 
 
 def identity(case, overrides):
-    """Says of results whether they are this run's: of its case file, as it reads now, and its overrides, as the study says them: where
-    records lie may change."""
+    """Identity of a run, to recognise its results: its case file as it reads now, and its overrides as written in the study, since the location
+    of records may change."""
     text = pathlib.Path(case).read_text() if pathlib.Path(case).is_file() else case
     return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
 
 
 def check_overridden(study, path):
-    """An override of what the runs differ in, or all have, would do nothing, and its name in the table would be wrong."""
+    """Refuses overrides of keys that the study varies or sets for all runs: these would have no effect, and their name in the table would be
+    wrong."""
     by_record = {f"motion.{key}" for record in study["records"] if isinstance(record, dict) for key in (*MOTION_FILES, *record)}
     by_study = {key: "records" for key in by_record} | {"motion.record": "records", "motion.direction": "directions", "motion.scale": "scales",
                                                         "scatter.seed": "seeds", "time.duration": "duration",
@@ -304,7 +305,7 @@ def expand(study, path):
 
 
 def call(words):
-    """Runs the program, elsewhere, as when it runs a study."""
+    """Runs the program in another folder, as for a run of the study."""
     try:
         return subprocess.run(words, capture_output=True, text=True, check=False, cwd="/")
     except OSError as error:
@@ -312,13 +313,13 @@ def call(words):
 
 
 def number_of_strength(axes):
-    """Level or scale of a run; -inf where the case says it, or the scale is one for each component."""
+    """Level or scale of a run; -inf if the case sets it, or the scale differs between components."""
     value = axes.get("level", axes["scale"])
     return value if is_number(value) else -math.inf
 
 
 def first_of_each(runs):
-    """Runs that have each case with each set of options, in each direction and with the strongest motion, and each record, at least once."""
+    """Runs that cover each case with each set of options, in each direction and with the strongest motion, and each record, at least once."""
     seen, strongest = set(), max(number_of_strength(run["axes"]) for run in runs)
     for run in runs:
         axes = run["axes"]
@@ -330,8 +331,8 @@ def first_of_each(runs):
 
 
 def check_cases(path, runs, voussoir):
-    """Asks the program whether it can build each case with each set of options and in each direction, and read each record. Of several faults,
-    the study's first is told. What the program only warns of is told of the first run that has it."""
+    """Asks the program whether it can build each case with each set of options and in each direction, and read each record. Reports the first fault
+    in the order of the study, and each warning for the first run that has it."""
     def check(run):
         return call([voussoir, "check", run["case"]] + [word for o in run["set"] for word in ("--set", o)])
 
@@ -353,7 +354,7 @@ def check_cases(path, runs, voussoir):
 
 
 def check_folder(folder, runs, version):
-    """Results that are there must be those of the study as it is now, and of this program: one table, one physics."""
+    """Checks that existing results are those of the study as it is now, and of this program: one table, one physics."""
     for run in runs:
         made_by = folder / "runs" / run["name"] / "version"
         if made_by.exists() and made_by.read_text().strip() != version:
@@ -366,12 +367,12 @@ def check_folder(folder, runs, version):
 
 
 def version_of(voussoir):
-    """As the program's results say it: "0.1.0 (physics 8)"."""
+    """The version as in the program's results: "0.1.0 (physics 8)"."""
     return call([voussoir, "--version"]).stdout.strip().removeprefix("voussoir ")
 
 
 def finished_rows(table):
-    """By identity: the rows of a study's table that are of runs that have ended."""
+    """By identity: rows of a study's table for finished runs."""
     try:
         with open(table, newline="") as file:
             rows = list(csv.DictReader(file))
@@ -384,15 +385,14 @@ def finished_rows(table):
 
 
 def same_results(run, row, version):
-    """Whether a row of an earlier table is what this version of the program would give."""
+    """Whether this version of the program would give the same results as a row of an earlier table."""
     made_by = row.get("version", "")
     return made_by == version or (results_of(made_by) == results_of(version) and not differs(run["case"], run["set"]))
 
 
 def known_rows(tables, runs, folder, voussoir):
-    """Rows of earlier tables, by run: of those that have ended, are the same by case and overrides, and are not in the folder. The table may
-    be another study's, and call the run otherwise. All must have the results of this program: rows of another physics are no others of the same
-    kind."""
+    """Rows of earlier tables, by run: of finished runs with equal case and overrides that are not in the folder. The table may be another study's,
+    with another name for the run. All must have the results of this program, as rows of another physics are not comparable."""
     known = {}
     for table in tables:
         there = finished_rows(table)

@@ -28,7 +28,7 @@ def is_number(text):
 
 
 def value_of(row, quantity):
-    """None: never, which a time below zero stands for."""
+    """The value of a quantity; None: never, stored as a time below zero."""
     value = float(row[quantity])
     return None if UNITS.get(quantity) == "s" and value < 0 else SHOWN.get(quantity, 1) * value
 
@@ -63,7 +63,7 @@ def label_of(quantity):
 
 
 def has(row, quantity):
-    """Of a run that has ended well."""
+    """Whether a finished run has a value of the quantity."""
     return row["status"] == "done" and is_number(row.get(quantity) or "")
 
 

@@ -36,7 +36,7 @@ def acceleration(path, times):
 
 
 def falls_at(horizontal, vertical):
-    """s; -1: it stands at the end. Symplectic Euler; an impact where the tilt changes its sign."""
+    """Time of overturning, s; -1: the frame stands at the end. Symplectic Euler; an impact where the tilt changes its sign."""
     tilt = speed = 0.0
     for step, (a, v) in enumerate(zip(horizontal, vertical)):
         weight = GRAVITY + v

@@ -32,11 +32,11 @@ LEGEND = ("A roof falls if more than half of its mass has fallen. A wall falls i
 
 
 class Unknown(Exception):
-    """The table does not tell."""
+    """The table does not determine the answer."""
 
 
 def thickness(case, wall):
-    """Of a wall of one of the ten houses [m]: flat40n has bearing walls of 40 cm."""
+    """Thickness of a wall of one of the ten houses [m]: flat40n has bearing walls of 40 cm."""
     return 0.4 if "40" in case and wall in BEARING else 0.2
 
 
@@ -53,7 +53,7 @@ class Run:
         return float(self.row[column])
 
     def time(self, column):
-        """Infinity: never."""
+        """Time of an event; infinity: never."""
         t = self.number(column)
         return math.inf if t < 0 else t
 
@@ -68,7 +68,7 @@ class Run:
         return [self.number(f"{wall}: fallen_mass_fraction") for wall in walls]
 
     def lean(self, wall):
-        """Of the wall's top at the end [m], outward or inward; infinity: the wall does not stand. Unknown: the table has no such column."""
+        """Lean of the wall's top at the end [m], outward or inward; infinity: the wall does not stand. Unknown: the table has no such column."""
         if f"{wall}: residual_drift" not in self.row:
             raise Unknown
         drift = self.row[f"{wall}: residual_drift"]
@@ -94,7 +94,7 @@ class Run:
 
 
 def happened(seen, run):
-    """Whether something has happened that cannot be undone: a fall, a crack. Unknown: not seen, and the run ended early."""
+    """Whether an irreversible event has happened: a fall, a crack. Unknown: not seen, and the run ended early."""
     if not seen:
         run.needs_its_whole_time()
     return seen
@@ -108,12 +108,12 @@ def walls_stay(walls):
 
 
 def walls_lose_bricks(walls):
-    """At least one of them."""
+    """At least one of the walls loses bricks."""
     return lambda run: happened(max(run.fallen(walls)) >= STAYS, run)
 
 
 def walls_fall(walls):
-    """All of them."""
+    """All of the walls fall."""
     return lambda run: happened(all(map(run.falls, walls)), run)
 
 
@@ -131,7 +131,7 @@ def roof_falls(run):
 
 
 def collapses_after(t):
-    """Unknown: it does not collapse."""
+    """Whether the house collapses after a time. Unknown: it does not collapse."""
     return lambda run: run.collapse_time >= t
 
 
@@ -144,7 +144,7 @@ def falls_where_other_stands(run, other):
 
 
 def before(a, b):
-    """Unknown: neither happened, or both in the same frame."""
+    """Whether one event precedes another. Unknown: neither happened, or both in the same frame."""
     if a == b:
         raise Unknown
     return a < b
@@ -160,17 +160,17 @@ def bearing_walls_crack_first(run):
 
 
 def cracks(run):
-    """While it shakes."""
+    """Whether the house cracks during the shaking."""
     return happened(run.time("first_crack_time") < math.inf, run)
 
 
 def whole_at_first(run):
-    """Nothing has opened under its own weight when the shaking begins. A run tells in which nothing shakes, too."""
+    """Whether nothing has opened under the house's own weight when the shaking begins. Also answered by runs without motion."""
     return run.number("settling_cracks") == 0
 
 
 def cracks_while_l_rules(run):
-    """Unknown: it does not crack."""
+    """Whether the first crack comes while L is the stronger component. Unknown: the house does not crack."""
     if not cracks(run):
         raise Unknown
     return run.time("first_crack_time") <= L_RULES
@@ -185,7 +185,7 @@ def tension_alone(run):
 
 
 def smaller(mine, other, measure):
-    """Of measures that only grow: the smaller one is final only if its run went to the end. Unknown: it did not; both are 0 or infinite."""
+    """Whether a measure that only grows is smaller for the first run. Unknown: the run with the smaller one ended early; both are 0 or infinite."""
     a, b = measure(mine), measure(other)
     if a == b and a in (0, math.inf):
         raise Unknown
@@ -198,7 +198,7 @@ def cracked(walls):
 
 
 def lean(run):
-    """Infinity: a wall that never stood (its drift is empty)."""
+    """Largest peak drift of the bearing walls; infinity: one never stood (its drift is empty)."""
     drifts = [run.row.get(f"{wall}: peak_drift") for wall in BEARING]
     if None in drifts:
         raise Unknown
@@ -218,7 +218,7 @@ def front_more_cracked(mine, other):
 
 
 def roof_falls_later(mine, other):
-    """Unknown: one of them stands, or both fall in the same frame."""
+    """Whether the roof falls later than another. Unknown: one of them stands, or both fall in the same frame."""
     return before(other.collapse_time, mine.collapse_time)
 
 
@@ -227,7 +227,7 @@ def collapse_alike(mine, other):
 
 
 def debris_covers_more(mine, other):
-    """Unknown: one of them stands, or one ended early: what has fallen may still slide together."""
+    """Whether debris covers more than in another run. Unknown: one of the houses stands, or one run ended early, so that debris may still move."""
     if not (mine.collapsed and other.collapsed):
         raise Unknown
     for run in (mine, other):
@@ -244,7 +244,7 @@ Statement = collections.namedtuple("Statement", (
 
 
 def in_both(case, text, holds, other_case=None):
-    """For both directions; the other house, if there is one, is shaken in the same direction."""
+    """Whether a statement is true for both directions; a second house, if there is one, has the same direction."""
     return [Statement(case, d, text, holds, (other_case, d) if other_case else None) for d in ("TLV", "LTV")]
 
 

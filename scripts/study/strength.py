@@ -6,29 +6,29 @@ UNITS = {"PGA": "m/s2", "PGV": "m/s", "Sa": "m/s2"}  # of the measures of motion
 
 
 def text_of(row):
-    """The number as the table has it; empty if the strength is that of the case."""
+    """The number as in the table; empty if the strength is that of the case."""
     return row.get("level") or row.get("scale") or ""
 
 
 def strength_of(row):
-    """Raises ValueError where there is no one number."""
+    """The strength as a number. Raises ValueError if there is not exactly one."""
     return float(text_of(row))
 
 
 def unit_of(measure):
-    """Of a measure as a table names it: PGA, or Sa(0.3 s)."""
+    """Unit of a measure by its name in a table: PGA, or Sa(0.3 s)."""
     return UNITS[measure.partition("(")[0]]
 
 
 def words_of(row):
-    """'PGV = 0.3', 'x0.5'; empty as text_of."""
+    """Strength in words: 'PGV = 0.3', 'x0.5'; empty as text_of."""
     if row.get("level"):
         return f"{row['intensity']} = {row['level']}"
     return f"x{row['scale']}" if row.get("scale") else ""
 
 
 def axis_of(rows):
-    """What a curve or a table of these runs is over, with the unit. Raises ValueError where the measures of intensity differ."""
+    """Name and unit of the axis for the strength of these runs. Raises ValueError if the measures of intensity differ."""
     measures = sorted({row.get("intensity") or "" for row in rows})
     if len(measures) > 1:
         raise ValueError(f"runs with different measures of intensity ({', '.join(m or 'none' for m in measures)}); wanted one")

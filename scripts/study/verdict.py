@@ -59,7 +59,7 @@ def realisation(record):
 
 
 def by_realisation(rows):
-    """As by_record gives them, but by the number of the realisation."""
+    """Rows as in by_record, but by the number of the realisation."""
     runs = collections.defaultdict(dict)
     for house, of_house in by_record(rows).items():
         for record, row in of_house.items():
@@ -71,7 +71,7 @@ def by_realisation(rows):
 
 
 class Changes:
-    """Runs with one change at a time, and those without any."""
+    """Runs with one change at a time, and runs without changes."""
 
     def __init__(self, paths, column, unchanged, others):
         """others: runs of the other houses that statements compare with; None: these are among the runs with the change."""
@@ -92,30 +92,30 @@ class Changes:
             sys.exit(f"{row['run']}: a second run of {row['case']} at rest with the options {label} beside {first['run']}; allowed: one of each")
 
     def decided(self, statement, runs):
-        """By realisation: whether the statement holds, of those runs that tell."""
+        """By realisation: whether the statement is true, for decided runs."""
         if self.others is not None and statement.other and statement.other[0] != statement.case:
             runs = collections.defaultdict(dict, {**runs, statement.other: self.others[statement.other]})
         return {number: a for number, a in answers(statement, runs).items() if a is not None}
 
     def pairs(self, statement, wanted=lambda label: True):
-        """By change: the answers with and without it, of the realisations that have both."""
+        """By change: answers with and without it, for realisations that have both."""
         without = self.decided(statement, self.unchanged)
         found = {label: self.decided(statement, group) for label, group in self.groups.items() if wanted(label)}
         return {label: [(a[n], without[n]) for n in sorted(a.keys() & without.keys())] for label, a in found.items()}
 
     def counts(self, statement):
-        """By change: in how many runs the statement holds with it, in how many without it, of how many."""
+        """By change: number of runs in which the statement is true with it, without it, and total number."""
         return {label: (sum(a for a, _ in pairs), sum(b for _, b in pairs), len(pairs))
                 for label, pairs in self.pairs(statement, lambda label: not is_repeat(label)).items() if len(pairs) >= LEAST_RUNS}
 
     def counts_at_rest(self, statement):
-        """The same, of houses that nothing shakes: one run with the change, and one without."""
+        """Counts for houses without motion: one run with the change, and one without."""
         found = {label: answer(statement, [row]) for label, row in self.at_rest[statement.case].items() if not is_repeat(label)}
         without = found.pop("as_it_is", None)
         return {label: (int(a), int(without), 1) for label, a in found.items() if None not in (a, without)}
 
     def repeats(self, statement):
-        """How many runs that differ in last digits alone give another answer, of how many."""
+        """Number of runs that differ in last digits only and give another answer, and total number."""
         pairs = [pair for of_label in self.pairs(statement, is_repeat).values() for pair in of_label]
         return sum(a != b for a, b in pairs), len(pairs)
 
@@ -129,7 +129,7 @@ def makes_hold(holds, without, runs):
 
 
 def verdict(holds, runs, model, motion, differ):
-    """model, motion: counts by change; None for motion: no motion can change it. differ: how many repeats give another answer."""
+    """model, motion: counts by change; None for motion: no motion can change the statement. differ: number of repeats with another answer."""
     by_model, by_motion = (any(makes_hold(*c) for c in counts.values()) for counts in (model, motion or {}))
     if runs < FEW:
         return "open: few runs" if runs else "open: no run tells"
@@ -160,7 +160,7 @@ def said(counts):
 
 
 def split(words):
-    """Paths behind each --word; those before any are the ensemble's."""
+    """Paths after each --word; those before any belong to the ensemble."""
     paths, key = {"": [], "--model": [], "--motion": []}, ""
     for word in words:
         if word.startswith("-"):
@@ -175,7 +175,7 @@ def split(words):
 
 
 def judged(paths):
-    """Each statement that the ensemble has runs of, with its counts and its verdict."""
+    """Each statement with runs in the ensemble, with its counts and its verdict."""
     ensemble = by_realisation(done(all_rows(paths[""])))
     model = Changes(paths["--model"], "options", UNCHANGED["--model"], ensemble)
     motion = Changes(paths["--motion"], "record", UNCHANGED["--motion"], None)

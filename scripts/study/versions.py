@@ -21,7 +21,7 @@ def results_of(version):
 
 
 def one_version(tables):
-    """Refuses tables, rows by path, whose runs are of versions with other results: these are no runs of one kind."""
+    """Refuses tables, rows by path, whose runs are of versions with different results, which are not comparable."""
     found = [(row["version"], path) for path, rows in tables.items() for row in rows
              if row["status"] == "done" and row.get("version")]
     for version, path in found:
@@ -31,12 +31,12 @@ def one_version(tables):
 
 
 def path_of(name, folder):
-    """Of a case: a name of the catalogue, or the path of a file from the folder."""
+    """Path of a case: a name of the catalogue, or the path of a file from the folder."""
     return pathlib.Path(folder) / name if name.endswith(".toml") else CATALOGUE / f"{name}.toml"
 
 
 def has_what_changed(path):
-    """Whether a case file, or one that it includes, has parts of the base or blocks that are kept level."""
+    """Whether a case file, or one of its includes, has parts of the base or blocks kept level."""
     case = tomllib.loads(path.read_text())
     if case.get("base", {}).get("part") or case.get("analysis", {}).get("level"):
         return True
@@ -45,8 +45,8 @@ def has_what_changed(path):
 
 
 def differs(case, overrides):
-    """Whether the results of a case may differ between versions that SAME joins. Taken for granted where its text cannot be read (an installed
-    program has its catalogue inside)."""
+    """Whether the results of a case may differ between versions that SAME joins. True if its text cannot be read (the catalogue of an installed
+    program is built in)."""
     try:
         return any(map(DIFFER.search, overrides)) or has_what_changed(path_of(str(case), "."))
     except OSError:

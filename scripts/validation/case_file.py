@@ -94,12 +94,12 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
 
 
 def is_whole(wall, box):
-    """Whether a unit can crack at mid-length: it is a whole one, of a wall whose units crack."""
+    """Whether a unit can crack at mid-length: a whole unit of a wall with units that crack."""
     return bool(wall.unit_bond) and box[1] - box[0] > 0.75 * wall.unit[0]
 
 
 def drive_of(wall):
-    """How the wall is run: the modulus of its blocks, and the pace.
+    """Settings of the run of a wall: modulus of its blocks, and pace.
 
     Blocks may be softer than the units, and their joints stiffer, with the same sum (5a): the wall is as stiff and the step longer.
     """

@@ -28,7 +28,7 @@ class Curve:
 
     @property
     def at_peak(self):
-        """m: the first displacement with 99 % of the peak; a plateau has no sharper one."""
+        """m: the first displacement with 99 % of the peak, since a plateau has no sharper one."""
         return float(self.displacement[np.argmax(self.force >= 0.99 * self.peak)])
 
     @property
@@ -41,7 +41,7 @@ class Curve:
 
     @property
     def first_drop(self):
-        """m: where the mean force has lost a fifth of the largest mean so far; NaN: nowhere."""
+        """m: displacement at which the mean force has fallen by a fifth from its maximum so far; NaN: nowhere."""
         if len(self.displacement) < 3:
             return math.nan
         half = 0.5 * SMOOTHED * float(self.displacement.max())
@@ -55,7 +55,7 @@ class Curve:
 
 
 def both_ways(displacement, force):
-    """Curves of the push and of the pull of a curve that has both, each from small displacements to large."""
+    """Curves of push and pull from a curve with both, each from small displacements to large."""
     u, f = np.asarray(displacement, float), np.asarray(force, float)
     out = []
     for sign in (1.0, -1.0):
@@ -100,7 +100,7 @@ def mean_error(measured, computed):
 
 
 class RunOfWall:
-    """What a finished run says."""
+    """Results of a finished run."""
 
     def __init__(self, folder, wall):
         self.wall = wall
@@ -125,7 +125,7 @@ class RunOfWall:
         return float(np.abs(self.file["energy/residual"][:rows]).max())
 
     def frame(self, index):
-        """Corners of all faces of all elements that look at the front, displaced, with the element's number."""
+        """Displaced corners of all faces that look at the front, with the number of the element."""
         m = self.file["model"]
         position, q = self.file["frames/position"][index], self.file["frames/quaternion"][index]
         x0 = m["element/position0"][:]
@@ -140,7 +140,7 @@ class RunOfWall:
         return out
 
     def slip_share(self, index):
-        """Share of the top's displacement in a frame that courses have slid over each other; the rest is their turning."""
+        """Share of the top's displacement in a frame due to sliding of courses over each other; the rest is due to their rotation."""
         m = self.file["model"]
         x0 = m["element/position0"][:]
         position, q = self.file["frames/position"][index], self.file["frames/quaternion"][index]
@@ -160,22 +160,22 @@ class RunOfWall:
         return slid / top if abs(top) > 1e-6 else math.nan
 
     def cracks(self):
-        """Of each broken segment: position [m], area [m2], the limit it reached first (1 tension, 2 shear, 3 compression)."""
+        """For each broken segment: position [m], area [m2], the limit it reached first (1 tension, 2 shear, 3 compression)."""
         rows, table = self.rows_of("cracks"), self.file["cracks"]
         return table["position"][:rows], table["area"][:rows], table["first_mode"][:rows]
 
     def first_modes(self):
-        """Area [m2] of bonds by the limit that they reached first. Of laws with a bond alone."""
+        """Area [m2] of bonds by the limit that they reached first, for laws with a bond only."""
         _, area, mode = self.cracks()
         return {name: float(area[mode == k].sum()) for k, name in ((1, "tension"), (2, "shear"), (3, "compression"))}
 
     def time_of_peak(self):
-        """s: of the largest force, either way."""
+        """Time of the largest force in either direction, s."""
         rows = len(self.force)
         return float(self.file["assessment/time"][:rows][np.argmax(np.abs(self.force))])
 
     def inner_share(self, until=math.inf):
-        """Share of the area broken by then that lies neither in the lowest fifth of the wall nor in the highest; NaN: nothing is broken."""
+        """Share of the area broken by then outside the lowest and the highest fifth of the wall; NaN: nothing is broken."""
         position, area, _ = self.cracks()
         before = self.file["cracks/time"][:len(area)] <= until
         position, area = position[before], area[before]
@@ -183,7 +183,7 @@ class RunOfWall:
         return float(area[inner].sum() / area.sum()) if len(area) else math.nan
 
     def unit_share(self):
-        """Share of the units' own cuts at mid-length that has broken; NaN: the units cannot crack."""
+        """Broken share of the units' cuts at mid-length; NaN: the units cannot crack."""
         joint, names = self.file["model/joint"], [n.decode() for n in self.file["model/law/name"][:]]
         if "unit" not in names:
             return math.nan

@@ -19,7 +19,7 @@ def save(figure, path):
 
 
 def thinned(u, f, most=500):
-    """At most so many points, so that a figure stays small."""
+    """At most this many points, which keeps a figure small."""
     step = max(1, len(u) // most)
     return u[::step], f[::step]
 
@@ -43,7 +43,7 @@ def curves(path, wall, measured, computed, levels, peaks):
 
 
 def wall_as_it_stands(path, run, index, factor):
-    """The front of the wall in a frame, displacements enlarged by the factor."""
+    """The front of the wall in a frame, with displacements enlarged by a factor."""
     x0 = run.file["model/element/position0"][:]
     position = run.file["frames/position"][index]
     figure, axes = plt.subplots(figsize=(3.2, 3.2 * min(2.0, 1.15 * run.wall.height / run.wall.length)), layout="constrained")

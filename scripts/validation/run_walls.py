@@ -14,14 +14,14 @@ PROGRAM = os.environ.get("VOUSSOIR", str(ROOT / "build/release/io/voussoir"))
 
 
 def add_places(parser, folder=""):
-    """--runs and --measured."""
+    """Adds --runs and --measured."""
     measured = os.environ.get("VOUSSOIR_MEASURED", ROOT.parent / "shared/validation")
     parser.add_argument("--runs", type=pathlib.Path, default=ROOT / "results/validation" / folder)
     parser.add_argument("--measured", type=pathlib.Path, default=pathlib.Path(measured))
 
 
 def chosen(measured, names):
-    """The walls of these names, or all. Ends the program where there are no tables, or no such wall."""
+    """The walls with these names, or all. Ends the program if there are no tables, or no such wall."""
     if not (measured / "dry_walls.csv").exists():
         print(f"no measured walls in {measured}: nothing is run or compared", file=sys.stderr)
         sys.exit(0)
@@ -33,13 +33,13 @@ def chosen(measured, names):
 
 
 def is_done(folder, text):
-    """A finished run of this very case is there."""
+    """Whether a finished run of exactly this case exists."""
     case, took = folder / "case.toml", folder / "took.txt"
     return case.exists() and took.exists() and case.read_text() == text
 
 
 def run(wall, folder, text):
-    """Runs the case of the wall in the folder unless that has been done. Returns the folder."""
+    """Runs the case of the wall in the folder unless done before. Returns the folder."""
     if is_done(folder, text):
         return folder
     folder.mkdir(parents=True, exist_ok=True)

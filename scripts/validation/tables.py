@@ -20,7 +20,7 @@ def version():
 
 
 class Table:
-    """Prints rows as they come; save() keeps them for the report."""
+    """Prints rows as they are added; save() keeps them for the report."""
 
     def __init__(self, *columns):
         self.lines = []
@@ -35,14 +35,14 @@ class Table:
         self.put("| " + " | ".join(str(c) for c in cells) + " |")
 
     def save(self, name, command, runs=True):
-        """Keeps the table. runs: it is made of runs of the program."""
+        """Stores the table. runs: it is derived from runs of the program."""
         FOLDER.mkdir(parents=True, exist_ok=True)
         made = f"`{command}`, {datetime.date.today()}" + (f", {version()}" if runs else "")
         (FOLDER / f"{name}.txt").write_text("\n".join([made, *self.lines]) + "\n", encoding="utf-8")
 
 
 def quoted(text, folder=None):
-    """Puts the tables into a text where a line is {table NAME}; what made it stands under it."""
+    """Replaces lines {table NAME} of a text by the tables, with their origin below."""
     out = []
     for line in text.splitlines():
         if not line.startswith("{table "):

@@ -22,7 +22,7 @@ def modes_of(failure):
 
 
 def measured_modes(failures):
-    """Of the tests: how many have each letter."""
+    """Number of tests with each letter."""
     counts = {}
     for failure in failures:
         for letter in modes_of(failure):
@@ -39,7 +39,7 @@ def counts_in_words(counts, tests):
 
 
 def compare_modes(counts, tests, computed):
-    """Of dry walls: what most of the tests have and the run has not, and what the run has and no test."""
+    """Compares modes of dry walls: modes of most tests that the run lacks, and modes of the run that no test has."""
     missing, beside = {k for k, n in counts.items() if 2 * n > tests} - computed, computed - set(counts)
     parts = ([f"no {in_words(missing)}"] if missing else []) + ([f"{in_words(beside)} as well"] if beside else [])
     return "yes" if not parts else ("**no**: " if missing else "partly: ") + ", ".join(parts)
@@ -50,7 +50,7 @@ def inner_mode(share):
 
 
 def mode(c):
-    """Measured, computed, and whether they agree."""
+    """Measured and computed modes, and whether they agree."""
     if not c.wall.bond:
         failures = list({row["test"].split(" ")[0]: row["failure"] for row in c.rows}.values())
         counts, tests, computed = measured_modes(failures), len(failures), modes_of_slip(c.slip)
@@ -76,7 +76,7 @@ def losses(c):
 
 
 def loss(c):
-    """In words; nothing is asked of brick walls, which are pushed to 0.5 %."""
+    """The loss in words; brick walls, which are pushed to 0.5 %, have no requirement."""
     if c.wall.bond:
         return "–"
     tests, run = losses(c)
@@ -86,7 +86,7 @@ def loss(c):
 
 
 def centred(c):
-    """In words, of walls that go to and fro."""
+    """Self-centring in words, for walls under cyclic loading."""
     if not c.wall.cyclic:
         return "–"
     share = c.residual_share

@@ -47,7 +47,7 @@ class Wall:
 
     @property
     def load(self):
-        """N, of the jack."""
+        """Load of the jack, N."""
         return self.stress * self.length * self.thickness
 
     @property
@@ -56,18 +56,18 @@ class Wall:
 
     @property
     def lever_height(self):
-        """m above the base, of the measured displacement."""
+        """Height of the measured displacement above the base, m."""
         return self.height if self.level else self.shear_span
 
     @property
     def rocking_bound(self):
-        """N: a rigid wall that turns about its toe bears no more, whatever its joints (half the height where the top is held level)."""
+        """N: upper bound of the force of a rigid wall that rotates about its toe, for any joints (half the height where the top is held level)."""
         arm = 0.5 * self.height if self.level else self.shear_span
         return (self.load + self.weight) * 0.5 * self.length / arm
 
     @property
     def sliding_bound(self):
-        """N: a bed bears no more, with its cohesion."""
+        """N: upper bound of the force by sliding of a bed, with cohesion."""
         return (self.load + self.weight) * self.friction + self.bond.get("cohesion", 0.0) * self.length * self.thickness
 
 
@@ -149,7 +149,7 @@ def closure_of(walls, kind):
 
 
 def measured_rows(folder, wall):
-    """What the tables say of the wall's tests: peak forces [N] with the drift there, stiffness [N/m], failure."""
+    """Data of the wall's tests in the tables: peak forces [N] with their drift, stiffness [N/m], failure."""
     out = []
     if wall.kind in ("SW", "WS"):
         for row in read_table(pathlib.Path(folder) / "dry_walls.csv"):
@@ -199,7 +199,7 @@ def mortar_law(cohesion, friction, crushing):
 
 
 def unit_law(strength):
-    """Of the joint at mid-length of a unit of the compressive strength."""
+    """Law of the joint at mid-length of a unit, from the unit's compressive strength."""
     tension = UNIT_TENSION * strength
     return {"tension": tension, "cohesion": 2.0 * tension, "friction": 45.0, "compression": strength,
             "fracture_energy_tension": UNIT_ENERGIES[0], "fracture_energy_shear": UNIT_ENERGIES[1]}

@@ -126,7 +126,7 @@ class Compared:
 
     @property
     def envelope_error(self):
-        """Mean over the tests and both ways, of their mean errors; NaN without measured curves."""
+        """Mean error over the tests and both directions; NaN without measured curves."""
         found = []
         for u, f in self.curves.values():
             measured = measures.both_ways(u, f)
@@ -135,7 +135,7 @@ class Compared:
 
     @property
     def residual_share(self):
-        """Largest displacement at which the force changes its sign, over the largest displacement: 0 is self-centring."""
+        """Largest displacement at which the force changes sign, over the largest displacement: 0 is self-centring."""
         f, u = self.run.force, self.run.displacement
         crossing = np.flatnonzero((f[1:] * f[:-1] <= 0.0) & (np.abs(np.diff(f)) > 0.0))
         crossing = crossing[crossing > np.argmax(np.abs(u) > 0.5 * np.abs(u).max())]
@@ -143,7 +143,7 @@ class Compared:
 
     @property
     def slip(self):
-        """Share of slip at the largest displacement among the frames."""
+        """Share of slip at the largest displacement of the frames."""
         frames = self.run.rows_of("frames")
         x0 = self.run.file["model/element/position0"][:]
         beam = int(np.argmax(x0[:, 2]))
@@ -164,7 +164,7 @@ class Compared:
         return f"{name} (slip {percent(slip)} of the displacement)"
 
     def first_drop(self, way):
-        """Of an envelope of loops beyond its peak alone: before it, loops that have slipped are in it."""
+        """First drop of an envelope of loops beyond its peak; before the peak it includes loops after slip."""
         if not self.wall.cyclic:
             return way.first_drop
         beyond = way.displacement >= way.at_peak
@@ -198,7 +198,7 @@ def file_name(wall):
 
 
 def of_wall(c, output):
-    """The section of one wall."""
+    """The section of the report for one wall."""
     w = c.wall
     name = file_name(w)
     levels = {"rigid wall turning about its toe": w.rocking_bound, "friction on a bed": w.sliding_bound}
@@ -221,7 +221,7 @@ def of_wall(c, output):
 
 
 def magnified(wall, compared):
-    """By what displacements are drawn enlarged: so that the top moves by a tenth of the height, 20 times at most."""
+    """Magnification of displacements in figures: the top moves by a tenth of the height, with a factor of at most 20."""
     return max(1.0, min(20.0, round(0.1 * wall.height / float(np.abs(compared.run.displacement).max()))))
 
 

@@ -13,7 +13,7 @@ ROOT = HERE.parents[2]
 
 
 def blocks(duration=0.1):
-    """Two bonded blocks on the base, shaken."""
+    """Two bonded blocks on the base, under a ground motion."""
     model = voussoir.Model("Two bonded blocks")
     model["gravity.settle"] = False
     model["time.duration"] = duration

@@ -11,7 +11,7 @@ FACES = [(4, 3, 2, 1), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (
 
 
 def two_stones():
-    """An OBJ of a stone upon another."""
+    """An OBJ of one stone on another."""
     lines = []
     for k in range(2):
         lines.append(f"o Pièce_{k}")

@@ -100,7 +100,7 @@ class Models(InAFolder):
             model["time.duration"]
 
     def files_of(self, change):
-        """The case that a model writes after a change, made where the files x.csv and "#1.csv" are."""
+        """The case file of a model after a change, in a folder with the files x.csv and "#1.csv"."""
         for name in ("x.csv", "#1.csv"):
             (self.folder / name).write_text("t [s],a [m/s2]\n0,0\n0.05,1\n0.1,0\n")
         here = os.getcwd()

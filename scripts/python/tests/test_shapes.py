@@ -39,7 +39,7 @@ def box_mesh(low, high):
 
 class Shapes(unittest.TestCase):
     def check(self, *shape):
-        """What the program makes of a block with this shape: volume by its mass."""
+        """The program's result for a block with this shape: volume from its mass."""
         model = voussoir.Model("One block")
         model.material("stone", density=1000.0, young=1e8, poisson=0.2)
         model["gravity.settle"] = False

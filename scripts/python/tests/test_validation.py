@@ -36,7 +36,7 @@ A,ISP1,0.26,0.52,0.25,250,120,55,30,3,6,,0.28,0.58,0.5,0.6,shear,0.2,0.2,81,84
 
 
 def rigid_pier():
-    """A pier one unit wide, of stiff blocks with rough joints: it turns about its toe as one body."""
+    """A pier one unit wide, of stiff blocks with rough joints: it rotates about its toe as one body."""
     return walls.Wall(name="pier", tests=[], kind="SW", height=0.4, length=0.2, thickness=0.2, unit=(0.2, 0.1), shear_span=0.5, stress=5e4,
                       density=2000.0, unit_modulus=4e9, wall_modulus=2e9, friction=2.0)
 
@@ -164,7 +164,7 @@ class QuotedTables(unittest.TestCase):
                 tables.quoted("{table b}", folder)
 
     def test_tables_of_the_report_are_there(self):
-        """Every table that the notes quote is kept, and every table that is kept is quoted."""
+        """Every table quoted in the notes exists, and every existing table is quoted."""
         notes = (SCRIPTS.parent.parent / "tests/validation/notes.md").read_text(encoding="utf-8")
         wanted = {line[7:-1] for line in notes.splitlines() if line.startswith("{table ")}
         self.assertEqual(wanted, {path.stem for path in tables.FOLDER.glob("*.txt")})
