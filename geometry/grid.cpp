@@ -80,7 +80,7 @@ std::uint32_t UniformGrid::bucket_of(Cell cell) const noexcept {
   auto h = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) * 0x9E3779B97F4A7C15ULL;
   h ^= static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y)) * 0xC2B2AE3D27D4EB4FULL;
   h ^= static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.z)) * 0x165667B19E3779F9ULL;
-  return static_cast<std::uint32_t>(h >> 32) & mask_;  // the high half has mixed best
+  return static_cast<std::uint32_t>(h >> 32) & mask_;  // the high half is mixed best
 }
 
 UniformGrid::Place UniformGrid::place_of(const Box3& box, const CellRange& cells) const noexcept {

@@ -50,7 +50,7 @@ VOUSSOIR_INLINE void put_fields(const SideBlock& block, int at, const Kinematics
   put(fields, 5, frame.local(cross(w, k.et)));
 }
 
-// ---- one side
+// ---- a single side
 
 VOUSSOIR_INLINE LocalLanes spread_field(const LaneFields& f, int field, int lane) noexcept {
   return {lanes(f.value[field][0][lane]), lanes(f.value[field][1][lane]), lanes(f.value[field][2][lane])};
@@ -165,7 +165,7 @@ VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneField
   found = {};
 }
 
-// ---- kWidth sides again: from sums to forces on the elements
+// ---- kWidth sides: from sums to forces on the elements
 
 VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, double (SumRows::*part)[12]) noexcept {
   const auto row = [=](int l) { return rows[l].*part; };

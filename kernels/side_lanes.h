@@ -135,7 +135,8 @@ VOUSSOIR_INLINE WrenchLanes wrench_of(const Kinematics& k, const SumLanes& sums)
   return {sums.f, cross(k.arm_a, sums.f) + m, cross(k.arm_b, sums.f) + m};
 }
 
-/// Hands the wrenches of the chosen lanes to their elements. `dashpot`: they are the dashpots' share, which the others include.
+/// Adds the wrenches of the chosen lanes to the rows of their elements. `dashpot`: whether they are the dashpots' share, which the total
+/// includes.
 VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, const WrenchLanes& w, unsigned chosen, const Rows& rows,
                               bool dashpot) noexcept {
   const SixColumns on_a = rows_of({w.force.x, w.force.y, w.force.z, w.torque_a.x, w.torque_a.y, w.torque_a.z});
@@ -166,7 +167,7 @@ VOUSSOIR_INLINE void assemble(const SideBlock& s, int at, std::int64_t first, co
   }
 }
 
-/// Notes which lanes left a copy of their forces, if such are kept. \param first  side in lane 0
+/// Records which lanes stored a copy of their forces, if copies are kept. \param first  side in lane 0
 VOUSSOIR_INLINE void note_copies(const Rows& rows, std::int64_t first, unsigned lanes) noexcept {
   if (rows.pairs.on == nullptr) return;
   for (int l = 0; l < kWidth; ++l) rows.pairs.on[first + l] = static_cast<std::uint8_t>(lanes >> l & 1U);

@@ -10,7 +10,7 @@
 
 #include "cases/case.h"
 
-/// The checked plan of a house in exact lengths, shared by the rooms that build its parts (house_wall, house_roof). Internal to cases/.
+/// The checked plan of a house in exact lengths, shared by the builders of its parts (house_wall, house_roof). Internal to cases/.
 namespace voussoir::cases {
 
 /// A length in whole nanometres. Planes that should coincide do so exactly, and a fit to the grid is a zero remainder instead of a

@@ -57,7 +57,7 @@ struct StonesSpec {
   std::string name;                  // prefix of the names of its stones: NAME/STONE; empty: no prefix
   std::vector<std::string> only;     // names and groups of the file that are used; empty: all
   Vec3 place;                        // m, translation after the turn
-  StoneTurn turn;                    // about a point of the file, in m
+  StoneTurn turn;                    // about a point of the file [m]
   std::string material;              // empty: the only material of the case
   std::string part;                  // part of a building, as BlockSpec::part
   std::optional<std::string> joint;  // law between stones of this table; none: [joints]

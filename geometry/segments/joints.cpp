@@ -157,7 +157,7 @@ class FaceCutter {
     for (const Side& side : sides) cut_side(g, side);
     cutter_.cut(g, g.polygon, pieces_);
     if (!sides.empty()) subtract_taken(g);
-    merge_small(g, pieces_);  // slivers at a slanting edge
+    merge_small(g, pieces_);  // merges slivers at a slanting edge
     segments_.clear();
     for (const Piece& p : pieces_) segments_.push_back({p.centroid.s, p.centroid.t, p.area});
     add_patch(element, face, g);

@@ -49,7 +49,7 @@ std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
   contact.map = plane_map(a, b);
   Polygon other;
   other.reserve(b.polygon.size());
-  // The reflection turns the loop round.
+  // The reflection reverses the loop.
   for (auto p = b.polygon.rbegin(); p != b.polygon.rend(); ++p) other.push_back(contact.map.to_a(*p));
   contact.overlap = intersection(a.polygon, other);
   if (contact.overlap.empty()) return std::nullopt;

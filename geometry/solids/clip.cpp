@@ -18,7 +18,7 @@ std::pair<Vec3, Vec3> across(Vec3 n) {
   return {u, cross(n, u)};
 }
 
-/// One cut of a convex polyhedron.
+/// A single cut of a convex polyhedron.
 class Clip {
  public:
   Clip(const Polyhedron& p, const HalfSpace& h, double tolerance) : shape_(p), plane_(h), tolerance_(tolerance) {

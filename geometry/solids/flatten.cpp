@@ -32,7 +32,7 @@ Plane plane_of(const FaceGroup& group, const RoughFaces& faces, std::optional<do
   Vec3 sum;
   for (const std::size_t f : group.faces) sum += side(f) * faces.face[f].plane.area * faces.face[f].plane.normal;
   const Vec3 normal = normalised(sum);
-  double height[2] = {0.0, 0.0}, area[2] = {0.0, 0.0};  // of both sides over the first face
+  double height[2] = {0.0, 0.0}, area[2] = {0.0, 0.0};  // of both sides, above the first face
   for (const std::size_t f : group.faces) {
     const LoopPlane& p = faces.face[f].plane;
     const int s = side(f) > 0.0 ? 0 : 1;

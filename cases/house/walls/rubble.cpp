@@ -266,7 +266,7 @@ class WallMason {
 }  // namespace
 
 std::vector<Interval> rubble_courses(const House& house, const HousePlan& plan, Interval between, std::int64_t number) {
-  constexpr Tick kMean = 1000000;  // weight of a course
+  constexpr Tick kMean = 1000000;  // weight of a course of mean height
   const Rubble rubble = rubble_of(house);
   const auto count = static_cast<Tick>(cut_member(between, plan.brick_height).size());
   const Tick least = count * plan.lowest_course();

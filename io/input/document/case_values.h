@@ -92,7 +92,7 @@ struct Fault {
   std::string key, value, problem;
 };
 
-/// "key = value: problem", joined so that it reads as a sentence.
+/// The text "key = value: problem", joined to a sentence.
 std::string sentence_of(const std::string& key, const std::string& value, const std::string& problem);
 
 /// The state of reading one document: places of keys, and the first fault in file order.

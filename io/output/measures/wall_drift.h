@@ -15,7 +15,7 @@ namespace voussoir::io {
 enum class DriftDirection { out_of_plane, in_plane };
 
 /// Drift of a wall: displacement of its top, relative to its foot, over its height: normal to its plane, outward positive, or in its plane,
-/// along x or y, whichever the wall runs along.
+/// along the axis x or y of the wall.
 /// The top is divided into pieces of about 1 m. The drift is that of the piece displaced most, as the mean over its elements that are still
 /// part of the wall: not fallen, at most 1 m in plan from the displaced median element of their piece, and displaced by no more than the
 /// wall's height. Thus a panel leaning between its neighbours counts, and a brick that flew off does not, even if it rose. Nothing for a

@@ -9,7 +9,8 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// Whether joints without bonds (law "dry") count as covering a face: they open without a trace, but not before all elements move.
+/// Whether joints without bonds (law "dry") count as covering a face. Their opening is not recorded, so they may count only while nothing
+/// has moved.
 enum class DryJoints { cover, open };
 
 /// Faces entirely covered by joints: with bonded joints, they are invisible as long as no bond of their element is broken.

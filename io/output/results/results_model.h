@@ -25,10 +25,10 @@ struct StaticDataset {
 
 /// All datasets of /model, SI units.
 ///
-/// Cells are in VTK's terms: /model/cells is n×8, rows of vertex numbers into /model/vertex, −1 where a cell has no more corners;
-/// /model/cell_type is 10 (tetrahedron), 12 (hexahedron) or 13 (wedge); /model/cell_element is the element a cell belongs to. Hexahedra and
-/// triangular prisms are one cell each; a prism over k corners is k − 2 wedges; any other polyhedron is tetrahedra (cells.h), and
-/// /model/face/corners has its original faces. Corners are reordered where needed, so that each cell has the orientation VTK asks for.
+/// Cells follow VTK: /model/cells is n×8, rows of vertex numbers into /model/vertex, −1 where a cell has no more corners; /model/cell_type
+/// is 10 (tetrahedron), 12 (hexahedron) or 13 (wedge); /model/cell_element is the element a cell belongs to. Hexahedra and triangular
+/// prisms are one cell each; a prism over k corners is k − 2 wedges; any other polyhedron is tetrahedra (cells.h), and /model/face/corners
+/// has its original faces. Corners are reordered where needed, so that each cell has the orientation VTK asks for.
 ///
 /// \throw std::invalid_argument if assembly and blocks do not match
 std::vector<StaticDataset> model_datasets(const cases::Model& model);

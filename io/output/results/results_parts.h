@@ -49,9 +49,10 @@ struct EarlierRows {
   std::optional<RowCounts> rows;  // number of rows that must exist up to then; absent: any
 };
 
-/// The parts of an earlier run up to a time, with the later rows cut off, in files parts/0000.h5, 0001, ... without a gap.
-/// A merged run.h5 becomes the first part. Files of later parts are still there: see remove_parts.
-/// \throw FileError, also if the results are of another model, have other histories or fewer rows than they must; no row is lost then
+/// Cuts the results of an earlier run at a time: keeps its parts, without later rows, as files parts/0000.h5, 0001, ... without a gap. A
+/// merged run.h5 becomes the first part. Files of later parts are not removed: see remove_parts.
+/// \throw FileError, also if the results are of another model, have other histories or fewer rows than required; no row is lost in this
+/// case
 std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier);
 
 /// Removes the files of parts number `from` and later, temporary ones too, and the folder parts/ if empty. Never throws, since remaining
