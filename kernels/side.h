@@ -165,22 +165,22 @@ struct SideParts {
   SegmentsView segments;
 };
 
-/// Where sides leave a copy of what they add to the elements' rows: 12 numbers a side, the force and torque on the master, then those on
+/// Copies of the forces that sides add to the elements' rows: 12 numbers a side, force and torque on the master, then force and torque on
 /// the slave, dashpots included.
 inline constexpr int kPairStride = 12;
 struct PairForces {
   double* wrench = nullptr;
-  std::uint8_t* on = nullptr;  // by side: 1; 0: it has no force in this step
+  std::uint8_t* on = nullptr;  // by side: 1; 0: no force in this step
 };
 
 /// Rows of the elements.
 struct Rows {
   const double *pose = nullptr, *twist = nullptr;
   double *wrench = nullptr, *dashpot = nullptr;
-  PairForces pairs;  // if it has arrays, forces go there, too
+  PairForces pairs;  // if it has arrays, forces are also copied there
 };
 
-/// Hands out zeros for the sides `live` of a block to the rows of their elements, with the work that forces take.
+/// Adds zeros to the rows of the elements of the sides `live` of a block, at the cost of adding forces. For measurements.
 void assemble_zeros(const SideBlock& block, unsigned live, const Rows& rows) noexcept;
 
 /// Result of a side whose segments were processed.

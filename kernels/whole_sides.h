@@ -47,11 +47,11 @@ struct WholeRun {
 /// Whether the bound of `advance_whole` holds under these options: it takes c for the least shear limit in tension.
 inline bool has_short_form(FailureOptions o) noexcept { return o.in_tension != ShearInTension::coulomb; }
 
-/// One step of the blocks of a run, up to the first side for which the bound does not prove that it stays whole: adds the forces to the
-/// elements' rows.
-/// \param lanes  of the block after those that are done, those that are done too, if the run goes on
-/// \return how many blocks are done
-/// \pre  has_short_form
+/// Advances the blocks of a run by one step, up to the first side for which the bound does not prove that it stays whole: adds the forces
+/// to the elements' rows.
+/// \param lanes  set to the lanes that are also done of the block after the last finished one, if the run is not finished
+/// \return number of finished blocks
+/// \pre has_short_form
 std::size_t advance_whole(const WholeRun& run, const Rows& rows, unsigned& lanes) noexcept;
 
 }  // namespace voussoir::kernels

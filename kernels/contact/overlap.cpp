@@ -11,9 +11,9 @@ namespace voussoir::kernels {
 
 namespace {
 
-constexpr double kParallel = 1e-12;  // square of the sine between two edges whose normal is all round-off; a face stands for it
+constexpr double kParallel = 1e-12;  // squared sine of two edges below which their normal is round-off; a face normal covers the axis
 
-/// The vertex that lies least far along an axis.
+/// The vertex with the least coordinate along an axis.
 struct Lowest {
   double value = 1e300;
   int vertex = 0;
@@ -27,7 +27,7 @@ Lowest lowest(std::span<const Vec3> vertices, Vec3 axis) noexcept {
   return r;
 }
 
-/// The best axis so far, in the axes of the first body, and what meets along it.
+/// The axis of least depth so far, in axes of the first body, and the features that meet along it.
 enum class Meets : std::uint8_t { face_of_a, face_of_b, edges };
 struct Best {
   double depth = 1e300;
@@ -36,7 +36,7 @@ struct Best {
   int edge_a = -1, edge_b = -1;  // of crossed edges
 };
 
-/// Both bodies in the axes of the first.
+/// Both bodies in axes of the first.
 struct PairOfShapes {
   const ConvexShape &a, &b;
   Mat3 turn;    // from axes of b to axes of a
@@ -63,7 +63,7 @@ void try_faces_of_b(const PairOfShapes& p, Best& best) noexcept {
   }
 }
 
-/// \param of_faces  m, the least depth along normals of faces
+/// Tries both senses of the normal of two edges. \param of_faces  m, the least depth along normals of faces
 void try_axis(const PairOfShapes& p, Vec3 n, int edge_a, int edge_b, double of_faces, Best& best) noexcept {
   for (const double sign : {1.0, -1.0}) {
     const Vec3 axis = sign * n;
@@ -89,7 +89,7 @@ void try_crossed_edges(const PairOfShapes& p, double enough, Best& best) noexcep
   }
 }
 
-/// Between the two edges that cross along the axis, where they are nearest.
+/// The point midway between the two crossed edges at their nearest.
 Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
   const Vec3 a = p.a.vertices[static_cast<std::size_t>(lowest(p.a.vertices, -best.normal).vertex)];
   const Vec3 b = p.vertices_b[static_cast<std::size_t>(lowest(p.vertices_b, best.normal).vertex)];
@@ -100,7 +100,7 @@ Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
   return 0.5 * ((a + s * ea) + (b + t * eb));
 }
 
-/// Between the two features that meet.
+/// The point midway between the two features that meet.
 Vec3 point_of(const PairOfShapes& p, const Best& best) noexcept {
   if (best.what == Meets::edges) return point_of_crossed_edges(p, best);
   const PlacedShape a{p.a, Mat3{}, {}}, b{p.b, p.turn, p.centre};
@@ -110,7 +110,7 @@ Vec3 point_of(const PairOfShapes& p, const Best& best) noexcept {
   return meeting_point(of_a ? b : a, of_a ? a : b, outward, static_cast<std::size_t>(low.vertex), best.depth) + 0.5 * best.depth * outward;
 }
 
-/// Room for the vertices of the largest shape that is small, unset: most shapes need little of it.
+/// Uninitialised memory for the vertices of the largest small shape; most shapes use little of it.
 union VertexRoom {
   VertexRoom() noexcept {}  // NOLINT(modernize-use-equals-default): would set all of it
   Vec3 at[kFewVertices];
@@ -144,7 +144,7 @@ Overlap overlap_with_base(const ConvexShape& a, const Pose& pose_a, double heigh
   const Lowest low = lowest(a.vertices, up);
   const double depth = -(height + low.value);
   const Vec3 deepest = a.vertices[static_cast<std::size_t>(low.vertex)];
-  Vec3 sum;  // of the vertices that are equally deep: of an edge or a face that lies flat the middle meets the base
+  Vec3 sum;  // of equally deep vertices: a level edge or face meets the base in its middle
   double deep = 0.0;
   for (const Vec3& v : a.vertices) {
     if (dot(v, up) <= low.value + kFlush * norm(v - deepest)) sum += v, deep += 1.0;

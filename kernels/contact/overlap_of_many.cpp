@@ -6,19 +6,19 @@
 #include "kernels/contact/overlap.h"
 #include "kernels/contact/overlap_point.h"
 
-/// Axes that cannot have the least overlap are left out by a bound. The depth along a unit axis n, outward of a, is the distance of a's
-/// supporting plane from any point q, plus how far b reaches past q against n. Where q belongs to b the second is not negative. So
+/// Axes that cannot have the least overlap are skipped by a bound. The depth along a unit axis n, outward from a, is the distance of a's
+/// supporting plane from any point q, plus the reach of b past q against n. If q belongs to b, the second term is not negative. Therefore
 /// - a face has at least the depth of q under it,
-/// - an edge of a whose two faces both have q deeper under them than the least depth so far is in no better axis: a normal between two unit
-///   normals is a sum of both, divided by a length of at most the sum of the parts.
+/// - no axis of an edge of a is better than the least depth so far if q is deeper than that under both faces of the edge: a normal between
+/// two unit normals is a sum of both, divided by a length of at most the sum of the parts.
 namespace voussoir::kernels {
 
 namespace {
 
 constexpr double kParallel = 1e-12;  // as in overlap.cpp
-constexpr double kRound = 1e-9;      // sine, by which an axis may miss the normals that its edge has
+constexpr double kRound = 1e-9;      // sine of the angle by which an axis may miss the normals of its edge
 
-/// The second body as the first sees it: its points are centre + turn · r.
+/// The second body in the frame of the first: its points are centre + turn · r.
 struct Pairing {
   const ConvexShape &own, &other;
   Mat3 turn;
@@ -31,7 +31,7 @@ struct Pairing {
 const Vec3& vertex_of(const ConvexShape& s, std::int32_t i) noexcept { return s.vertices[static_cast<std::size_t>(i)]; }
 const Face& face_of(const ConvexShape& s, std::int32_t i) noexcept { return s.faces[static_cast<std::size_t>(i)]; }
 
-/// The vertex that lies least far along an axis.
+/// The vertex with the least coordinate along an axis.
 std::int32_t lowest(const ConvexShape& s, Vec3 axis) noexcept {
   double least = 1e300;
   std::int32_t at = 0;
@@ -42,25 +42,25 @@ std::int32_t lowest(const ConvexShape& s, Vec3 axis) noexcept {
   return at;
 }
 
-/// The vertex of the other body that reaches farthest against an axis of the first.
+/// The vertex of the other body that reaches farthest against an axis of the first body.
 Vec3 reaching(const Pairing& p, Vec3 axis) noexcept { return p.of_other(lowest(p.other, transposed(p.turn) * axis)); }
 
-/// m, of a point under a face.
+/// Depth of a point under a face [m].
 double under(const Face& f, Vec3 q) noexcept { return f.distance - dot(f.normal, q); }
 
 struct BestFace {
   double depth = 1e300;
-  Vec3 normal, reached;  // outward of its body; the point of the other that lies deepest under it
+  Vec3 normal, reached;  // outward from its body; the point of the other body deepest under it
 };
 
-/// Between the face and what lies deepest under it.
+/// The point midway between the face and the part of the other body deepest under it.
 Vec3 point_under(const Pairing& p, const BestFace& best) noexcept {
   const std::int32_t low = lowest(p.other, transposed(p.turn) * best.normal);
   const PlacedShape other{p.other, p.turn, p.centre}, own{p.own, Mat3{}, {}};
   return meeting_point(other, own, best.normal, static_cast<std::size_t>(low), best.depth) + 0.5 * best.depth * best.normal;
 }
 
-/// The face of the first body under which the other lies least deep. \param depth  only one that is less is of interest
+/// The face of the first body under which the other body is least deep. \param depth  only lesser depths are searched
 BestFace best_face(const Pairing& p, double depth) noexcept {
   const double apart = norm(p.centre);
   BestFace best;
@@ -77,33 +77,33 @@ BestFace best_face(const Pairing& p, double depth) noexcept {
   return best;
 }
 
-/// The least so far, in the axes of the first body.
+/// The axis of least depth so far, in axes of the first body.
 struct Best {
   double depth = 1e300;
   Vec3 normal, point;
 };
 
-/// True if the edge may be in an axis of less depth. \param q  a point of the other body
+/// Whether an axis of the edge may have less depth. \param q  a point of the other body
 bool is_near(const ConvexShape& s, const Crease& e, Vec3 q, double depth) noexcept {
   return std::min(under(face_of(s, e.left), q), under(face_of(s, e.right), q)) < std::max(depth, 0.0);
 }
 
-/// True if the body lies behind the plane through its edge with this normal, which is at right angles to the edge. Where the edge is
-/// sharp, also for some other normals.
+/// Whether the body lies behind the plane through its edge with the normal n, which is perpendicular to the edge. Where the edge is sharp,
+/// also true for some other normals.
 bool supports(const ConvexShape& s, const Crease& e, Vec3 n) noexcept {
   const Vec3 left = face_of(s, e.left).normal, right = face_of(s, e.right).normal;
   const double between = dot(left, right) - kRound;
   return dot(n, left) >= between && dot(n, right) >= between;
 }
 
-/// Between two edges that cross, where they are nearest.
+/// The point midway between two crossing edges at their nearest.
 Vec3 between(Vec3 a, Vec3 along_a, Vec3 b, Vec3 along_b) noexcept {
   const Vec3 from = b - a;
   const double c = dot(along_a, along_b), x = dot(from, along_a), y = dot(from, along_b), sine2 = 1.0 - c * c;
   return 0.5 * ((a + (x - c * y) / sine2 * along_a) + (b + (c * x - y) / sine2 * along_b));
 }
 
-/// \param of_faces  m, the least depth along normals of faces
+/// Tries both senses of the normal of two edges. \param of_faces  m, the least depth along normals of faces
 void try_edges(const Pairing& p, const Crease& ea, const Crease& eb, double of_faces, Best& best) noexcept {
   const Vec3 along = p.turn * eb.direction, n = cross(ea.direction, along);
   const double square = dot(n, n);

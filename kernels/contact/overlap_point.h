@@ -6,18 +6,18 @@
 
 #include "kernels/contact/overlap.h"
 
-/// Where a body meets the face of another under which it is deepest. Internal to kernels/overlap*.cpp.
+/// The point at which a body meets the face of another body that is least deep. Internal to kernels/contact/overlap*.cpp.
 namespace voussoir::kernels {
 
-// rad: an edge or a face lies along a face if it is tilted by less. More than that between edges whose normal is round-off (kParallel):
-// these cross nowhere.
+// rad: an edge or a face tilted less than this lies along a face. Greater than the angle between edges whose normal is round-off
+// (kParallel), as such edges have no crossing.
 inline constexpr double kFlush = 2e-6;
 
-// m: crossed edges that are no less deep than a face by more have its normal. They lie along it, and their lines may cross anywhere.
+// m: crossed edges that are shallower than every face by less than this count as parallel to a face, since their lines may cross anywhere.
 inline constexpr double kNoLess = 1e-7;
-inline constexpr double kTouch = 1e-9;  // m, round-off on the border of a body
+inline constexpr double kTouch = 1e-9;  // m, round-off on the boundary of a body
 
-/// A convex body in the axes in which its overlap is looked at: those of one of the two bodies.
+/// A convex body in the axes of the overlap test, which are those of one of the two bodies.
 struct PlacedShape {
   const ConvexShape& shape;
   Mat3 turn;
@@ -25,7 +25,7 @@ struct PlacedShape {
   [[nodiscard]] Vec3 vertex(std::size_t i) const noexcept { return centre + turn * shape.vertices[i]; }
 };
 
-/// The part of a segment that lies in a body: its share of the length, and its middle.
+/// The part of a segment inside a body: its share of the length, and its midpoint.
 struct PartInside {
   double share;
   Vec3 middle;
@@ -42,10 +42,10 @@ inline PartInside part_inside(const PlacedShape& body, Vec3 from, Vec3 to) noexc
   return {std::max(0.0, last - first), from + 0.5 * (first + last) * (to - from)};
 }
 
-/// The vertex that lies least far along the outward normal of a face, on its way into the body that has the face. An edge or a face that
-/// lies along that face meets it in the middle of what is over it: each of its corners may be far beside the body.
-/// \param lowest  the number of that vertex
-/// \param depth   m, of the vertex under the face
+/// The point of `other` that is deepest in `body`, under the face with the outward normal `normal`. If an edge or a face of `other` lies
+/// along that face, the result is the middle of its part over the face, since each of its corners may be far outside the body.
+/// \param lowest  index of the deepest vertex of `other`
+/// \param depth  of that vertex under the face [m]
 inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec3 normal, std::size_t lowest, double depth) noexcept {
   const Vec3 deepest = other.vertex(lowest);
   const double low = dot(deepest, normal), face = low + depth;
@@ -70,7 +70,7 @@ inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec
   }
   if (alone) return deepest;
   if (length > 0.0) return sum / length - depth * normal;
-  // Its edges and diagonals pass by: the face lies within them.
+  // No edge or diagonal crosses the face, so the face lies within them.
   double corners = 0.0;
   for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) {
     if (const Vec3 v = body.vertex(i); dot(v, normal) >= face - kTouch) sum += v, corners += 1.0;

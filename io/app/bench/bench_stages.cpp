@@ -47,7 +47,7 @@ StagesBatch take_batch(const RunInHand& run, const cases::Case& endless, int ste
   double scatter = 0.0;
   int scatters = 0;
   solver::run(sim, run.plan, endless, kNever, run.results, [&](const solver::RunStatus& at) {
-    if (at.step > first) {  // not of a step that another team has done
+    if (at.step > first) {  // the first step was done by another team
       scatter += solver::assembly_time(sim.world(), tasks), ++scatters;
     }
     return at.step < first + steps;

@@ -15,8 +15,8 @@
 /// Times of the parts of a step, measured separately, since reading clocks costs some hundredths of a step.
 namespace voussoir::io {
 
-/// `scatter`: what elements take from the slots of contacts, and what handing out the forces of all joints takes alone
-/// (solver::assembly_time), which is taken off the joints' parts. `waiting`: what is left of the stage of forces.
+/// Parts of a step. `scatter`: transfer of contact forces from slots to elements, and of the forces of all joints; the latter is measured
+/// separately (solver::assembly_time) and subtracted from the parts of the joints. `waiting`: the remainder of the stage of forces.
 /// `ledger`, `output`: at the intervals of the case, as in a run.
 enum class StepPart : std::size_t { whole_joints, damaged_joints, contacts, assembly, waiting, search, damage, update, ledger, output };
 inline constexpr std::array<const char*, 10> kStepPartNames = {"joints whole", "joints damaged", "contacts", "scatter", "waiting",
@@ -36,9 +36,9 @@ struct StepSplit {
   [[nodiscard]] double step() const;
 };
 
-/// From what stages and parts of the forces took [s].
-/// \param scatter  s, of joints: not more than their parts
-/// \param whole_share  of it, for those in whole blocks
+/// Times of the parts from the times of stages and forces [s].
+/// \param scatter  s, of joints: at most the sum of their parts
+/// \param whole_share  share of it for joints in whole blocks
 StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& forces, double scatter, double whole_share);
 
 /// A run that is measured; it advances meanwhile.

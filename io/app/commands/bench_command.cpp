@@ -163,7 +163,7 @@ std::vector<MachineLimits> limits_of(std::span<const int> counts) {
   return limits;
 }
 
-/// The tables of one subject.
+/// Prints all tables of one case or checkpoint.
 template <class Run>
 void bench(Run& run, const BenchOptions& o) {
   namespace fs = std::filesystem;
@@ -202,8 +202,8 @@ struct FreshRun {
   std::unique_ptr<solver::Simulation> sim;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, up to those that use_threads has set, and prints tables: what a step takes, where it goes,
-/// and what a model of the schedule says of more cores. \throw cases::InputError, FileError before anything runs
+/// Steps the case with 1, 2, 4, ... threads, up to the number set by use_threads, and prints tables: times of a step and of its parts, and
+/// the predictions of a model of the schedule for more cores. \throw cases::InputError, FileError before anything runs
 int bench_case(const LoadedCase& c, const BenchOptions& o) {
   const cases::Model model = prepared_model(c.value);
   cases::GroundMotion motion;  // without a motion nothing happens, even after settling
