@@ -187,8 +187,13 @@ bool jumps(const kernels::Overlap& from, const kernels::Overlap& to, const Motio
   return norm(to.normal - from.normal) > kSudden * turn + kNothing || norm(to.arm_a - from.arm_a) > kSudden * travel + kNothing;
 }
 
-/// Where corners of a body or axes take turns, the force acts where the two will meet at the end of the step ahead (THEORY.md (21b)): the
-/// depth is that of now.
+/// Speed at which two bodies part at an overlap, m/s; below 0: they approach.
+double parting(const kernels::Overlap& at, const Motion& m) {
+  return dot((m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a)), at.normal);
+}
+
+/// Where corners of a body or axes take turns, the force acts where the two bodies meet now, or where they will meet at the end of the step
+/// ahead: the one of both where it takes more energy out of the motion (THEORY.md (21b)). The depth is the present one.
 kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kernels::Overlap& now) {
   const double step = w.step_of(level_of(w, p.a, p.b));
   const Motion m = motion_of(w, p.a, p.b);
@@ -196,7 +201,8 @@ kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kerne
   const kernels::Overlap then = overlap_of(w, p.a, p.b, moved_on(kernels::load_pose(rows, p.a), m.a, step),
                                            moved_on(kernels::load_pose(rows, p.b), m.b, step), allowed_overlap(w, p.a, p.b));
   if (then.depth <= allowed_overlap(w, p.a, p.b) || !jumps(now, then, m, step)) return now;
-  return {now.depth, then.normal, then.arm_a, now.arm_b + (then.arm_a - now.arm_a)};
+  const kernels::Overlap ahead{now.depth, then.normal, then.arm_a, now.arm_b + (then.arm_a - now.arm_a)};
+  return parting(ahead, m) < parting(now, m) ? ahead : now;
 }
 
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
