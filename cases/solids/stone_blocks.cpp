@@ -28,9 +28,9 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
                    model.materials.empty() ? "is missing, and the case has no materials" : "is missing: the case has several materials");
 }
 
-constexpr double kThinnest = 0.1;  // of the widest piece of a stone: thinner remainders of cuts get no finer segments
+constexpr double kThinnest = 0.1;  // of the width of a stone's widest piece: least width that sets the segment size of a piece
 
-/// Appends one stone. \param number  of the stone in the model
+/// Appends the pieces of one stone as blocks. \param like  a block with all fields but name, shape and beds set
 void add_stone(const Stone& stone, const Block& like, const std::string& part, Model& model) {
   double widest = 0.0;
   for (const StonePiece& piece : stone.pieces) widest = std::max(widest, geometry::least_width(piece.shape));
