@@ -21,11 +21,11 @@ struct Analysis {
   AnalysisKind kind = AnalysisKind::time_history;
   LoadPattern pattern = LoadPattern::mass;
   std::array<double, 2> direction{1.0, 0.0};  // horizontal, x and y; any length
-  std::optional<Vec3> control;                // m; a point whose displacement is the abscissa of the capacity curve
+  std::optional<Vec3> control;                // m; the nearest element is the control point of the capacity curve; none: one on top
   double drop = 0.2;                          // the run ends when this share of the largest base shear (of the multiplier) is lost
-  std::optional<double> share;                // of the first stiffness; below it the displacement is controlled in place of the load
-  std::optional<double> pace;                 // s, time of an e-fold growth of the displacement
-  std::optional<double> damping;              // 1/s, mass damping
+  std::optional<double> share;                // stiffness of the loading spring over the initial one of the structure; none: 0.5, cyclic: 5
+  std::optional<double> pace;                 // s, time of an e-fold growth of the displacement; none: 20 first periods, at least 2 s
+  std::optional<double> damping;              // 1/s, mass damping; none: a tenth of critical at the first frequency, or less
   double longest = 300.0;                     // s, of the run
   double largest_factor = 5.0;                // load factor at which the run ends
   double largest_drift = 0.2;                 // of the control point: drift at which the run ends
