@@ -45,8 +45,8 @@ struct Scene {
   int threads = 1;                  // number of threads to work with
 };
 
-/// How deep the interiors of two elements are in each other [m]: the least overlap along any face normal or product of two edges.
-/// Zero or less: the elements are apart. Stops as soon as a value of at most `enough` is found, and returns that value.
+/// Penetration depth of two elements [m]: the least overlap along any face normal or product of two edges. Zero or less: the elements are
+/// apart. Stops as soon as a value of at most `enough` is found, and returns that value.
 double penetration(const Scene& scene, std::int32_t a, std::int32_t b, double enough);
 
 /// Finds the pairs of faces that touch: opposite normals within 1e-6, planes within 1e-6 m, overlap above 1e-8 m2 and wider than 2e-6 m.

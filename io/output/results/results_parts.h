@@ -34,7 +34,7 @@ struct Part {
 /// \throw FileError, or the exception of `fill`; the existing file with this name is then unchanged
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
 
-/// Writes the buffered rows as the file `folder`/`part.file`. \throw FileError
+/// Writes the buffered rows as the file `folder`/`file`, and returns its description. \throw FileError
 Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,
                 std::span<const RowBuffer, kRowTables> buffers);
 
