@@ -14,12 +14,13 @@
 
 namespace voussoir::solver {
 
-/// So far apart lies what different threads write [bytes]. A core prefetches what follows what it goes through, some twenty lines of it:
-/// beyond the end of an array that is the next one's begin, taken from the thread that writes it there, which then has to take it back.
+/// Distance in bytes between arrays written by different threads. The hardware prefetcher fetches some twenty lines past the end of an
+/// array; if another thread writes there, the lines move to this core and have to move back.
 inline constexpr std::size_t kApart = 4096;
 
-/// Allocates on cache lines, so that vector loads never straddle two, arrays apart; large ones on huge pages where the system has them:
-/// joints visit the rows of elements all over a building, and with small pages each visit is a miss of the translation buffer.
+/// Allocator for arrays on cache lines, so that vector loads never straddle two lines, with kApart between arrays; large arrays on huge
+/// pages if the system has them, since joints access rows of elements all over a building, and with small pages each access would be a TLB
+/// miss.
 template <class T>
 struct CacheAligned {
   using value_type = T;
@@ -32,7 +33,7 @@ struct CacheAligned {
   T* allocate(std::size_t n) {
     void* p = ::operator new(n * sizeof(T) + kApart, alignment(n));
 #ifdef MADV_HUGEPAGE
-    if (n * sizeof(T) >= kHugePage) madvise(p, n * sizeof(T), MADV_HUGEPAGE);  // advice: nothing is lost where it is not taken
+    if (n * sizeof(T) >= kHugePage) madvise(p, n * sizeof(T), MADV_HUGEPAGE);  // advice, which may be ignored
 #endif
     return static_cast<T*>(p);
   }
@@ -46,8 +47,8 @@ struct CacheAligned {
 template <class T>
 using Array = std::vector<T, CacheAligned<T>>;
 
-/// Numbers that begin as zero and mostly stay it: the system gives memory to a page when something is first written there, so the history
-/// of segments costs nothing where nothing has happened, and lies near the thread that wrote first.
+/// An array of numbers that are initially zero and mostly stay so: the system allocates a page when it is first written, so the history of
+/// unchanged segments takes no memory, and a page is near the thread that wrote it first.
 template <class T>
 class ZeroArray {
  public:
@@ -70,7 +71,7 @@ class ZeroArray {
     *this = {};
     resize(n);
   }
-  /// Keeps what there is; zeros follow. \pre  n is not less than size()
+  /// Keeps the contents; new entries are zero. \pre n is not less than size()
   void resize(std::size_t n) {
     if (n > room_) make_room(std::max(n, 2 * room_));
     size_ = n;
@@ -81,7 +82,7 @@ class ZeroArray {
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] const T* begin() const noexcept { return data_; }
   [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
-  /// Bytes of the pages in which something other than zero stands.
+  /// Bytes of the pages with values other than zero.
   [[nodiscard]] std::size_t in_use() const {
     constexpr std::size_t kPage = 4096;
     const auto* bytes = reinterpret_cast<const unsigned char*>(data_);
@@ -99,11 +100,11 @@ class ZeroArray {
   void swap(ZeroArray& other) noexcept { std::swap(data_, other.data_), std::swap(size_, other.size_), std::swap(room_, other.room_); }
 
   void make_room(std::size_t n) {
-    // Moved, pages stay what they are: those never written to still take nothing.
+    // Moved pages keep their state: pages never written to still take no memory.
     void* p = data_ == nullptr ? mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)
                                : mremap(data_, room_ * sizeof(T), n * sizeof(T), MREMAP_MAYMOVE);
     if (p == MAP_FAILED) throw std::bad_alloc();
-    madvise(p, n * sizeof(T), MADV_NOHUGEPAGE);  // or one crack would claim two megabytes
+    madvise(p, n * sizeof(T), MADV_NOHUGEPAGE);  // with huge pages a single crack would take two megabytes
     data_ = static_cast<T*>(p), room_ = n;
   }
 

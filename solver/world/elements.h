@@ -11,37 +11,37 @@
 
 namespace voussoir::solver {
 
-/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the resting base; the rest pads to whole batches
-/// (kernels::kBatch) and is inert.
+/// Elements, structure of arrays. Rows [0, count) are elements; row `base` is the base at rest; the remaining rows pad to whole batches
+/// (kernels::kBatch) and have no effect.
 struct Elements {
   std::int32_t count = 0, base = 0;
   std::int64_t rows = 0;
-  // State, along the global axes, velocities half a step behind positions (THEORY.md (22) to (24)).
-  Array<double> ux, uy, uz;      // m, displacement of the centroid, over the ground
+  // State in global axes; velocities are half a step behind positions (THEORY.md (22) to (24)).
+  Array<double> ux, uy, uz;      // m, displacement of the centroid relative to the ground
   Array<double> qw, qx, qy, qz;  // unit quaternion of the orientation
-  Array<double> vx, vy, vz;      // m/s, over the ground
+  Array<double> vx, vy, vz;      // m/s, relative to the ground
   Array<double> lx, ly, lz;      // kg m2/s, angular momentum about the centroid
   Array<double> wx, wy, wz;      // rad/s
   Array<double> tally;           // J, see kernels::Tally
-  Array<double> alpha;           // 1/s (changes where debris loses its damping)
-  Array<std::int32_t> bonds;     // bonded segment sides left
+  Array<double> alpha;           // 1/s (changes when debris loses its damping)
+  Array<std::int32_t> bonds;     // number of bonded segment sides left
   // Constants.
   Array<double> mass, inv_mass;                // kg, 1/kg
   Array<double> ixx, iyy, izz, ixy, ixz, iyz;  // inverse inertia, body axes
   std::vector<std::uint8_t> principal;         // by batch, see kernels::ElementsView
   std::vector<kernels::BodyConstants> body;
-  Array<double> radius;                              // m, round the centroid
-  Array<double> half_x, half_y, half_z;              // m, half extents of a body-frame box about the centroid
-  std::vector<std::int32_t> first_face, face_count;  // into World::faces
+  Array<double> radius;                              // m, about the centroid
+  Array<double> half_x, half_y, half_z;              // m, half extents of the bounding box in body axes, about the centroid
+  std::vector<std::int32_t> first_face, face_count;  // range in World::faces
   std::vector<std::int32_t> bonds_at_start;
   std::vector<std::uint8_t> fixed;
-  // Rows, see kernels/rows.h; those of velocities are kept up to date for active batches alone (travel.h).
+  // Rows, see kernels/rows.h; velocity rows are kept up to date for active batches only (travel.h).
   Array<double> pose, twist, wrench, dashpot;
 
   [[nodiscard]] kernels::ElementsView view() noexcept;
   /// Writes the velocity row of an element from its state.
   void store_velocity_row(std::int32_t element) noexcept;
-  /// Of all elements.
+  /// Writes the velocity rows of all elements.
   void store_velocity_rows() noexcept;
 };
 

@@ -7,13 +7,13 @@
 
 namespace voussoir::solver {
 
-/// The numbers have gone wrong: not-a-number, a speed no house reaches, a ledger that does not close. The state is as it was found.
+/// A numerical failure: NaN, a speed that no house reaches, a ledger that does not close. The state is left as found.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A saved state that does not belong to the model, or that holds what no state can.
+/// A saved state that does not belong to the model, or is invalid.
 class StateError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -9,15 +9,15 @@
 
 namespace voussoir::solver {
 
-/// Loads and supports that act on single elements.
+/// Loads and supports on single elements.
 struct PointLoad {
   std::int32_t element = 0;
-  Vec3 force, moment, arm;                         // N, N m; m, from the centroid, body axes
+  Vec3 force, moment, arm;                         // N, N m; arm: m, from the centroid, body axes
   double ramp_begin = 0, ramp_end = 0;             // s
-  const cases::SupportHistory* history = nullptr;  // of the force, in place of the ramp
-  bool follows = false;                            // force and moment turn with the element
+  const cases::SupportHistory* history = nullptr;  // of the force, instead of the ramp
+  bool follows = false;                            // force and moment rotate with the element
   bool grows = false;                              // multiplied by the load factor (run/load_program.h)
-  double part = 1.0;                               // that this element bears of the history's force
+  double part = 1.0;                               // share of the history's force on this element
 };
 struct Support {
   std::int32_t element = 0;

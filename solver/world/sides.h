@@ -14,67 +14,67 @@
 
 namespace voussoir::solver {
 
-/// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks is read from L1.
+/// Contact points of congruent patches, stored once: the segment geometry of 4,000 equal bricks stays in the first-level cache.
 struct PointSets {
   std::vector<std::int32_t> first, count;  // by set; first is a multiple of kLanes
   Array<double> s, t, area;                // padded to kLanes with area 0
-  std::int32_t largest = 0;                // points
+  std::int32_t largest = 0;                // greatest number of points of a set
   [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
 };
 
 /// Sides of joints, structure of arrays. A joint has two *sides*: in each, one of its two faces is the master. Where both faces have the
-/// same grid of segments, one merged side stands for both. kLanes sides that are worked on together are a *block*; blocks are in tasks,
-/// tasks in colours (setup/decomposition.h). No two tasks of a colour share an element, so their forces are added up without atomics. A
-/// side's number is block × kLanes + lane.
+/// same grid of segments, one merged side represents both. kLanes sides that are processed together form a *block*; blocks are grouped in
+/// tasks, tasks in colours (schedule/colouring.h). No two tasks of a colour share an element, so forces are added without atomics. A side's
+/// number is block × kLanes + lane.
 struct Sides {
   // Blocks.
-  Array<kernels::SideConstants> constants;  // of blocks that are alike
+  Array<kernels::SideConstants> constants;  // shared by congruent blocks
   Array<kernels::WholeConstants> whole;     // of the same blocks
   Array<kernels::SideBlock> blocks;
   std::vector<std::int32_t> task_first;  // blocks of task t: [task_first[t], task_first[t + 1])
   std::vector<std::int32_t> task_level;  // by task and level (multirate.h): the first block of its sides of that level; one more at the end
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
-  std::int32_t overflow_colour = -1;       // of the one task of sides that span more than two cells; −1: there is none
-  // Sides that are not retired. A side is *retired* when its joint has come apart: its segments are free patches from then on (patches.h).
+  std::int32_t overflow_colour = -1;       // colour of the single task of sides that span more than two cells; −1: none
+  // Sides that are not retired. A side is *retired* when its joint has come apart: its segments are then free patches (patches.h).
   std::vector<std::int32_t> live;        // blocks with a side that is not retired, ascending
-  std::vector<std::int32_t> live_first;  // by task, into `live`; tasks + 1 entries
-  std::vector<std::int32_t> live_level;  // by task and level, into `live`: as task_level
+  std::vector<std::int32_t> live_first;  // by task: index into `live`; tasks + 1 entries
+  std::vector<std::int32_t> live_level;  // by task and level: index into `live`, as task_level
   std::vector<std::uint8_t> live_lanes;  // by block, bit mask of the sides that are not retired
 
   // Constants by side.
-  std::vector<std::int32_t> joint, set;               // joint −1: unused lane; set: into World::points
-  std::vector<std::int32_t> master_face, slave_face;  // into World::faces
-  std::vector<std::uint8_t> faces;                    // 2: a merged side, stands for both faces
+  std::vector<std::int32_t> joint, set;               // joint −1: unused lane; set: index into World::points
+  std::vector<std::int32_t> master_face, slave_face;  // index into World::faces
+  std::vector<std::uint8_t> faces;                    // 2: a merged side, which represents both faces
   std::vector<kernels::SideParts> parts;              // with views of the point sets and of the segments' state below
   std::vector<double> size;                           // m, segment size of the master
 
   // State by side.
   Array<kernels::SideState> side_state;
-  Array<std::uint8_t> retired;               // lives on as free patches
+  Array<std::uint8_t> retired;               // replaced by free patches
   Array<std::int32_t> held;                  // bonded segments
-  Array<double> friction, impact, fracture;  // J, lost so far
+  Array<double> friction, impact, fracture;  // J, losses so far
 
   // State by segment; `steady` by block.
   Array<kernels::Bond> bond;
-  ZeroArray<kernels::Mode> first_mode;         // the limit that it reached first ...
-  ZeroArray<double> first_time;                // ... and when, s
+  ZeroArray<kernels::Mode> first_mode;         // limit reached first ...
+  ZeroArray<double> first_time;                // ... and its time, s
   ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
   ZeroArray<kernels::SteadySides> steady;      // of the steady sides of a block
 
-  // Laws that few models have, and their state; empty without them.
-  std::vector<kernels::SoftSide> soft;    // by side: how its bonds soften
+  // Laws used by few models, and their state; empty without them.
+  std::vector<kernels::SoftSide> soft;    // by side: softening of its bonds
   ZeroArray<double> wear;                 // State by segment of the sides that soften, kernels/laws/softening.h
-  std::vector<kernels::Closing> closing;  // by side: how its joint stiffens as it closes
-  std::vector<double*> crushed_of;        // by side, into `crushed`; empty: contacts bear any pressure
+  std::vector<kernels::Closing> closing;  // by side: closing law of its joint
+  std::vector<double*> crushed_of;        // by side: pointer into `crushed`; empty: contacts bear any pressure
   ZeroArray<double> crushed;              // m, State by segment, kernels/laws/crushing.h
 
-  // Pair forces (kernels::PairForces), of steps with World::keep_pairs; empty: nobody asks for them.
+  // Pair forces (kernels::PairForces) in steps with World::keep_pairs; empty if not needed.
   Array<double> pair_wrench;
   std::vector<std::uint8_t> pair_on;
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
-  /// How the bonds of a side soften; nullptr: they do not.
+  /// Softening law of a side; nullptr: its bonds do not soften.
   [[nodiscard]] const kernels::SoftSide* soft_side(std::int64_t id) const noexcept {
     return soft.empty() || soft[static_cast<std::size_t>(id)].wear == nullptr ? nullptr : &soft[static_cast<std::size_t>(id)];
   }

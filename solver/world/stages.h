@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstddef>
 
-/// Where the wall-clock of a run goes. Never part of the state.
+/// Wall-clock times of the parts of a run. Never part of the state.
 namespace voussoir::solver {
 
 enum class Stage : std::size_t { search, forces, damage, update, ledger, output };
@@ -14,7 +14,7 @@ inline constexpr std::array<const char*, 6> kStageNames = {"search", "forces", "
 
 using StageTimes = std::array<double, kStageNames.size()>;  // s
 
-/// Adds the time until it goes out of scope to one stage.
+/// Adds the time of its lifetime to one stage.
 class StageTimer {
  public:
   StageTimer(StageTimes& times, Stage stage) : total_(times[static_cast<std::size_t>(stage)]) {}
@@ -27,21 +27,21 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What the threads of a team do in the stage of forces, each at its own pace. `assembly` is what elements take from the slots of their
-/// contacts: joints add their forces as they go (see assembly_time).
+/// Work of the threads of a team in the stage of forces, each at its own pace. `assembly` is the transfer of forces from contact slots to
+/// elements; joints add their forces immediately (see assembly_time).
 enum class ForcePart : std::size_t { whole_joints, damaged_joints, contacts, assembly };
 inline constexpr std::size_t kForceParts = 4;
 using ForceTimes = std::array<double, kForceParts>;  // s
 
-/// Splits a thread's time among these. One that is off looks at no clock: a look takes as long as a joint or two.
+/// Divides a thread's time among the parts of ForcePart. A disabled clock is never read: reading takes as long as a joint or two.
 class LapClock {
  public:
   explicit LapClock(bool on = false) : on_(on) {}
-  /// The lap begins now, whatever the thread did before.
+  /// Begins a lap, ignoring the time before.
   void begin() {
     if (on_) last_ = Clock::now();
   }
-  /// So does the next one; this one was for `part`.
+  /// Ends the lap, counts it for `part`, and begins the next.
   void lap(ForcePart part) {
     if (!on_) return;
     const Clock::time_point now = Clock::now();

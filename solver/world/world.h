@@ -22,24 +22,24 @@
 #include "solver/world/ties.h"
 #include "solver/world/travel.h"
 
-/// Everything that a step works on, in structures of arrays. What a checkpoint must hold, the state, is listed in state/field_table.cpp;
-/// the rest is built from the model (setup/setup.h) or found anew from the state (candidates of contact, the grid).
+/// All data of a step, in structures of arrays. The state, which a checkpoint contains, is listed in state/field_table.cpp; the rest is
+/// built from the model (setup/setup.h) or derived from the state (contact candidates, the grid).
 namespace voussoir::solver {
 
 struct World {
   explicit World(const cases::Model& m) : model(m) {}
 
-  // What is computed, and how.
+  // Input and options.
   const cases::Model& model;
   Options options;
   kernels::FailureOptions failure;
   kernels::ContactOptions contact;
-  std::vector<double> friction;  // tan φ by pair of materials, the table that `contact` sees: Model::contact_friction
+  std::vector<double> friction;  // tan φ by pair of materials, the table used by `contact`: Model::contact_friction
   bool has_base = false;
   bool drop_debris_damping = false;  // elements without a bond have no mass damping
-  bool out_of_cache = false;         // the model is larger than the caches, see joints/out_of_cache.h
-  bool keep_pairs = false;           // in this step sides and overlaps leave a copy of their forces, for cuts
-  int threads = 1;                   // of the teams that work on it
+  bool out_of_cache = false;         // the model is larger than the caches, see schedule/out_of_cache.h
+  bool keep_pairs = false;           // in this step sides and overlaps store a copy of their forces, for cuts
+  int threads = 1;                   // number of threads of teams
 
   // Time.
   double dt = 0.0;     // s
@@ -48,8 +48,8 @@ struct World {
 
   // Bodies.
   Elements elements;
-  std::vector<kernels::Face> faces;  // of all elements, one more for the base
-  std::int32_t most_faces = 1;       // of one element
+  std::vector<kernels::Face> faces;  // of all elements, and one for the base
+  std::int32_t most_faces = 1;       // greatest number of one element
   Travel travel;
 
   // Forces between bodies.
@@ -64,11 +64,11 @@ struct World {
   std::vector<PointLoad> loads;
   std::vector<Support> supports;
 
-  // State by batch of elements with multi-rate stepping, else empty: the level in whose steps its elements are moved on, by all of these
-  // steps at once. None of their pairs has a lower level.
+  // State by batch of elements with multi-rate stepping, else empty: the level in whose steps its elements move, by all steps of a period
+  // at once. None of their pairs has a lower level.
   std::vector<std::uint8_t> moved_at;
 
-  /// Those that pairs of that level (multirate.h) read and write, and the step that they take.
+  /// Rows read and written by pairs of a level (multirate.h), and their step.
   [[nodiscard]] kernels::Bodies bodies(int level = 0) const noexcept;
   [[nodiscard]] kernels::Rows rows(int level = 0) noexcept;
   [[nodiscard]] const double* twist_rows(int level) const noexcept;
@@ -76,12 +76,12 @@ struct World {
   [[nodiscard]] kernels::ContactOptions contact_of(int level) const noexcept;
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
-  /// The base, or a part of it.
+  /// Whether the element is the base or a part of it.
   [[nodiscard]] bool is_ground(std::int32_t element) const noexcept {
     return faces[static_cast<std::size_t>(elements.first_face[static_cast<std::size_t>(element)])].is_ground();
   }
 
-  /// s, by which an element is moved on at a time.
+  /// Time by which an element moves at once [s].
   [[nodiscard]] double step_of_element(std::size_t e) const noexcept { return step_of(batch_level(e / kernels::kBatch)); }
   [[nodiscard]] int batch_level(std::size_t batch) const noexcept { return multirate.on() ? moved_at[batch] : 0; }
 };
