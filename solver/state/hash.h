@@ -7,8 +7,8 @@
 
 namespace voussoir::solver {
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo). Every byte maps the state one to one, so a single changed byte is always seen; nothing in it
-/// resists an adversary.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo). Each byte maps the hash one to one, so a single changed byte is always detected; not secure against
+/// intentional changes.
 class Hash {
  public:
   void add(const void* data, std::size_t n) noexcept {

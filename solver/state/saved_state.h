@@ -10,11 +10,11 @@
 
 #include "solver/state/field_table.h"
 
-/// A state apart from the simulation it came from, and the way back.
+/// Saving a state apart from its simulation, and restoring it.
 namespace voussoir::solver {
 
-/// Raised by every change that alters the numbers of a run ("Results change" in the changelog): a state is gone on with only by a program
-/// that computes as the one that saved it.
+/// Increased by every change that alters the numbers of a run ("Results change" in the changelog): a run is only continued by a program
+/// that computes the same numbers.
 inline constexpr std::int64_t kPhysicsVersion = 16;
 
 /// The values of one field.
@@ -23,18 +23,17 @@ struct SavedField {
   std::uint64_t count = 0, columns = 1;
   std::vector<std::byte> bytes;  // count × columns values
 };
-/// By the names of the fields.
+/// Saved fields by name.
 using SavedState = std::map<std::string, SavedField, std::less<>>;
 
-/// Copies all fields. \pre between two steps, and the cracks so far have been taken: Simulation::cracks() is empty
+/// Copies all fields. \pre between two steps, with all cracks taken: Simulation::cracks() is empty
 SavedState save(Simulation& sim, RunState& plan);
 
-/// Brings a simulation that was just built into a saved state: from here on it computes the same bits as the one that was saved.
-/// \throw StateError naming the field if the state is not one of this model, or holds what the program cannot work with; the simulation is
-/// of no use then
+/// Restores a saved state in a newly built simulation, which then computes the same bits as the saved one would have.
+/// \throw StateError naming the field if the state does not belong to this model, or has invalid values; the simulation is then unusable
 void restore(Simulation& sim, RunState& plan, const SavedState& from);
 
-/// A hash over what the state rests on: everything that is built from the case before the first step. Equal bits, equal hash.
+/// A hash over all data built from the case before the first step, on which a state relies. Equal bits give an equal hash.
 std::uint64_t model_hash(const World& w);
 
 }  // namespace voussoir::solver
