@@ -7,9 +7,9 @@
 /// Rate and damping of a quasi-static analysis, from the first frequencies (kernels/THEORY.md, section 11).
 namespace voussoir::solver {
 
-/// Chooses the drive of an analysis and gives it to the simulation; of a time history it does nothing. Before the first step of a run; one
-/// that goes on has its drive from its checkpoint.
-/// \throw cases::InputError if the case asks for a mode that no mass follows \throw NumericalError if there are no modes to be found
+/// Sets the drive of a quasi-static analysis in the simulation; has no effect for a time history. To be called before the first step of a
+/// run; a resumed run has its drive from the checkpoint.
+/// \throw cases::InputError if the case needs a mode with mass that does not exist \throw NumericalError if no modes are found
 void choose_drive(Simulation& sim, const cases::Case& c);
 
 }  // namespace voussoir::solver

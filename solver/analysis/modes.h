@@ -7,21 +7,21 @@
 
 #include "solver/world/world.h"
 
-/// Natural modes of the undamaged structure: K φ = ω² M φ, with the springs of all bonded segments about the reference configuration.
-/// Gravity and contact are left out.
+/// Natural modes of the undamaged structure: K φ = ω² M φ, with the springs of all bonded segments in the reference configuration. Gravity
+/// and contact are ignored.
 namespace voussoir::solver {
 
 struct Mode {
-  double frequency = 0.0;          // Hz; 0: a mechanism, or a body that nothing holds
-  Vec3 mass_share;                 // effective modal mass along x, y, z over the mass that moves
+  double frequency = 0.0;          // Hz; 0: a mechanism, or an unsupported body
+  Vec3 mass_share;                 // effective modal mass along x, y, z over the total moving mass
   std::vector<Vec3> displacement;  // by element, of its centroid; the largest component, or rotation times radius, of the mode is 1 m
   std::vector<Vec3> rotation;      // rad by element, same scale
 };
 
-/// Joints without a bond: left out, or held as if bonded.
+/// Treatment of joints without a bond: ignored, or held as if bonded.
 enum class DryJoints : std::uint8_t { open, closed };
 
-/// The modes of lowest frequency, ascending; fewer than `count` where the structure has fewer degrees of freedom.
+/// The modes of lowest frequency, ascending; fewer than `count` if the structure has fewer degrees of freedom.
 /// Shift-invert Lanczos (Spectra) over a sparse LDLᵀ factor (Eigen): memory and time grow with the factor, some 20 s for 45 000 degrees of
 /// freedom. \pre count > 0 \throw NumericalError if the iteration does not converge
 std::vector<Mode> natural_modes(const World& w, int count, DryJoints dry = DryJoints::open);
