@@ -6,10 +6,10 @@
 
 namespace voussoir::solver {
 
-/// After a step: adds zeros to the elements' rows for all joints, in the order of a step and by a team of the same size. This
-/// changes nothing and takes what adding the forces takes alone, which cannot be timed within the kernels.
-/// \param tasks  of its own, or the shares of the step would follow what this takes
-/// \return s, of the mean thread, without its waiting
+/// Measures the addition of forces to the elements' rows, which cannot be timed within the kernels: after a step, adds zeros for all
+/// joints, in the order of a step and by a team of the same size. Changes no results.
+/// \param tasks  separate ones, since the shares of the step adapt to measured times
+/// \return mean time of a thread without waiting [s]
 double assembly_time(World& w, JointTasks& tasks);
 
 }  // namespace voussoir::solver

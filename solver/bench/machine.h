@@ -4,21 +4,21 @@
 
 #include <vector>
 
-/// What the machine can do at best, to measure a step against.
+/// Best performance of the machine, for comparison with that of a step.
 namespace voussoir::solver {
 
-/// Multiply-adds in registers on all threads [flop/s], a multiply-add counting two.
+/// Multiply-adds in registers on all threads [flop/s]; a multiply-add counts as two.
 double peak_flops(int threads);
 
-/// What each thread takes just now [s] for some thirty microseconds of arithmetic of all kinds, in registers: more than at best on a core
-/// that others have for a while, or whose other half is at work for others.
+/// Current time of each thread [s] for some thirty microseconds of arithmetic of all kinds in registers: longer than at best on a core that
+/// is temporarily used by others, or whose other hardware thread is.
 std::vector<double> core_times(int threads);
 
-/// What it takes a thread just now to see what the one before it has written [s], on the average over the team; 0 for one thread, or for
-/// more than the machine has cores. Cores that share a cache need 25 to 65 ns, others 110 to 180.
+/// Current mean time [s] until a thread sees a value written by the thread before; 0 for one thread, or for more threads than cores. Cores
+/// that share a cache need 25 to 65 ns, others 110 to 180.
 double handover_now(int threads);
 
-/// The triad a = b + s c of STREAM over arrays far larger than any cache [byte/s].
+/// Bandwidth of the triad a = b + s c of STREAM over arrays far larger than any cache [byte/s].
 double peak_bandwidth(int threads);
 
 }  // namespace voussoir::solver

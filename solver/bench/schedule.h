@@ -7,36 +7,37 @@
 #include "solver/schedule/joint_tasks.h"
 #include "solver/world/stages.h"
 
-/// A small model of the schedule of a step: what it would take on more cores than the machine has.
+/// A simple model of the schedule of a step, which predicts its time on more cores than the machine has.
 namespace voussoir::solver {
 
-/// What was measured: means over some steps, joints handed out by colour.
+/// Measured times: means over some steps, with joints in tasks by colour.
 struct MeasuredStep {
   std::vector<double> tasks;  // s, of joints on one thread, by task
-  StageTimes one{}, two{};    // s, of one and of two threads; two: zeros if there is one core only
+  StageTimes one{}, two{};    // s, of one and of two threads; two: zeros if the machine has one core only
   ForceTimes parts{};         // s, of one thread
-  double alone = 0.0;         // s, that one thread works alone at the end of the stage of forces
-  double handover = 0.0;      // s, for one thread to see what another has written
+  double alone = 0.0;         // s, of one thread working alone at the end of the stage of forces
+  double handover = 0.0;      // s, until one thread sees a value written by another
 };
 
-/// A step on so many cores, s.
+/// Predicted times of a step on a number of cores [s].
 struct PredictedStep {
   int cores = 1;
   double step = 0.0;
   double joints = 0.0, contacts = 0.0;  // of the mean thread
-  double waiting = 0.0;                 // of the mean thread: for tasks of others, for the last at a barrier, and for the barriers
-  double others = 0.0;                  // update, search, ledger, as far as threads share them
-  double alone = 0.0;                   // what one thread does alone
+  double waiting = 0.0;                 // of the mean thread: for tasks of other threads, for the last at a barrier, and for the barriers
+  double others = 0.0;                  // update, search, ledger, as far as shared by threads
+  double alone = 0.0;                   // work of one thread alone
 };
 
-/// Joints: each thread goes through its queue (JointTasks::plan); a task begins when those that it waits for have ended, and a hand-over
-/// later if another thread did them. Borders of shares move as in a run, but no thread helps another, as it does there. Contacts and the
-/// update are shared evenly. Of a search or a row of the ledger, which took t1 on one thread and t2 on two, 2 t2 − t1 is done alone and the
-/// rest shared; the booking of damage and the output are done alone. A barrier of n threads takes n hand-overs. Every core has the caches
-/// and the share of the memory that one has here; what cores take from each other's caches otherwise is left out.
+/// Predicts the time of a step on `cores` cores. Joints: each thread processes its queue (JointTasks::plan); a task begins when all tasks
+/// that it waits for have ended, plus a hand-over if another thread did them. Borders of shares move as in a run, but threads do not help
+/// each other, as they do there. Contacts and the update are shared evenly. A search or a row of the ledger that took t1 on one thread and
+/// t2 on two has a serial part of 2 t2 − t1, and the rest is shared; damage and output are serial. A barrier of n threads takes n
+/// hand-overs. Every core is assumed to have the caches and the share of the memory bandwidth of one core here; other traffic between
+/// caches is ignored.
 PredictedStep predict(const JointTasks& tasks, const MeasuredStep& measured, int cores);
 
-/// When each thread has done its queue, and how long it waited for others meanwhile, s.
+/// By thread, the end of its queue, and its time of waiting for other threads [s].
 struct QueueTimes {
   std::vector<double> end, waited;
 };
