@@ -4,24 +4,25 @@
 
 #include "solver/world/world.h"
 
-/// The lists that a search leaves: which patches have candidates, a slot for each pair, and who gathers from which slots.
+/// Lists made from a search: patches with candidates, a slot for each pair, and the slots that each element gathers.
 namespace voussoir::solver {
 
-/// Puts what was found (SearchRoom) in the place of what was there before. Patches lie in the order of their numbers; the candidates of one
-/// are those that stayed, then those found: its own in the order in which they were, others in the order of the elements searched again.
-/// Points whose partner is no candidate any more are free.
+/// Replaces the candidates by those found (SearchRoom). Patches are in the order of their numbers; the candidates of a patch are the kept
+/// ones, then those found: in its own search in order of discovery, others in the order of the searched elements. Points whose partner is
+/// no longer a candidate become free.
 void replace_candidates(World& w);
 
-/// An element that a patch may touch, as new.
+/// A new candidate, for an element that a patch may touch.
 [[nodiscard]] kernels::Candidate candidate_of(const World& w, std::int32_t element);
 
-/// Candidates of all slots as new: nothing is known of any pair. Also for whoever moves a body otherwise than by its velocity.
+/// Resets the candidates of all slots: nothing is known of any pair. Also for use after a body was moved other than by its velocity.
 void list_candidates(World& w);
 
-/// Lists for every element the slots that push it. Due in a step that evaluates Contacts::stale_level.
+/// Builds for every element the list of slots with its forces. Due in a step that evaluates Contacts::stale_level.
 void build_gather(World& w);
 
-/// The same for the slot of an active patch that was appended, and has no other, if there is room; else the lists are stale.
+/// Adds the slot of an active patch that was appended, and has no other slot, to the gather lists if there is space; else marks the lists
+/// as stale.
 void add_to_gather(World& w);
 
 }  // namespace voussoir::solver

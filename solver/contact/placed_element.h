@@ -8,7 +8,7 @@
 #include "geometry/polyhedron.h"
 #include "solver/world/world.h"
 
-/// Where an element stands, and the box round it. Internal to solver/contact/.
+/// Pose of an element, and its bounding box. Internal to solver/contact/.
 namespace voussoir::solver {
 
 struct PlacedElement {
@@ -23,13 +23,13 @@ inline PlacedElement placed_element(const World& w, std::int32_t e) {
 
 inline Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
-/// m, of the element's box in its own axes
+/// Half extents of an element's box in its own axes [m].
 inline Vec3 half_extents(const World& w, std::int32_t e) {
   const auto i = static_cast<std::size_t>(e);
   return {w.elements.half_x[i], w.elements.half_y[i], w.elements.half_z[i]};
 }
 
-/// Along the global axes, round the element as it stands there.
+/// Bounding box of an element in a pose, along the global axes.
 inline geometry::Box3 box_of(const World& w, std::int32_t e, const PlacedElement& at) {
   const Vec3 h = half_extents(w, e);
   const Vec3 half{dot(absolute(at.r.r0), h), dot(absolute(at.r.r1), h), dot(absolute(at.r.r2), h)};
