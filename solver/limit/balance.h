@@ -13,12 +13,13 @@
 #include "solver/limit/contacts.h"
 #include "solver/limit/live_load.h"
 
-/// The equations of balance of limit analysis, in numbers near 1: forces over the mean weight of a body, moments over that and the mean
-/// lever.
+/// Equilibrium equations of limit analysis, scaled to numbers near 1: forces are divided by the mean weight of a body, moments by that and
+/// the mean lever.
 namespace voussoir::solver {
 
-/// A plane in which all forces lie, every body's centre, and the middle of every joint. What lies behind one another is one point there,
-/// and nothing moves out of the plane; the forces found are forces on the model, and so is the motion (limit_proof.h checks both).
+/// A plane that contains all forces, the centre of every body, and the middle of every joint. Points behind one another are one point in
+/// the programme, and motion out of the plane is excluded; the resulting forces and motion are valid for the model in space (limit_proof.h
+/// checks both).
 struct LimitPlane {
   Vec3 along, up, across;  // unit vectors; across: normal of the plane
   double middle = 0.0;     // m, along `across`
@@ -27,12 +28,12 @@ struct LimitPlane {
 /// The plane of a model, if it has one.
 std::optional<LimitPlane> plane_of(const LimitContacts& contacts, const LimitForces& forces, Vec3 direction);
 
-/// A contact point of the programme. In a plane it stands for two of the model, with these shares of its force.
+/// A contact point of the programme. In a plane it represents two points of the model, with these shares of its force.
 struct BalancePoint {
   std::int32_t a = 0, b = -1;  // bodies; −1: fixed
   Vec3 at, normal, first, second;
   double friction = 0.0;
-  std::array<std::size_t, 2> of{};  // LimitContacts::points
+  std::array<std::size_t, 2> of{};  // indices into LimitContacts::points
   std::array<double, 2> share{1.0, 0.0};
 };
 
@@ -42,28 +43,28 @@ class Balance {
 
   [[nodiscard]] std::size_t rows() const noexcept { return dead_.size(); }
   [[nodiscard]] const std::vector<double>& dead() const noexcept { return dead_; }  // by equation
-  [[nodiscard]] const std::vector<double>& live() const noexcept { return live_; }  // as large in sum as all weights
-  /// What the multiplier of live() is to be multiplied by for that of LimitForces::live.
+  [[nodiscard]] const std::vector<double>& live() const noexcept { return live_; }  // scaled to the sum of all weights
+  /// Factor from the multiplier of live() to that of LimitForces::live.
   [[nodiscard]] double live_scale() const noexcept { return live_scale_; }
   [[nodiscard]] const std::vector<BalancePoint>& points() const noexcept { return points_; }
   [[nodiscard]] double unit() const noexcept { return unit_; }  // N
 
-  /// Calls take(row, value) for each equation that a force on body a of a point, and its opposite on b, enters.
+  /// Calls take(row, value) for each equation that contains a force on body a of a point, and the opposite force on b.
   template <class Take>
   void at_point(const BalancePoint& p, Vec3 force_on_a, const Take& take) const {
     on_body(p.a, force_on_a, cross(p.at - centre(p.a), force_on_a) / length_, take);
     if (p.b >= 0) on_body(p.b, -force_on_a, -cross(p.at - centre(p.b), force_on_a) / length_, take);
   }
-  /// Velocities of bodies, of which the prices of the equations are multiples; the fastest contact point or centre has the speed 1.
+  /// Velocities of bodies, proportional to the prices of the equations; the fastest contact point or centre has the speed 1.
   [[nodiscard]] std::vector<kernels::Twist> motion(const std::vector<double>& prices) const;
-  /// How fast b moves against a at a point.
+  /// Velocity of b relative to a at a point.
   [[nodiscard]] Vec3 against(const BalancePoint& p, const std::vector<kernels::Twist>& motion) const;
-  /// Forces on body a at each of LimitContacts::points [N], of those at points() in mean weights.
+  /// Forces on body a at each of LimitContacts::points [N], from those at points() in mean weights.
   [[nodiscard]] std::vector<Vec3> forces(const std::vector<Vec3>& at_points) const;
 
  private:
   static constexpr std::size_t kMostRows = 6;
-  static constexpr double kRoundOff = 1e-13;  // a coefficient that would be zero but for it
+  static constexpr double kRoundOff = 1e-13;  // magnitude below which a coefficient is taken as zero
 
   template <class Take>
   void on_body(std::int32_t body, Vec3 force, Vec3 moment, const Take& take) const {
@@ -79,7 +80,7 @@ class Balance {
   void take_points_of_plane(const LimitPlane& plane);
 
   const LimitContacts& contacts_;
-  std::array<Vec3, kMostRows> axes_{};  // of the equations of a body: forces, then moments
+  std::array<Vec3, kMostRows> axes_{};  // axes of the equations of a body: forces, then moments
   std::size_t rows_of_body_ = 6, forces_of_body_ = 3;
   double unit_ = 1.0, length_ = 1.0, live_scale_ = 1.0;  // N, m, -
   std::vector<double> dead_, live_;

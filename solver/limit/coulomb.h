@@ -11,7 +11,7 @@
 
 namespace voussoir::solver {
 
-/// Looks for a collapse of Coulomb's flow from the forces of the associated one.
+/// Search for a collapse with Coulomb's flow rule, starting from the forces of the associated one.
 class CoulombSearch {
  public:
   /// \param tick  called after each programme with the multiplier
@@ -19,16 +19,16 @@ class CoulombSearch {
                 std::function<void(double)> tick)
       : model_(model), balance_(balance), cone_(cone), programmes_(programmes), tick_(std::move(tick)) {}
 
-  /// \return a state whose proof holds, or else the last one of the iterations
+  /// Runs the search. \return a state with a valid proof, or else the last one of the iterations
   LimitState find(const ProgrammeForces& associated, double multiplier);
 
  private:
-  /// One turn of the yield lines. \return whether a solution was found
+  /// Rotates the yield lines once. \return whether a solution was found
   bool iterate(LimitState& out);
-  /// From the last forces by pairs of programmes: a motion, then forces for it. \return whether the proof holds
+  /// Searches from the last forces by pairs of programmes: a motion, then forces for it. \return whether the proof is valid
   bool search(LimitState& out);
   [[nodiscard]] double cost(const std::vector<kernels::Twist>& motion, std::size_t point, std::size_t corner) const;
-  /// Takes this motion with the forces for it. \return whether the proof holds
+  /// Checks a motion with the forces for it, and stores the state if proven. \return whether the proof is valid
   bool prove(const ProgrammeSolution& moving, const ProgrammeSolution& resisting, LimitState& out);
   void took(LimitState& out, double factor) const;
 
@@ -38,7 +38,7 @@ class CoulombSearch {
   const Programmes& programmes_;
   std::function<void(double)> tick_;
   std::vector<double> slope_, compression_;  // of the yield lines; mean of the compressions found
-  ProgrammeForces found_;                    // the last ones
+  ProgrammeForces found_;                    // last forces found
 };
 
 }  // namespace voussoir::solver

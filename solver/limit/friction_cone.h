@@ -8,20 +8,20 @@
 
 namespace voussoir::solver {
 
-/// The limit of shear at a contact point, |T| <= N tan φ, as linear programmes see it: T lies in a polygon of `corners` times N tan φ.
+/// The shear limit at a contact point, |T| <= N tan φ, linearised for linear programmes: T lies in a polygon of `corners` times N tan φ.
 class FrictionCone {
  public:
-  /// A polygon of `facets` corners, one of them along the first axis, in the circle, or (outer) round it.
+  /// A polygon of `facets` corners, one of them along the first axis, inscribed in the circle or (outer) circumscribed.
   FrictionCone(int facets, bool outer);
-  /// Shears along the first axis alone: the circle itself.
+  /// Shears along the first axis only, where the limit is exact.
   static FrictionCone in_plane();
 
   [[nodiscard]] const std::vector<geometry::Point2>& corners() const noexcept { return corners_; }
-  /// By how much the polygon takes friction too low (in the circle) or too high, at most: a ratio.
+  /// Greatest relative error of the friction by the polygon, too low (inscribed) or too high (circumscribed).
   [[nodiscard]] double error() const noexcept { return error_; }
-  /// The factor by which the polygon must grow to hold this shear; <= 1: it holds it.
+  /// Factor by which the polygon must grow to contain this shear; <= 1: the polygon contains it.
   [[nodiscard]] double gauge(geometry::Point2 shear) const noexcept;
-  /// The largest product of a shear of the polygon with this slip.
+  /// Largest scalar product of a shear in the polygon and this slip.
   [[nodiscard]] double support(geometry::Point2 slip) const noexcept;
 
  private:

@@ -10,25 +10,26 @@
 #include "solver/limit/friction_cone.h"
 #include "solver/limit/live_load.h"
 
-/// Checks of what limit analysis found against the model itself: its joints, segments and masses, in three dimensions. They share neither
-/// equations nor contact points with the programmes, so that a fault there is found here.
+/// Checks of results of limit analysis against the model itself: its joints, segments and masses, in three dimensions. They share neither
+/// equations nor contact points with the programmes, and so detect faults of these.
 namespace voussoir::solver {
 
-/// How far forces at contact points are from being admissible. Forces over the mean weight of a body, moments also over the mean lever.
+/// Violations of admissibility by forces at contact points. Forces are divided by the mean weight of a body, moments also by the mean
+/// lever.
 struct ForceCheck {
-  double unbalanced = 0.0;     // largest force or moment left on a body
+  double unbalanced = 0.0;     // largest residual force or moment on a body
   double tension = 0.0;        // largest tension at a point
   double over_friction = 0.0;  // largest shear above the limit at a point
   double off_joint = 0.0;      // largest distance of a point from its joint's segments, over the mean lever
   [[nodiscard]] double worst() const noexcept;
 };
 
-/// How far a motion is from being a mechanism. Speeds over the fastest point's.
+/// Violations by a motion of the conditions of a mechanism. Speeds are divided by that of the fastest point.
 struct MotionCheck {
-  double overlap = 0.0;                       // the fastest speed at which contact points go into each other
-  double off_normal = 0.0;                    // associated flow: what slip lacks at worst of the opening that goes with it
+  double overlap = 0.0;                       // greatest speed of contact points into each other
+  double off_normal = 0.0;                    // associated flow: greatest deficit of the opening that accompanies slip
   double dead_power = 0.0, live_power = 0.0;  // W at the speed 1 m/s
-  double fastest = 0.0;                       // m/s, of all contact points and corners of blocks
+  double fastest = 0.0;                       // m/s, greatest speed of all contact points and corners of blocks
 };
 
 class LimitModel {
@@ -36,13 +37,13 @@ class LimitModel {
   LimitModel(const cases::Model& model, const LimitContacts& contacts, const LimitForces& forces, const FrictionCone& cone, Vec3 direction)
       : model_(model), contacts_(contacts), forces_(forces), cone_(cone), direction_(direction) {}
 
-  /// \param at_points  of LimitContacts::points, on body a, N \param dead, live  how many times these forces act
+  /// Checks forces. \param at_points  at LimitContacts::points, on body a, N \param dead,  live factors of these forces
   [[nodiscard]] ForceCheck check_forces(const std::vector<Vec3>& at_points, double dead, double live) const;
   [[nodiscard]] MotionCheck check_motion(const std::vector<kernels::Twist>& motion) const;
-  /// By how much the forces fall short of the power that Coulomb's friction takes in this motion, where points that are pressed together
-  /// do not part: both as a share of the power of the live forces.
+  /// Deviation of the forces from Coulomb's flow in this motion: sum over the points of pressure times opening speed, and of the difference
+  /// between the power of Coulomb's friction and that of the shear, as a share of the power of the live forces.
   [[nodiscard]] double lost_power(const std::vector<Vec3>& at_points, const std::vector<kernels::Twist>& motion) const;
-  /// What a violation of normality would let forces like these add to the multiplier's upper bound.
+  /// Bound on the error of the multiplier's upper bound due to a violation of normality, for forces like these.
   [[nodiscard]] double slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const;
 
  private:
@@ -56,18 +57,18 @@ class LimitModel {
   Vec3 direction_;
 };
 
-/// A multiplier between two bounds, and what was checked.
+/// A multiplier between two bounds, with the results of the checks.
 struct LimitProof {
-  double lower = 0.0;  // forces that are admissible balance this multiple of the live forces
-  double upper = 0.0;  // a mechanism, to which slip belongs as associated flow has it, moves under more than this
+  double lower = 0.0;  // multiple of the live forces balanced by admissible forces
+  double upper = 0.0;  // multiple of the live forces above which a mechanism with associated flow moves
   ForceCheck forces;
   MotionCheck motion;
   double lost_power = 0.0;  // Coulomb's flow: LimitModel::lost_power
   bool holds = false;
 
-  static constexpr double kForces = 1e-6, kMotion = 1e-6;  // what the checks may show
-  static constexpr double kGap = 1e-6, kLeast = 1e-2;      // of the multiplier, or of this where it is less
-  static constexpr double kLost = 1e-4;                    // of the multiplier: power that Coulomb's friction may miss
+  static constexpr double kForces = 1e-6, kMotion = 1e-6;  // allowed violations
+  static constexpr double kGap = 1e-6, kLeast = 1e-2;      // of the multiplier, or of kLeast if the multiplier is less
+  static constexpr double kLost = 1e-4;                    // of the multiplier: allowed deficit of the power of Coulomb's friction
 };
 
 }  // namespace voussoir::solver

@@ -11,24 +11,24 @@
 #include "cases/model.h"
 #include "solver/limit/contacts.h"
 
-/// The forces of limit analysis: dead ones, which stay, and live ones, which the multiplier multiplies.
+/// The forces of limit analysis: constant dead forces, and live forces, which are scaled by the multiplier.
 namespace voussoir::solver {
 
-/// What the multiplier multiplies.
+/// Definition of the live load.
 struct LiveLoad {
   enum class Kind : std::uint8_t {
     weight,  // the weight of bodies, as a force along `direction`
     force,   // a force of `force` along `direction` on each block of `on`, or at `at`
-    loads,   // the [[load]]s of the case that grow
+    loads,   // the growing [[load]]s of the case
   };
   Kind kind = Kind::weight;
   Vec3 direction{1.0, 0.0, 0.0};  // unit vector
-  std::vector<std::string> on;    // names of blocks, stones or groups; of weights: empty for all bodies
+  std::vector<std::string> on;    // names of blocks, stones or groups; for weights, empty means all bodies
   double force = 1000.0;          // N
-  std::optional<Vec3> at;         // m, a point of the block of `on`, or (none is named) of the block that holds it
+  std::optional<Vec3> at;         // m, a point of the block of `on`, or (if none is named) of the block that contains it
 };
 
-/// Of each body: forces [N], and moments about its centre of mass [N m].
+/// By body: forces [N], and moments about its centre of mass [N m].
 struct BodyForces {
   std::vector<Vec3> force, moment;
 };
@@ -36,19 +36,19 @@ struct BodyForces {
 struct LimitForces {
   BodyForces dead, live;
   double weight = 0.0;  // N, of all bodies
-  double length = 1.0;  // m, a mean lever: moments over it are compared with forces
+  double length = 1.0;  // m, a mean lever, by which moments are divided for comparison with forces
 };
 
-/// \throw cases::InputError for loads with a history, names of no block, live loads without a force, and growing loads beside another live
-/// load
+/// Forces on all bodies. \throw cases::InputError for loads with a history, names of no block, live loads without a force, and growing
+/// loads beside another live load
 LimitForces limit_forces(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const LiveLoad& live);
 
-/// Where the friction cones have a corner: along the live load, of growing loads along their sum. Zero if that is nothing.
+/// Direction of a corner of the friction cones: along the live load, for growing loads along their sum. Zero if the sum is zero.
 Vec3 main_direction(const cases::Case& c, const LiveLoad& live);
 
-/// Where a force that comes along `direction` meets the model: at `from`, if that lies in an element, else on the first one that it hits.
+/// Point of action of a force along `direction`: `from`, if inside an element, else on the first element that the line from there hits.
 struct LoadedPlace {
-  std::int32_t element = -1;  // −1: it hits nothing
+  std::int32_t element = -1;  // −1: no element is hit
   Vec3 at;
 };
 LoadedPlace place_of_load(const cases::Model& model, Vec3 from, Vec3 direction);

@@ -11,22 +11,22 @@
 
 namespace voussoir::solver {
 
-/// A point load at one place of its path.
+/// A point load at one position of its path.
 struct LoadPosition {
   Vec3 from;                         // m, on the path
-  LoadedPlace place;                 // where it meets the model; no element: it meets nothing that can move
-  std::optional<LimitResult> found;  // none: nothing falls under a load here, whatever its size
+  LoadedPlace place;                 // point of action on the model; without element: nothing movable is hit
+  std::optional<LimitResult> found;  // none: no collapse under a load at this position, whatever its size
   [[nodiscard]] double multiplier(bool coulomb) const { return coulomb ? found->coulomb.multiplier : found->associated.multiplier; }
 };
 
 struct LoadPath {
   std::vector<LoadPosition> positions;
-  std::optional<std::size_t> weakest;  // that with the smallest multiplier (Coulomb's where asked for); none: nothing falls anywhere
+  std::optional<std::size_t> weakest;  // position with the smallest multiplier (Coulomb's if requested); none: no collapse at any position
 };
 
-/// A point load that moves along a line of straight pieces, at `count` places equally far from each other, both ends among them.
+/// Analyses a point load that moves along a polyline, at `count` equidistant positions including both ends.
 /// \param options  options.live.direction and .force are those of the load \param corners  two or more, m
-/// \throw as limit_analysis, but that a place at which nothing falls is told in the result
+/// \throw as limit_analysis, except that positions without collapse are part of the result
 LoadPath limit_along_path(const cases::Case& c, const cases::Model& model, const LimitOptions& options, std::span<const Vec3> corners,
                           int count);
 

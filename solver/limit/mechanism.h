@@ -7,7 +7,7 @@
 
 #include "solver/limit/limit.h"
 
-/// The mechanism of a collapse: which bodies move as one, and how these parts move against each other.
+/// The mechanism of a collapse: bodies that move as one part, and relative motions of the parts.
 namespace voussoir::solver {
 
 /// Bodies that move as one.
@@ -18,18 +18,18 @@ struct MechanismPart {
   kernels::Twist motion;  // about the centre; the fastest point of the mechanism has the speed 1
 };
 
-/// What two parts do where they touch.
+/// Relative motion of two parts at their contacts.
 struct MechanismSeam {
-  std::int32_t a = -1, b = -1;  // parts; −1: the ground, with all that stands
+  std::int32_t a = -1, b = -1;  // parts; −1: the ground, with all parts at rest
   int joints = 0;
-  double slide = 0.0, open = 0.0;  // largest speed of points against each other, along the joint and across it
-  bool hinge = false;              // it opens, and some point of it does not move
+  double slide = 0.0, open = 0.0;  // largest relative speed of points, along the joint and across it
+  bool hinge = false;              // the joint opens, and some point of it is at rest
 };
 
 struct Mechanism {
-  std::vector<MechanismPart> parts;  // that move, heaviest first
+  std::vector<MechanismPart> parts;  // moving parts, heaviest first
   std::vector<MechanismSeam> seams;  // in the order of their parts
-  double standing = 0.0;             // kg, of what does not move
+  double standing = 0.0;             // kg, mass at rest
 };
 
 Mechanism mechanism_of(const LimitContacts& contacts, const LimitState& state);

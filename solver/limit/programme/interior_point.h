@@ -7,13 +7,13 @@
 #include <vector>
 
 /// Large linear programmes by an interior-point method (Mehrotra 1992; Wright, Primal-Dual Interior-Point Methods, 1997, chapter 10).
-/// Those of a house have half a million unknowns but few equations, whose normal matrix is as sparse as the house's stiffness.
+/// Programmes of a house have half a million unknowns but few equations, whose normal matrix is as sparse as the house's stiffness.
 namespace voussoir::solver {
 
-/// Minimise costs · x under matrix · x = right, x >= 0; the matrix by columns. Each step solves normal equations in which the first column,
-/// which may have entries in all rows, is kept apart.
+/// Minimise costs · x subject to matrix · x = right, x >= 0; the matrix by columns. Each step solves normal equations; the first column,
+/// which may have entries in all rows, is treated separately.
 struct InteriorProgramme {
-  std::vector<std::size_t> starts{0};  // of each column in `rows` and `entries`, and the end
+  std::vector<std::size_t> starts{0};  // start of each column in `rows` and `entries`, and the end
   std::vector<std::size_t> rows;
   std::vector<double> entries;
   std::vector<double> right, costs;
@@ -27,7 +27,7 @@ struct InteriorPoint {
   int iterations = 0;
 };
 
-/// A solution whose residuals and gap are below 1e-8 of their scales; none if the method does not get there (there may be no solution).
+/// A solution with residuals and gap below 1e-8 of their scales; none if the method does not converge (there may be no solution).
 std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme);
 
 }  // namespace voussoir::solver

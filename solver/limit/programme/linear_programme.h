@@ -7,37 +7,37 @@
 
 namespace voussoir::solver {
 
-/// Whether this program was built with Clp (COIN-OR's linear programmes, EPL-2.0), which solves those of limit analysis.
+/// Whether this program was built with Clp (linear programming of COIN-OR, EPL-2.0), which limit analysis needs.
 [[nodiscard]] bool has_linear_programmes() noexcept;
 
-/// none: it has no solution, or none was found to the accuracy needed; at_bound: the first unknown is.
+/// none: there is no solution, or none was found to the required accuracy; at_bound: the first unknown is at its bound.
 enum class LpOutcome { solved, none, at_bound };
 
-/// Whether the first unknown is to be as large or as small as can be.
+/// Whether to maximise or minimise the first unknown.
 enum class LpGoal { most, least };
 
-/// Upper bound of the first unknown: the dual simplex starts from it.
+/// Upper bound of the first unknown, from which the dual simplex starts.
 inline constexpr double kLpBound = 1e3;
-/// From this number of unknowns on the barrier method is tried before the simplex methods, which take too long.
+/// Number of unknowns from which on the barrier method is tried before the simplex methods, which take too long.
 inline constexpr std::size_t kLpLarge = 5000;
-/// From this number on, as in a house, the method of interior_point.h, which keeps the equations sparse.
+/// Number of unknowns, as of a house, from which on the method of interior_point.h is used, which keeps the equations sparse.
 inline constexpr std::size_t kLpHuge = 50000;
 
 struct LpSolution {
   LpOutcome outcome = LpOutcome::solved;
   std::vector<double> unknowns;  // by column
-  std::vector<double> prices;    // by equation: how fast the first unknown grows with its right-hand side
+  std::vector<double> prices;    // by equation: derivative of the first unknown with respect to the right-hand side
 };
 
-/// A linear programme by columns: the first of the unknowns as large (or small) as can be, all >= 0, under equations.
+/// A linear programme by columns: maximises (or minimises) the first of the unknowns, all >= 0, subject to equations.
 class LinearProgramme {
  public:
   explicit LinearProgramme(std::size_t equations, LpGoal goal = LpGoal::most, double bound = kLpBound)
       : right_(equations, 0.0), goal_(goal), bound_(bound) {}
 
-  /// The right-hand side of an equation.
+  /// Right-hand side of an equation.
   double& right(std::size_t equation) { return right_[equation]; }
-  /// A coefficient of the column in hand; each equation at most once a column.
+  /// Sets a coefficient of the current column; each equation at most once per column.
   void add(std::size_t equation, double coefficient) {
     equations_.push_back(static_cast<int>(equation));
     coefficients_.push_back(coefficient);
@@ -45,9 +45,9 @@ class LinearProgramme {
   void end_column() { starts_.push_back(equations_.size()); }
   [[nodiscard]] std::size_t columns() const noexcept { return starts_.size() - 1; }
 
-  /// Methods are tried in turn until one gives unknowns and prices that prove each other optimal: equations, signs and gap to 1e-9 (the
-  /// interior-point method: 1e-6) of the largest numbers in them. What a method says of itself is not believed.
-  /// \param inside_from  unknowns from which on the interior-point method comes first and the simplex methods are left out
+  /// Solves the programme. Methods are tried in turn until one gives unknowns and prices that prove each other optimal: equations, signs
+  /// and gap to 1e-9 (interior-point method: 1e-6) of the largest numbers in each. The status reported by a method is not relied on.
+  /// \param inside_from  number of unknowns from which on the interior-point method comes first and the simplex methods are left out
   /// \throw std::logic_error if this program has no linear programmes
   [[nodiscard]] LpSolution solve(std::size_t inside_from = kLpHuge) const;
 

@@ -26,11 +26,11 @@ struct ProgrammeSolution {
   double factor = 0.0;  // of the pushing forces
   double missed = 0.0;  // solve_cheapest: the cost
   ProgrammeForces forces;
-  std::vector<kernels::Twist> motion;  // of bodies (Balance::motion)
+  std::vector<kernels::Twist> motion;  // by body (Balance::motion)
 };
 
-/// Forces at contact points within cones of friction: each is a sum of forces on the edges of its cone, so that the programme has an
-/// equation for each equation of balance and no others.
+/// Forces at contact points within cones of friction: each force is a sum of forces on the edges of its cone, so that the programme has
+/// only the equilibrium equations.
 struct ConeProgramme {
   std::vector<double> pushing, right;  // by equation: factor × pushing + forces of contacts = right
   LpGoal goal = LpGoal::most;
@@ -41,14 +41,14 @@ struct ConeProgramme {
 
 class Programmes {
  public:
-  /// \param inside_from  unknowns from which on the interior-point method is used
+  /// \param inside_from  number of unknowns from which on the interior-point method is used
   Programmes(const Balance& balance, const FrictionCone& cone, std::size_t inside_from)
       : balance_(balance), cone_(cone), inside_from_(inside_from) {}
 
   [[nodiscard]] ProgrammeSolution solve(const ConeProgramme& p) const;
-  /// The largest multiple of the live forces where the shear at each point is at most cohesion + slope × compression (and in the polygon).
+  /// The largest multiple of the live forces with a shear at each point of at most cohesion + slope × compression (and in the polygon).
   [[nodiscard]] ProgrammeSolution solve_yield(const std::vector<double>& cohesion, const std::vector<double>& slope) const;
-  /// Admissible forces, under any multiple of the live forces, that cost least.
+  /// Admissible forces of least cost, under any multiple of the live forces.
   /// \param cost  of a unit of compression on an edge of a cone, >= 0
   [[nodiscard]] ProgrammeSolution solve_cheapest(const std::function<double(std::size_t point, std::size_t corner)>& cost) const;
 
@@ -58,7 +58,7 @@ class Programmes {
     std::size_t point = 0, corner = 0;
   };
   [[nodiscard]] std::vector<Edge> all_edges() const;
-  /// The coefficients of a unit of compression on it.
+  /// Adds the coefficients of a unit of compression on an edge.
   void add_edge(LinearProgramme& lp, Edge e) const;
   [[nodiscard]] ProgrammeForces forces_of(const std::vector<Edge>& edges, const std::vector<double>& compressions) const;
 
