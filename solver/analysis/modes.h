@@ -14,7 +14,7 @@ namespace voussoir::solver {
 struct Mode {
   double frequency = 0.0;          // Hz; 0: a mechanism, or an unsupported body
   Vec3 mass_share;                 // effective modal mass along x, y, z over the total moving mass
-  std::vector<Vec3> displacement;  // by element, of its centroid; the largest component, or rotation times radius, of the mode is 1 m
+  std::vector<Vec3> displacement;  // by element, of its centroid; scaled: the largest component, or rotation × radius, of a mode is 1 m
   std::vector<Vec3> rotation;      // rad by element, same scale
 };
 

@@ -31,7 +31,7 @@ struct Contacts {
   std::vector<std::int64_t> last_gather;   // by element: end of its entries; the rest of its range is for later slots
   std::vector<std::int32_t> gather;        // slot × 2 + (0: master, 1: slave), ascending
   std::vector<std::int32_t> place;         // by slot × 2 + (0, 1): its position in `gather`; −1: the base, which gathers nothing
-  std::vector<std::uint8_t> gather_on;     // `on` of their slots, and 8 zeros: few push, and these are found 8 at a time
+  std::vector<std::uint8_t> gather_on;     // `on` of the slots in `gather`, and 8 zeros: few slots have a force, and are found 8 at a time
   // For multi-rate stepping; else empty. A patch has the lowest level of its pairs.
   std::vector<std::uint8_t> level;         // by active patch
   std::vector<std::uint8_t> gather_level;  // by entry of `gather`, and 8 zeros

@@ -31,8 +31,8 @@ struct Sides {
   Array<kernels::SideConstants> constants;  // shared by congruent blocks
   Array<kernels::WholeConstants> whole;     // of the same blocks
   Array<kernels::SideBlock> blocks;
-  std::vector<std::int32_t> task_first;  // blocks of task t: [task_first[t], task_first[t + 1])
-  std::vector<std::int32_t> task_level;  // by task and level (multirate.h): the first block of its sides of that level; one more at the end
+  std::vector<std::int32_t> task_first;    // blocks of task t: [task_first[t], task_first[t + 1])
+  std::vector<std::int32_t> task_level;    // by task and level (multirate.h): first block of its sides of that level; one more at the end
   std::vector<std::int32_t> colour_first;  // tasks of colour c: [colour_first[c], colour_first[c + 1])
   std::int32_t overflow_colour = -1;       // colour of the single task of sides that span more than two cells; −1: none
   // Sides that are not retired. A side is *retired* when its joint has come apart: its segments are then free patches (patches.h).
