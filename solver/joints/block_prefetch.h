@@ -7,14 +7,14 @@
 #include "kernels/side.h"
 #include "solver/world/world.h"
 
-/// Prefetches of damaged blocks of sides, whose memory lies where no hardware foresees it. Both read what is there and change nothing.
+/// Prefetches for damaged blocks of sides, whose memory access no hardware prefetcher foresees. They read only, and change nothing.
 namespace voussoir::solver {
 
-/// What the sides of a block need in which something has happened: the rows of their elements, their constants, and, of those whose
-/// segments are looked at, where these lie.
+/// Prefetches the data of a damaged block: the rows of its elements, its constants, and, for sides processed segment by segment, their
+/// pointers.
 void prefetch_block(const Sides& s, const kernels::Rows& rows, std::int32_t block);
 
-/// Then, once these are there: the histories of the segments.
+/// Prefetches the histories of the segments. To be called later, when the pointers have arrived.
 void prefetch_histories(const Sides& s, std::int32_t block);
 
 }  // namespace voussoir::solver

@@ -7,14 +7,14 @@
 
 namespace voussoir::solver {
 
-/// What is known of the live sides of a block from the last step, one bit each.
+/// States of the live sides of a block after the last step, one bit each.
 inline kernels::StateBits states_of(const Sides& s, std::size_t block) {
   const kernels::StateBits all = kernels::state_bits(&s.side_state[block * kernels::kLanes]);
   const unsigned live = s.live_lanes[block];
   return {all.segments & live, all.whole & live, all.open & live, all.steady & live};
 }
 
-/// True if nothing has happened in a block: then its constants are all there is to it.
+/// Whether all live sides of a block are whole: then its constants are its only data.
 inline bool is_whole(const Sides& s, std::size_t block) { return states_of(s, block).whole == s.live_lanes[block]; }
 
 }  // namespace voussoir::solver

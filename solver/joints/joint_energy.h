@@ -10,7 +10,7 @@ struct StoredEnergy {
   double bonds = 0.0, contact = 0.0;  // J
 };
 
-/// What the springs of all joints hold as they stand after the stage of forces.
+/// Energy stored in the springs of all joints after the stage of forces.
 StoredEnergy joint_energy(World& w);
 
 }  // namespace voussoir::solver

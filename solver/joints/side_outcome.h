@@ -8,13 +8,13 @@
 
 namespace voussoir::solver {
 
-/// How the segments of a side were looked at.
+/// How the segments of a side were processed.
 struct SideLook {
-  bool closely = false;     // open sides too, which may have come apart
-  bool for_steady = false;  // a side in which nothing happens is to be made steady, if it can be
+  bool closely = false;     // including open sides, which may have come apart
+  bool for_steady = false;  // sides without events are to be made steady, if possible
 };
 
-/// Records what a step has done to a side whose segments were looked at: bonds left, losses, its state from now on.
+/// Records the result of a side processed segment by segment: bonds left, losses, its new state.
 /// \return true if its faces no longer face each other: the side is to be retired
 bool record_side(World& w, std::size_t id, const kernels::DamagedSide& result, SideLook look);
 
