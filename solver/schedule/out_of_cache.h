@@ -12,31 +12,31 @@
 #include "kernels/rows.h"
 #include "kernels/side.h"
 
-/// What joints do in out-of-cache models alone (World::out_of_cache), where a thread's rows do not stay in its caches: tasks follow each
+/// Scheduling of joints in out-of-cache models (World::out_of_cache), where a thread's rows do not stay in its caches: tasks follow each
 /// other along the plan instead of colour by colour, and each prefetches the rows of the next one.
 namespace voussoir::solver {
 
-/// Which tasks each task waits for: before[k] for k in [first[t], first[t + 1]); all of lower colours.
+/// Tasks that each task waits for: before[k] for k in [first[t], first[t + 1]); all of lower colours.
 struct TaskOrder {
   std::span<const std::int32_t> first, before;
 };
 
-/// Ranks of tasks along the plan, each after all that it waits for. Those lie beside it, so little is out of turn.
-/// \param place  where its elements lie among all, by task
+/// Ranks of tasks along the plan, each after all that it waits for. The latter are neighbours, so few tasks leave the order of the plan.
+/// \param place  by task, position of its elements among all
 std::vector<std::int32_t> ranks_along_plan(TaskOrder order, std::span<const double> place);
 
-/// Marks the tasks that are not inside a share, all that these wait for, and so on: they are done first, colour by colour.
-/// \param inside  by task, 1: no task of another thread's share waits for it, nor it for one
+/// Marks the tasks that are not inside a share, all tasks that these wait for, and so on: these are done first, colour by colour.
+/// \param inside  by task, 1: it neither waits for a task of another thread's share nor is waited for by one
 std::vector<std::uint8_t> tasks_before_borders(TaskOrder order, std::span<const std::uint8_t> inside);
 
-/// Prefetches the rows of the elements that the next task writes to, a few with each block of this one.
+/// Prefetches the rows of the elements that the next task writes to, a few with each block of the current task.
 class RowPrefetch {
  public:
-  /// \param blocks  of this task, at least 1
+  /// \param blocks  of the current task, at least 1
   RowPrefetch(const kernels::Rows& rows, std::span<const std::int32_t> elements, std::size_t blocks)
       : rows_(rows), left_(elements), each_((elements.size() + blocks - 1) / blocks) {}
   [[nodiscard]] bool any() const { return each_ > 0; }
-  /// With the next blocks of this task.
+  /// Prefetches with the next `blocks` blocks of the current task.
   void fetch(std::size_t blocks) {
     const std::span<const std::int32_t> now = left_.first(std::min(each_ * blocks, left_.size()));
     for (const std::int32_t element : now) {

@@ -7,23 +7,23 @@
 
 namespace voussoir::solver {
 
-/// Where the shares of a team of threads end. They follow what shares take, step after step: none has to wait for another, or to help it,
-/// though one of them has half a core only, or the harder half of the work.
+/// Borders between the shares of a team of threads. They follow the times that shares take, step after step, so that no thread has to wait
+/// for another or to help it, even if one has only half a core, or the harder half of the work.
 class ShareBorders {
  public:
-  /// All alike at first.
+  /// Equal shares initially.
   explicit ShareBorders(int threads);
 
-  /// By thread: where its share ends, from 0 (the first task's begin) to 1 (the last one's end).
+  /// By thread: end of its share, from 0 (begin of the first task) to 1 (end of the last one).
   [[nodiscard]] std::span<const double> ends() const { return ends_; }
 
-  /// Once a round. \param times  by thread, what its share took [s] \return true if borders have moved, as they do now and then
+  /// Takes the times of a round. \param times  by thread, of its share [s] \return true if borders have moved, as they do occasionally
   bool note(std::span<const double> times);
 
  private:
   bool move();
   std::vector<double> ends_, excess_;  // by thread; its share of the mean time, less 1, over the steps since borders were looked at last
-  int steps_ = 0;                      // since then
+  int steps_ = 0;                      // number of these steps
 };
 
 }  // namespace voussoir::solver

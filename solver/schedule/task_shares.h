@@ -13,36 +13,38 @@
 
 namespace voussoir::solver {
 
-/// Leaves a core to its other thread for a moment, where the processor can.
+/// Yields a core to its other hardware thread for a moment, if the processor can.
 inline void pause_briefly() noexcept {
 #if defined(__x86_64__)
   __builtin_ia32_pause();
 #endif
 }
 
-/// Shares tasks out among the threads of a team, step after step. A thread does its own share, and helps where others are late.
+/// Divides tasks among the threads of a team, step after step. A thread does its own share, and helps where others are late.
 ///
-/// What a thread takes from another's share it fetches from the other's cache, and the other has to fetch it back in the next step: that is
-/// slower than to wait a little, and makes both late in the next step. So shares follow what they take (ShareBorders), and a thread has
-/// some patience before it helps.
+/// Tasks taken from another thread's share are fetched from that thread's cache, which has to fetch them back in the next step: this is
+/// slower than waiting a little, and makes both threads late in the next step. Therefore shares follow the measured times (ShareBorders),
+/// and a thread waits for some time before it helps.
 class TaskShares {
  public:
-  /// \param patience  of the time that its own share took a thread: so much more it gives the others for theirs
+  /// \param patience  waiting time before a thread helps, as a fraction of the time of its own share
   explicit TaskShares(double patience) : patience_(patience) {}
 
-  /// Before the team begins. Teams of different sizes have borders of their own. \return true if these are others than in the step before
+  /// Begins a step. To be called before the team begins. Teams of different sizes have separate borders. \return true if borders differ
+  /// from those of the step before
   bool begin(int threads);
 
-  /// See ShareBorders.
+  /// Ends of the shares, see ShareBorders::ends.
   [[nodiscard]] std::span<const double> borders() const { return team_->borders.ends(); }
 
-  /// Then. Thread k has the tasks [ends[k − 1], ends[k]).
+  /// Deals tasks by given ends: thread k gets the tasks [ends[k − 1], ends[k]). To be called after begin().
   void deal(std::span<const std::int32_t> ends);
 
-  /// So many tasks, all alike.
+  /// Deals `tasks` equal tasks by the borders.
   void deal(std::int64_t tasks);
 
-  /// Then, by each thread of the team: calls `work` with one task of its share after the other, as long as any is left.
+  /// Calls `work` with one task of the thread's share after the other, while any is left. To be called by each thread of the team after
+  /// deal().
   template <class Work>
   void take_own(int thread, Work work) {
     Share& own = team_->shares[static_cast<std::size_t>(thread)];
@@ -53,8 +55,8 @@ class TaskShares {
     own.patient_until = end + std::chrono::duration_cast<Clock::duration>(patience_ * (end - begin));
   }
 
-  /// Then: the same with what others have left, once they have had time enough. \param team  threads that take part: the system may have
-  /// given fewer than there are shares
+  /// Calls `work` with tasks left in the shares of threads that are late. To be called after take_own().
+  /// \param team  number of threads that take part: the system may have given fewer than there are shares
   template <class Work>
   void help(int thread, int team, Work work) {
     std::vector<Share>& shares = team_->shares;
@@ -69,11 +71,11 @@ class TaskShares {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct alignas(128) Share {  // two cache lines each: cores fetch them in pairs
+  struct alignas(128) Share {  // two cache lines each, since cores fetch them in pairs
     std::atomic<std::int32_t> next{0};
     std::int32_t last = 0;
-    std::int64_t had = 0, done = 0;  // tasks in it; of these by its own thread
-    double time = 0.0;               // s, that these took
+    std::int64_t had = 0, done = 0;  // number of tasks in the share; number done by its own thread
+    double time = 0.0;               // s, of the latter
     Clock::time_point patient_until;
     [[nodiscard]] bool any_left() const { return next.load(std::memory_order_relaxed) < last; }
   };
