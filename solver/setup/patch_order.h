@@ -6,11 +6,11 @@
 
 namespace voussoir::solver {
 
-/// Sorts the free patches by element, those of one element as they were: patches that a step visits one after the other lie beside each
-/// other in memory. Lists of patches (Contacts::active) do not hold any more.
+/// Sorts the free patches by element, in stable order: patches that a step visits one after the other are then adjacent in memory. Lists of
+/// patches (Contacts::active) become invalid.
 void sort_patches(World& w);
 
-/// True where that is worth its time: sides retire in any order, and their patches are appended. Follows from the state alone.
+/// Whether sorting is worth its time: sides retire in any order, and their patches are appended. Depends on the state only.
 bool patches_lie_apart(const World& w);
 
 }  // namespace voussoir::solver

@@ -14,12 +14,12 @@ namespace voussoir::solver {
 class PointSetBuilder {
  public:
   explicit PointSetBuilder(PointSets& sets) : sets_(sets) {}
-  /// Number of the set that equals `points` bit for bit; added if new. \pre  they outlive this
+  /// Number of the set that equals `points` bit for bit; added if new. \pre `points` outlives the builder
   std::int32_t add(geometry::SegmentList points);
 
  private:
   PointSets& sets_;
-  std::unordered_map<std::string_view, std::int32_t> known_;  // by their bytes
+  std::unordered_map<std::string_view, std::int32_t> known_;  // by the bytes of their points
 };
 
 }  // namespace voussoir::solver

@@ -10,55 +10,55 @@
 #include "cases/case.h"
 #include "solver/world/world.h"
 
-/// From the model to the arrays of the step.
+/// Builds the arrays of the step from the model.
 namespace voussoir::solver {
 
-/// The step of a run [s]: as given, or the largest ≤ 0.995 × bound (Eq. 19, see cases/census.h) of which whole cycles
-/// of multi-rate stepping (else whole steps) make history_interval.
+/// The step of a run [s]: the given one, or the largest ≤ 0.995 × bound (Eq. 19, see cases/census.h) such that a whole number of cycles of
+/// multi-rate stepping (else of steps) makes history_interval.
 double choose_step(const cases::Case& c, const Options& o, double bound);
 
 /// Builds the world at rest in the reference configuration. `m` must outlive it.
-/// \throw cases::InputError where data that belong together do not (a mortar thicker than its bricks, a load on an unknown block)
+/// \throw cases::InputError for inconsistent data (mortar thicker than its bricks, a load on an unknown block)
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o);
 
-/// The rooms of build_world, in the order they are called.
+/// The parts of build_world, in calling order.
 void set_up_elements(World& w, const cases::Case& c);
 void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
-/// The levels of all elements, for a case with multi-rate stepping. \pre elements
+/// Sets the levels of all elements, for a case with multi-rate stepping. \pre elements are set up
 void set_up_multirate(World& w, const cases::Case& c);
-/// m, by which an element is searched earlier, because a search waits for the first step of a cycle: what one that flies moves meanwhile,
-/// but a small part of the skin at most (THEORY.md, section 7, "Late pairs").
+/// Distance [m] by which an element is searched earlier, since a search waits for the first step of a cycle: the travel of a flying element
+/// meanwhile, but at most a small part of the skin (THEORY.md, section 7, "Late pairs").
 [[nodiscard]] double search_margin(const World& w, double skin);
 /// Pairs of elements that are joined, or that may touch.
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
-/// Lowers levels of elements until those of neighbours differ by one at most.
+/// Lowers levels of elements until neighbours differ by at most one.
 void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_overlaps(World& w);
-/// Points each side at its points and its segments' history, when all arrays have their size.
+/// Connects each side to its points and its segments' history, after all arrays have their final size.
 void set_up_side_views(World& w);
-/// How bonds soften, and what each has gone through, where a law asks for it. \pre sides have their views
+/// Sets up the softening of bonds and its history, if a law needs it. \pre sides have their views
 void set_up_softening(World& w);
-/// Which joints stiffen as they close, and how.
+/// Sets up the closing laws of joints that stiffen as they close.
 void set_up_closing(World& w);
-/// How contacts give way under pressure, as the case says it.
+/// The crushing parameters of the case.
 kernels::Crushing crushing_of(const cases::Contact& c);
-/// What each segment has gone through of it. \pre sides have their views
+/// Sets up the crushing history of each segment. \pre sides have their views
 void set_up_crushing(World& w, const cases::Contact& c);
-/// Room for the forces of sides, where cuts ask for them.
+/// Allocates memory for the forces of sides, if cuts need them.
 void set_up_pair_forces(World& w, const cases::Case& c);
-/// Ties, their stiffness no more than the step allows. \pre sides have their views
+/// Sets up ties, with their stiffness limited by the step. \pre sides have their views
 void set_up_ties(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 
-/// The velocities that the case gives its blocks for time zero, all others zero. \pre orientations are as they stand
+/// Sets the velocities that the case gives its blocks at time zero, all others to zero. \pre orientations are current
 void set_initial_velocities(World& w);
 
-/// Room for so many free patches and their points in all. Without it arrays end with up to twice of what they need.
+/// Reserves memory for a total number of free patches and of their points. Otherwise arrays end with up to twice the necessary size.
 void reserve_patches(World& w, std::size_t patches, std::size_t points);
-/// Appends a free patch with no partners.
+/// Appends a free patch without partners.
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered);
 
 }  // namespace voussoir::solver

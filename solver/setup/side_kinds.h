@@ -10,17 +10,17 @@
 #include "kernels/side.h"
 #include "solver/world/array.h"
 
-/// Congruent sides share their constants. A building has thousands of joints and a few dozen kinds of them: what the kernels read of a
-/// joint is then its two elements and a block of numbers that is already in the cache.
+/// Sharing of constants by congruent sides. A building has thousands of joints but only a few dozen kinds of them: the kernels then read,
+/// for each joint, its two elements and a block of constants that is already in the cache.
 namespace voussoir::solver {
 
-/// Kinds of sides: those whose constants agree to 12 digits, the first one's digits standing for all (coordinates that differ by whole
-/// bricks differ by round-off too).
+/// Kinds of sides: sides whose constants agree to 12 digits; the digits of the first are used for all (coordinates that differ by whole
+/// bricks also differ by round-off).
 class SideKinds {
  public:
   using Numbers = std::array<double, kernels::kSideNumbers>;  // of one side, in the order of SideConstants
 
-  /// Number of the kind of the side in lane 0 of `c`. Kinds are numbered as they come.
+  /// Number of the kind of the side in lane 0 of `c`. Kinds are numbered in order of appearance.
   std::int32_t add(const kernels::SideConstants& c);
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(kinds_.size()); }
   [[nodiscard]] const Numbers& numbers(std::int32_t kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
@@ -33,7 +33,7 @@ class SideKinds {
   std::vector<Numbers> kinds_;
 };
 
-/// Constants of blocks with these kinds in their lanes, each once.
+/// Constants of blocks, each distinct combination of kinds in the lanes once.
 class BlockKinds {
  public:
   using Lanes = std::array<std::int32_t, kernels::kLanes>;

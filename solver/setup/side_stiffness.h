@@ -6,10 +6,10 @@
 
 #include "kernels/side.h"
 
-/// Stiffness of a whole side against the motions of its two elements, for what needs the stiffness of the structure.
+/// Stiffness of a whole side against the motions of its two elements, for computing the stiffness of the structure.
 namespace voussoir::solver {
 
-/// A symmetric 12 × 12 matrix against displacement and rotation of the master, then of the slave [N/m, N, N m].
+/// A symmetric 12 × 12 matrix for displacement and rotation of the master, then of the slave [N/m, N, N m].
 using Stiffness12 = std::array<double, 144>;
 
 /// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
