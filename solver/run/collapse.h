@@ -6,14 +6,14 @@
 
 #include "cases/model.h"
 
-/// When a building counts as collapsed: one definition for the summary of a run and for what is derived from its frames.
+/// Criterion of collapse of a building, common to the summary of a run and to quantities derived from its frames.
 namespace voussoir::solver {
 
-/// Adds up elements and how much of them has fallen.
+/// Sums the mass of elements and of fallen elements.
 class FallenMass {
  public:
-  /// An element has fallen once it has sunk by more than half its first height above the base, or by more than 1 m. (Only by the latter
-  /// where it began below: a structure on fixed blocks may.)
+  /// Whether an element has fallen: it has sunk by more than half its initial height above the base, or by more than 1 m. (Only the latter
+  /// if it began below the base, as a structure on fixed blocks may.)
   static constexpr bool has_fallen(double sunk, double height) noexcept {
     return sunk > (height > 0.0 ? std::min(0.5 * height, 1.0) : 1.0);
   }
@@ -28,9 +28,9 @@ class FallenMass {
     fallen_roof_ += is_roof ? fallen : 0.0;
   }
 
-  /// Of all mass.
+  /// Fallen fraction of all mass.
   [[nodiscard]] double fraction() const noexcept { return all_ > 0.0 ? fallen_ / all_ : 0.0; }
-  /// More than half of the roof's mass has fallen; without a roof, of all.
+  /// Whether more than half of the roof's mass has fallen; without a roof, of all mass.
   [[nodiscard]] bool is_collapse() const noexcept { return roof_ > 0.0 ? fallen_roof_ > 0.5 * roof_ : fallen_ > 0.5 * all_; }
 
  private:

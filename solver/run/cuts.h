@@ -10,14 +10,14 @@
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
-/// Forces through cuts: planes named in the case (output.cut), along which the structure is thought to be parted.
+/// Forces through cuts: planes named in the case (output.cut) that divide the structure into two parts.
 namespace voussoir::solver {
 
-/// An element lies before a plane (where the normal points) or behind it by its centroid in the reference configuration; the base lies
-/// below an element, on its vertical line. A cut's force is the sum over all pairs of elements, one on either side, that push or pull each
-/// other, whether by a joint, by contact or by overlap, with their dashpots. With a box those pairs count whose middle (of the two
-/// centroids; of an element and the base that of the centroid and its foot) lies in it. Ties count with what they do to what they hold
-/// behind the plane, if they also hold something before it (the base by the hold's own point) and, with a box, if their middle lies in it.
+/// The centroid of an element in the reference configuration decides whether it is before the plane (where the normal points) or behind it;
+/// the base counts as the point vertically below an element. A cut's force is the sum over all pairs of elements on opposite sides, by
+/// joints, contact and overlap, with their dashpots. With a box, only pairs with their middle in the box count (that of the two centroids;
+/// for an element and the base, of the centroid and the point below). The force of a tie on elements behind the plane counts if the tie
+/// also holds an element before it (for the base, the hold's own point decides) and, with a box, if the tie's middle is in the box.
 class Cuts {
  public:
   Cuts() = default;
@@ -25,7 +25,7 @@ class Cuts {
   Cuts(const World& w, std::span<const cases::Cut> cuts);
 
   [[nodiscard]] bool any() const noexcept { return !cuts_.empty(); }
-  /// In the order of the case. \pre the forces of the step have been computed with World::keep_pairs
+  /// Measures all cuts, in the order of the case. \pre the forces of the step have been computed with World::keep_pairs
   void measure(const World& w, std::vector<CutSample>& out) const;
 
  private:
@@ -36,7 +36,7 @@ class Cuts {
   struct Plane {
     cases::Cut cut;
     std::vector<Crossing> crossings;      // ascending
-    std::vector<std::int32_t> tie_holds;  // behind, of ties that cross; ascending, into Ties::hold
+    std::vector<std::int32_t> tie_holds;  // holds behind the plane of ties that cross it; ascending, indices into Ties::hold
   };
   static void find_ties(const World& w, Plane& plane);
   [[nodiscard]] static int crosses(const World& w, const cases::Cut& cut, std::int32_t a, std::int32_t b);

@@ -12,7 +12,7 @@
 /// Stage 3 of the step: the forces of joints and contacts on the elements' rows.
 namespace voussoir::solver {
 
-/// One thread's room.
+/// Working memory of one thread.
 struct ThreadRoom {
   JointFindings joints;
   ContactRoom contacts;
@@ -25,13 +25,13 @@ struct ForceStage {
   std::vector<ThreadRoom> by_thread;
   JointTasks tasks;
   bool split = false;  // whether parts are timed
-  ForceTimes parts{};  // of the mean thread, so far
-  double alone = 0.0;  // s, of one thread after the team, so far; while parts are timed
+  ForceTimes parts{};  // of the mean thread, accumulated
+  double alone = 0.0;  // s, of one thread after the team, accumulated while parts are timed
 };
 
-/// One team of threads from the first side to the last slot. Contacts and joints need nothing of each other: a thread that has done
-/// its own joints goes on with contacts, where others still work on theirs, and helps these last.
-/// \pre  the gather lists of contacts are up to date (build_gather)
+/// Computes all forces with one team of threads. Contacts and joints are independent: a thread that has finished its joints continues with
+/// contacts while others still process joints, and helps those last.
+/// \pre the gather lists of contacts are up to date (build_gather)
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 
 }  // namespace voussoir::solver

@@ -10,8 +10,8 @@
 #include "solver/world/world.h"
 
 /// The energy ledger. Kinetic energy is Σ ½ m v₋·v₊ (likewise in rotation): with the elastic energy at whole steps it is the invariant of
-/// the scheme. Works and losses follow the trapezoid rule of the same scheme, so that a closed ledger means consistent forces, arms and
-/// histories.
+/// the scheme. Work and losses are computed by the trapezoid rule of the scheme, so a small residual shows that forces, arms and histories
+/// are consistent.
 namespace voussoir::solver {
 
 class Ledger {
@@ -19,17 +19,18 @@ class Ledger {
   Ledger() = default;
   explicit Ledger(const World& w) : support_wrench_(6 * w.supports.size(), 0.0) {}
 
-  /// Starts anew: zeroes all works and losses; the next row is the balance that the residual is measured against.
+  /// Restarts the ledger: zeroes all work and losses; the next row is the reference of the residual.
   void restart(World& w);
 
-  /// Every step, when all forces are in the rows and before loads are added: work of supports.
+  /// Adds the work of supports. To be called every step, when all forces are in the rows and before loads are added.
   void add_support_work(const World& w);
-  /// Every step: work of the loads over the last step [J].
+  /// Adds the work of the loads over the last step [J]. To be called every step.
   void add_load_work(double work) { loads_ += work; }
 
-  /// Brackets the kick and drift of a step in which a row is due; before_kick when sides that came apart in it have retired.
+  /// Begins a row, before the kick of a step in which a row is due, when sides that came apart in the step have retired. after_drift()
+  /// completes it.
   void before_kick(World& w);
-  /// \param f  of the step, as for its kick
+  /// Completes and returns the row, after the drift. \param f  of the step, as for its kick
   EnergyRow after_drift(const World& w, const kernels::BodyForces& f, double time);
 
   [[nodiscard]] double kinetic_over_elastic() const { return std::abs(last_.kinetic) / (last_.strain + last_.contact + 1e-300); }
@@ -43,11 +44,11 @@ class Ledger {
 
   bool fresh_ = true;
   double initial_ = 0.0, loads_ = 0.0, supports_ = 0.0, scale_ = 0.0, worst_ = 0.0;  // J
-  std::vector<double> support_wrench_;                                               // 6 a support, of the last step
-  std::vector<double> v_, w_, l_;                                                    // of the last half step, 3 an element
+  std::vector<double> support_wrench_;                                               // 6 per support, of the last step
+  std::vector<double> v_, w_, l_;                                                    // of the last half step, 3 per element
   StoredEnergy stored_;
   double patches_ = 0.0;      // J
-  std::vector<double> dash_;  // dashpot force and torque now, 6 an element
+  std::vector<double> dash_;  // current dashpot force and torque, 6 per element
   EnergyRow last_;
 };
 

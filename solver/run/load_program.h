@@ -9,7 +9,7 @@
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
-/// How a quasi-static analysis loads the structure (kernels/THEORY.md, section 11): each step queries the load once.
+/// Loading of the structure in a quasi-static analysis (kernels/THEORY.md, section 11); each step advances the load once.
 ///
 /// The forces of the pattern, p_i at a load factor of 1 and N in all, act through a spring, as in a testing machine:
 ///
@@ -23,49 +23,50 @@ namespace voussoir::solver {
 class LoadProgram {
  public:
   LoadProgram() = default;
-  /// With `analysis.level` also keeps the pushed blocks from turning, by an inverse inertia of 0. A drive is needed before time zero:
-  /// set(), or a saved state.
+  /// With `analysis.level`, also prevents rotation of the pushed blocks by an inverse inertia of 0. A drive is needed before time zero: by
+  /// set(), or from a saved state.
   LoadProgram(const cases::Case& c, World& w);
 
-  /// A quasi-static analysis; else nothing here does anything.
+  /// Whether the case is a quasi-static analysis; otherwise this class has no effect.
   [[nodiscard]] bool active() const noexcept { return cases::is_assessment(analysis_); }
   [[nodiscard]] const cases::Analysis& analysis() const noexcept { return analysis_; }
   [[nodiscard]] const Drive& drive() const noexcept { return drive_; }
-  /// \param shape  by element, of a pattern as a mode; times its mass and gravity it is the force at a load factor of 1; else empty
+  /// Sets the drive. \param shape  by element, for a mode as pattern: times mass and gravity it is the force at a load factor of 1; else
+  /// empty
   void set(const Drive& drive, const std::vector<Vec3>& shape);
 
-  /// Time zero. \throw std::logic_error without a drive
+  /// Begins loading at time zero. \throw std::logic_error without a drive
   void begin(const World& w);
-  /// Every step n, when the rows hold the internal forces of n and velocities are those of n − ½.
+  /// Advances the load at step n. To be called every step, when the rows have the internal forces of n and velocities are those of n − ½.
   void advance(const World& w, std::int64_t step);
 
   [[nodiscard]] double factor() const noexcept { return state_.factor; }
-  /// A body acceleration beside gravity at this step, and its mean over the last interval [m/s2].
+  /// Body acceleration in addition to gravity at this step, and its mean over the last interval [m/s2].
   [[nodiscard]] Vec3 acceleration() const noexcept { return field(state_.factor); }
   [[nodiscard]] Vec3 mean_acceleration() const noexcept { return 0.5 * (field(state_.factor) + field(state_.factor_before)); }
-  /// Adds the forces of a pattern as a mode to the rows. \return their work over the last interval [J]
+  /// Adds the forces of a mode as pattern to the rows. \return their work over the last interval [J]
   double add_forces(World& w) const;
-  /// Time of the histories of supports at time t [s].
+  /// Time in the histories of supports at time t [s].
   [[nodiscard]] double support_time(double t) const noexcept {
     return analysis_.kind == cases::AnalysisKind::settlement ? drive_.speed * t : t;
   }
 
-  /// The analysis has found what it looks for, in the step before this one; 0: not yet.
+  /// The step before which the analysis reached its end; 0: not yet.
   [[nodiscard]] std::int64_t ended() const noexcept { return static_cast<std::int64_t>(state_.ended); }
   [[nodiscard]] AssessmentRow row(const World& w, double time) const;
 
  private:
   friend struct FieldTable;
-  struct State {  // doubles alone, counters and flags too: checkpoints hold it as one row of them (state/field_table.cpp)
-    double factor = 0.0, factor_before = 0.0;       // at this step and the last
-    double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: the rate of q over the last interval
-    double looks = 0.0;                             // samples of base shear and load factor since the last means
-    double shear_sum = 0.0, factor_sum = 0.0;       // N, 1; of these samples
-    double shear = 0.0, most_shear = 0.0;           // N, mean over a first period, the largest so far
-    double mean_factor = 0.0, most_factor = 0.0;    // the same of the load factor
-    double sense = 1.0, half_cycles = 0.0;          // cyclic: where the push goes, reversals so far
+  struct State {  // doubles only, including counters and flags, since checkpoints store it as one row of doubles (state/field_table.cpp)
+    double factor = 0.0, factor_before = 0.0;       // at this step and the last one
+    double target = 0.0, moved = 0.0, speed = 0.0;  // m: w, q; m/s: rate of q over the last interval
+    double looks = 0.0;                             // number of samples of base shear and load factor since the last means
+    double shear_sum = 0.0, factor_sum = 0.0;       // N, 1; sums of these samples
+    double shear = 0.0, most_shear = 0.0;           // N, mean over a first period, largest so far
+    double mean_factor = 0.0, most_factor = 0.0;    // likewise for the load factor
+    double sense = 1.0, half_cycles = 0.0;          // cyclic: direction of the push, number of reversals so far
     double ended = 0.0;                             // see ended()
-    Vec3 start;                                     // m, of the control point at time zero
+    Vec3 start;                                     // m, position of the control point at time zero
   };
 
   [[nodiscard]] Vec3 field(double factor) const noexcept;
@@ -79,11 +80,11 @@ class LoadProgram {
   cases::Analysis analysis_;
   Vec3 down_, across_;         // unit vectors: gravity, the push
   double gravity_ = 0.0;       // m/s2
-  double mass_ = 0.0;          // kg, of what moves
-  double last_support_ = 0.0;  // s, of the histories of supports; infinity: one goes on for ever
+  double mass_ = 0.0;          // kg, moving mass
+  double last_support_ = 0.0;  // s, end of the histories of supports; infinity: one has no end
   std::int32_t control_ = 0;   // element
-  double height_ = 1.0;        // m, of it above the base
-  bool moments_ = false;       // what grows are moments alone: they push nothing along
+  double height_ = 1.0;        // m, height of the control element above the base
+  bool moments_ = false;       // only moments grow: there is no push along a direction
   Drive drive_;
   std::vector<Vec3> shape_;
   State state_;

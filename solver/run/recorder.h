@@ -8,8 +8,8 @@
 
 #include "geometry/vec3.h"
 
-/// What a run tells the outside world. The solver calls a Recorder between steps; io implements it.
-/// Time zero is the start of shaking; settling has negative times.
+/// Output of a run. The solver calls a Recorder between steps; io implements it. Time zero is the start of the shaking; settling has
+/// negative times.
 namespace voussoir::solver {
 
 enum class FailureMode : std::uint8_t { none = 0, tension = 1, shear = 2, compression = 3 };
@@ -35,30 +35,30 @@ struct EnergyRow {
   double residual = 0;
 };
 
-/// What a quasi-static analysis rests on; chosen before its first step (solver/analysis/drive.h).
+/// Parameters of a quasi-static analysis, chosen before its first step (solver/analysis/drive.h).
 struct Drive {
-  double frequency = 0;   // Hz, the first, with all joints closed
+  double frequency = 0;   // Hz, first frequency, with all joints closed
   double damping = 0;     // 1/s, mass damping
-  double pace = 0;        // s, in which the moving end gets e times as far; 0: not chosen
-  double compliance = 0;  // m, conjugate displacement at a load factor of 1 while nothing has cracked
-  double stiffness = 0;   // 1/m, load factor by which the spring pulls for a displacement
-  double first = 0;       // m, from which the moving end starts to grow
-  double fastest = 0;     // m/s, of the moving end
+  double pace = 0;        // s, time in which the displacement of the moving end grows by a factor e; 0: not chosen
+  double compliance = 0;  // m, conjugate displacement at a load factor of 1 before cracking
+  double stiffness = 0;   // 1/m, load factor of the spring per displacement
+  double first = 0;       // m, initial displacement from which the moving end grows
+  double fastest = 0;     // m/s, greatest speed of the moving end
   double weight = 0;      // N, of all forces at a load factor of 1
-  double speed = 1;       // of the histories of supports
-  double quiet = 0;       // J: a structure that follows its supports has less kinetic energy, one that falls has more
+  double speed = 1;       // factor on the time in histories of supports
+  double quiet = 0;       // J: kinetic energy that a structure following its supports does not exceed, but a falling one does
 };
 
-/// Where a quasi-static analysis is. Displacements are from time zero, along its direction.
+/// State of a quasi-static analysis. Displacements are relative to time zero, along its direction.
 struct AssessmentRow {
   double time = 0;           // s
   double factor = 0;         // load factor; tangent of the tilt
   double displacement = 0;   // m, of the control point
-  double drift = 0;          // that over its height above the base
-  double moved = 0;          // m, conjugate to the forces: their work is the integral of factor x weight over it
-  double base_shear = 0;     // N, that base and supports bear, mean over a first period
-  double support_moved = 0;  // m, of the support that has moved farthest
-  double over = 0;           // 1 once the analysis has found what it looks for
+  double drift = 0;          // displacement over the control point's height above the base
+  double moved = 0;          // m, conjugate to the forces: their work is the integral of factor x weight over this displacement
+  double base_shear = 0;     // N, on base and supports, mean over a first period
+  double support_moved = 0;  // m, greatest displacement of a support
+  double over = 0;           // 1 once the analysis has reached its end
 };
 
 /// Force and moment about the origin that the base exerts on the structure.
@@ -67,33 +67,33 @@ struct ForcesRow {
   Vec3 base_shear, base_moment;  // N, N m
 };
 
-/// What goes through a cut: force that the part before its plane (where the normal points) exerts on the part behind it, and moment of that
-/// force about the cut's point. So the force times the normal is tension.
+/// Force through a cut: that of the part before its plane (where the normal points) on the part behind it, and the moment of that force
+/// about the cut's point. The force times the normal is thus tension.
 struct CutSample {
   Vec3 force, moment;  // N, N m
 };
 
-/// Segment sides that have failed, by the limit they reached first.
+/// Segment sides that have failed, by the limit that they reached first.
 struct FirstLimits {
   std::int64_t tension = 0, shear = 0, compression = 0;
 };
 
-/// Segment sides by state: bonded includes slipped; tension, shear and compression are broken, by what opened them.
+/// Segment sides by state: bonded includes slipped; tension, shear and compression are broken sides, by the mode that opened them.
 struct DamageRow {
   double time = 0;  // s
   std::int64_t bonded = 0, slipped = 0, tension = 0, shear = 0, compression = 0;
   FirstLimits first;
 };
 
-/// One broken segment.
+/// A broken segment.
 struct CrackRow {
   double time = 0;                                       // s
   std::int32_t joint = 0, element_a = 0, element_b = 0;  // joint of the assembly; element −1: the base
   Vec3 position, normal;                                 // current, m
   double area = 0;                                       // m2
-  FailureMode mode = FailureMode::none;                  // what opened it
-  FailureMode first_mode = FailureMode::none;            // the first limit it reached
-  double first_time = 0;                                 // s, when it reached that one
+  FailureMode mode = FailureMode::none;                  // mode that opened it
+  FailureMode first_mode = FailureMode::none;            // limit reached first
+  double first_time = 0;                                 // s, when it reached that limit
 };
 
 /// A snapshot of all n elements: centroid position (n×3, m), orientation (n×4: w, x, y, z), broken fraction of the element's bonds (n).
@@ -102,7 +102,7 @@ struct FrameView {
   std::span<const float> position, quaternion, broken;
 };
 
-/// What the building's own weight has done to it: segment sides as in DamageRow when the shaking began, or so far.
+/// Damage by the building's own weight: segment sides as in DamageRow, at the start of the shaking or so far.
 struct SettlingDamage {
   std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;
   double first_crack_time = 0;  // s, below 0; 0: none
@@ -113,7 +113,7 @@ struct SettlingDamage {
 struct Summary {
   bool collapsed = false;
   double fallen_mass_fraction = 0;
-  double first_crack_time = -1;                                       // s, of the shaking; < 0: none
+  double first_crack_time = -1;                                       // s, during the shaking; < 0: none
   std::int64_t tension = 0, shear = 0, compression = 0, slipped = 0;  // segment sides, as in DamageRow
   FirstLimits first;
   SettlingDamage settling;     // part of the counts above
@@ -129,17 +129,17 @@ class Recorder {
   virtual ~Recorder() = default;
   /// One sample per Output::history entry, in order.
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
-  /// Before history() of the same time: one sample a tie that is in no mesh, in order; not called where there are none.
+  /// One sample per tie outside meshes, in order, before history() of the same time; not called without such ties.
   virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
-  /// One sample per Output::cuts entry, in order; not called where there are none.
+  /// One sample per Output::cuts entry, in order; not called without cuts.
   virtual void cuts(double /*time*/, std::span<const CutSample> /*samples*/) {}
   virtual void damage(const DamageRow& row) = 0;
   virtual void cracks(std::span<const CrackRow> rows) = 0;
   virtual void frame(const FrameView& frame) = 0;
   virtual void summary(const Summary& s) = 0;
-  /// Of quasi-static analyses alone: once before the rows (of a resumed run, too), and at the ledger's interval.
+  /// For quasi-static analyses only: drive() once before the rows (also in a resumed run), assessment() at the ledger's interval.
   virtual void drive(const Drive&) {}
   virtual void assessment(const AssessmentRow&) {}
 };

@@ -24,7 +24,7 @@ namespace voussoir::solver {
 
 enum class Phase : std::uint8_t { settling, shaking };
 
-/// What the observers of a step want to see.
+/// Output required from a step.
 struct Due {
   bool sample = false;  // histories and forces: displacements and mid-step velocities
   bool ledger = false;  // an energy row
@@ -32,12 +32,12 @@ struct Due {
 
 class Simulation {
  public:
-  /// Builds the world; it settles first if the case says so. The case and the model must outlive it.
+  /// Builds the world, which settles first if the case requires it. Case and model must outlive the simulation.
   /// \throw cases::InputError
   Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
 
-  /// One step of dt. The stages, in order: supports, search, forces, damage, loads, kick, samples, drift, ledger.
-  /// \throw NumericalError if the state is no longer a number, or too fast to be a house
+  /// Advances by one step of dt. Stages in order: supports, search, forces, damage, loads, kick, samples, drift, ledger.
+  /// \throw NumericalError if the state has a NaN, or a speed too high for a house
   void step(Due due);
 
   [[nodiscard]] double time() const { return time_of(step_); }  // s; < 0 while settling
@@ -48,19 +48,19 @@ class Simulation {
   [[nodiscard]] std::int64_t cycle() const { return world_->multirate.wanted; }
   [[nodiscard]] const World& world() const { return *world_; }
   [[nodiscard]] World& world() { return *world_; }
-  /// Of the teams that compute the next steps. No bit depends on it.
+  /// Sets the number of threads for the next steps. No bit depends on it.
   void set_threads(int threads) { world_->threads = threads; }
   [[nodiscard]] int threads() const { return world_->threads; }
 
-  /// What a quasi-static analysis does; of a time history it does nothing.
+  /// The load program of a quasi-static analysis; without effect in a time history.
   [[nodiscard]] const LoadProgram& program() const { return program_; }
   [[nodiscard]] LoadProgram& program() { return program_; }
 
-  /// While settling: gravity is up and (nearly) nothing moves any more. Told only by a step that had a ledger row.
+  /// Whether, while settling, gravity is complete and (nearly) nothing moves. Determined only by a step with a ledger row.
   [[nodiscard]] bool at_rest() const;
-  /// While settling: the time limit has passed.
+  /// Whether the time limit of settling has passed.
   [[nodiscard]] bool settled_too_long() const;
-  /// Ends settling: velocities, clock and ledger start from zero, the case's own damping acts.
+  /// Ends settling: velocities, clock and ledger restart from zero, with the case's own damping.
   void start_shaking();
 
   // Results of the last step.
@@ -68,27 +68,27 @@ class Simulation {
   [[nodiscard]] double worst_residual() const { return ledger_.worst_residual(); }
   [[nodiscard]] const std::vector<HistorySample>& history() const { return samples_; }
   [[nodiscard]] const ForcesRow& forces() const { return forces_; }
-  /// Of the last step that had a ledger row while it shook, in the order of Output::cuts.
+  /// Forces through cuts in the last step with a ledger row during the shaking, in the order of Output::cuts.
   [[nodiscard]] const std::vector<CutSample>& cuts() const { return cut_samples_; }
   [[nodiscard]] const Damage& damage() const { return damage_; }
-  /// Cracks since the last call; the caller clears it.
+  /// Cracks since the caller last cleared the list.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
   /// \throw NumericalError if an element moves at 200 m/s or more, or its speed is not finite
   void check_speeds() { (void)fastest_square(); }
-  /// Wall-clock by stage since the simulation was built; others add their own (output).
+  /// Wall-clock times by stage since the simulation was built; others add theirs (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }
   [[nodiscard]] const StageTimes& stage_times() const { return times_; }
-  /// Whether the parts of the stage of forces are timed too from now on; costs some hundredths of a step.
+  /// Switches the timing of the parts of the stage of forces on or off; it costs some hundredths of a step.
   void time_parts(bool on) {
     forces_stage_.split = on;
     forces_stage_.tasks.time_tasks(on);
   }
-  /// s, of forces, by one thread alone.
+  /// Time of forces on one thread alone [s].
   [[nodiscard]] double alone_time() const { return forces_stage_.alone; }
   [[nodiscard]] const JointTasks& joint_tasks() const { return forces_stage_.tasks; }
   [[nodiscard]] const ForceTimes& part_times() const { return forces_stage_.parts; }
-  /// The element that moves fastest (or is no number any more), as messages call it: the first to look at when the numbers go wrong.
+  /// Name for messages of the fastest element (or of one with NaN): the first to examine after a numerical failure.
   [[nodiscard]] std::string fastest_element() const;
 
  private:
@@ -107,14 +107,14 @@ class Simulation {
   double over_due_elements(Work work);
   void note_move(double moved);
   double fastest_square();
-  /// How elements of one level (multirate.h) are moved on.
+  /// Parameters of the moves of elements of one level (multirate.h).
   struct Move {
     kernels::BodyForces forces;
     kernels::TravelView travel;
   };
   [[nodiscard]] bool damps_rotation() const;
   [[nodiscard]] kernels::BodyForces body_forces(int level) const;
-  [[nodiscard]] double gravity_share(double t) const;  // of gravity, and of what tightens ties
+  [[nodiscard]] double gravity_share(double t) const;  // applied share of gravity, and of the pretension of ties
   [[nodiscard]] Vec3 gravity_at(double t) const;
   [[nodiscard]] Vec3 ground_at(double t) const;
   [[nodiscard]] Vec3 damped_ground(double t) const;  // see BodyForces
@@ -132,17 +132,17 @@ class Simulation {
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;
-  // A run of elements taken from another thread is half a thousand lines of memory that go there and back: much patience.
+  // A range of elements taken from another thread is some five hundred cache lines of traffic both ways: much patience.
   TaskShares update_shares_{1.0};
-  double moved_ = 0.0;  // m, largest of those elements that have moved too far since they were searched; 0: none has in this cycle
+  double moved_ = 0.0;  // m, largest displacement of the elements due for a search; 0: none in this cycle
   StageTimes times_{};
   Damage damage_;
   Ledger ledger_;
   std::vector<CrackRow> cracks_;
   std::vector<std::int32_t> followed_;  // elements, for Recorder::history
-  std::vector<Vec3> start_;             // m, their displacements at time zero
-  std::vector<Quaternion> turned_;      // their orientations at time zero
-  std::vector<Vec3> velocity_before_;   // m/s, theirs at the half step before
+  std::vector<Vec3> start_;             // m, displacements of the followed elements at time zero
+  std::vector<Quaternion> turned_;      // orientations of the followed elements at time zero
+  std::vector<Vec3> velocity_before_;   // m/s, velocities of the followed elements at the half step before
   std::vector<Vec3> load_before_;       // N, N m of each load at the last step (force, moment pairs)
   std::vector<HistorySample> samples_;
   ForcesRow forces_;
