@@ -22,7 +22,7 @@ class ShareBorders {
 
  private:
   bool move();
-  std::vector<double> ends_, excess_;  // by thread; its share of the mean time, less 1, over the steps since borders were looked at last
+  std::vector<double> ends_, excess_;  // by thread; share of the mean time, less 1, summed over the steps since the last test of borders
   int steps_ = 0;                      // number of these steps
 };
 
