@@ -33,7 +33,7 @@ struct Ties {
   // State.
   std::vector<kernels::TieState> state;
   std::vector<double> jack;  // m, elongation by pretensioning so far
-  // Of the last step.
+  // Results of the last step.
   std::vector<double> jack_work;  // J
   std::vector<Vec3> pull;         // N, along the tie, on its first end
 };
