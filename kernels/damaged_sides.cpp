@@ -96,8 +96,8 @@ void add(SideSums& a, const SideSums& b) noexcept { a = {a.f + b.f, a.sf + b.sf,
   const PointsView& p = parts.points;
   const SegmentsView& q = parts.segments;
   const int live = p.n - i < kWidth ? p.n - i : kWidth, first = sink.count;
-  SoftSide soft;
-  if (side.soft != nullptr) soft = side.soft->from(i), side.soft = &soft;
+  const SideLaws laws = side.laws->from(i);
+  side.laws = &laws;
   const SegmentTotals r =
       advance_segments(side, parts.id, frame, {p.s + i, p.t + i, p.area + i, live}, q.from(i), clock.dt, clock.time, o, sink);
   for (int e = first; e < sink.count; ++e) sink.data[e].point += i;
@@ -119,33 +119,27 @@ struct SumRows {
   double total[12], dash[12];
 };
 
-/// Moves the closure of contacts of one side: crushing, and closing of a joint that stiffens as it closes.
-[[gnu::noinline]] GaveWay give_way(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
-                                   const BlockState& state, double step) noexcept {
+/// Lets contacts of one side give way, where a law of it says so.
+GaveWay give_way(const SideLaws& laws, const LaneFields& f, int lane, double kn, const SideParts& parts, double step) noexcept {
   const auto normal = [&](int k) { return f.value[k][0][lane]; };
   const NormalFields fields{normal(0), normal(1), normal(2), normal(3), normal(4), normal(5)};
-  const double kn = block.constants->kn[l];
-  double* crushed = state.crushing == nullptr ? nullptr : state.crushed[l];
-  if (state.closing != nullptr && state.closing[l].on()) {
-    return close_segments(fields, kn, parts.factor, parts.points, parts.segments, step, state.closing[l], state.crushing, crushed);
-  }
-  if (state.crushing == nullptr) return {};
-  return {.fracture = crush_segments(fields, kn, parts.factor, parts.points, parts.segments, step, *state.crushing, crushed)};
+  return give_way(laws, fields, kn, parts.factor, parts.points, parts.segments, step);
 }
 
 /// Advances all segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
-                                  const SoftSide* soft, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
+                                  const SideLaws& laws, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
                                   DamagedSide& result, EventSink& sink) noexcept {
   Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
-  if (soft != nullptr) law.o.brittle = true;  // segments at a limit or with wear go to the literal law
+  const bool own = laws.has_bonds_of_its_own();
+  if (own) law.o.brittle = true;  // what reaches a limit is for the literal law, and so is what the law has changed
   Totals sum;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
-    const bool worn = soft != nullptr && is_worn(*soft, i, std::min(i + kWidth, parts.points.n));
-    if (!worn && advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
+    const bool changed = own && has_changed_bonds(laws, i, std::min(i + kWidth, parts.points.n));
+    if (!changed && advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
     Side side = side_of(block, l, parts);
-    side.soft = soft;
+    side.laws = &laws;
     advance_literally(side, f, lane, parts, i, clock, o, found, sink);
   }
   write_row(sum.total, sum.friction, sum.impact, rows.total);
@@ -224,10 +218,9 @@ void advance_damaged(const SideBlock& block, int at, unsigned chosen, const Bloc
       continue;
     }
     const SideParts& parts = state.parts[at + l];
-    const SoftSide* softens = state.soft != nullptr && state.soft[at + l].wear != nullptr ? state.soft + at + l : nullptr;
-    const bool gives = state.crushing != nullptr || state.closing != nullptr;
-    const GaveWay gave = gives ? give_way(block, at + l, fields, l, parts, state, clock.dt) : GaveWay{};
-    advance_side(block, at + l, fields, l, parts, softens, clock, o, found_literally, by_lane[l], result[l], sink);
+    const SideLaws& laws = state.laws != nullptr ? state.laws[at + l] : kNoLaws;
+    const GaveWay gave = laws.moves_contacts() ? give_way(laws, fields, l, block.constants->kn[at + l], parts, clock.dt) : GaveWay{};
+    advance_side(block, at + l, fields, l, parts, laws, clock, o, found_literally, by_lane[l], result[l], sink);
     result[l].fracture += gave.fracture, result[l].impact += gave.impact;
     touching |= static_cast<unsigned>(result[l].touching) << l;
   }

@@ -7,11 +7,10 @@
 
 #include "kernels/lanes.h"
 #include "kernels/law.h"
-#include "kernels/laws/closing.h"
-#include "kernels/laws/crushing.h"
 #include "kernels/laws/segment_law.h"
-#include "kernels/laws/softening.h"
 #include "kernels/rows.h"
+#include "kernels/segments.h"
+#include "kernels/side_laws.h"
 
 /// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side
 /// that represents both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that
@@ -55,34 +54,7 @@ struct Side {
   double factor = 0.0;  // factor of Eq. 11 on the segment areas
   Stiffness k;
   Strength strength;
-  const SoftSide* soft = nullptr;    // set if the bonds of the side soften
-  const Closing* closing = nullptr;  // set if the joint stiffens as it closes
-};
-
-/// Contact points of a side, in its frame; n entries.
-struct PointsView {
-  const double *s = nullptr, *t = nullptr, *area = nullptr;
-  int n = 0;
-};
-
-/// Permanent displacements of kWidth segments of a side [m]. The kernel processes these segments together, so their numbers are adjacent.
-struct alignas(sizeof(Lanes)) SegmentSprings {
-  double slip1[kWidth], slip2[kWidth], closure[kWidth];
-};
-
-/// History of the segments of a side; n entries, in the order of its points.
-struct SegmentsView {
-  Bond* bond = nullptr;
-  Mode* first_mode = nullptr;
-  double* first_time = nullptr;  // s
-  SegmentSprings* springs = nullptr;
-
-  [[nodiscard]] SegmentSprings& springs_at(int i) const noexcept { return springs[i / kWidth]; }
-  [[nodiscard]] double& slip1(int i) const noexcept { return springs_at(i).slip1[i % kWidth]; }
-  [[nodiscard]] double& slip2(int i) const noexcept { return springs_at(i).slip2[i % kWidth]; }
-  [[nodiscard]] double& closure(int i) const noexcept { return springs_at(i).closure[i % kWidth]; }
-  /// View of the segments from `i` on. \pre i is a multiple of kWidth
-  [[nodiscard]] SegmentsView from(int i) const noexcept { return {bond + i, first_mode + i, first_time + i, &springs_at(i)}; }
+  const SideLaws* laws = &kNoLaws;  // the optional ones
 };
 
 /// Current frame of a side and the affine fields over it: u(s,t) = d + s·ds + t·dt in (n, 1, 2), and likewise its rate.
@@ -100,22 +72,10 @@ struct AffineField {
   Local d, ds, dt;
 };
 
-/// Sums of tractions over a side, in its frame: Σ f dA, Σ s f dA, Σ t f dA [N, N m, N m].
-struct SideSums {
-  Local f, sf, tf;
-};
-/// Force on the master [N] and torques about both centroids [N m] from the sums.
+/// Force on the master and torques about both centroids from the sums.
 void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
 
-/// Sums over the segments of a side in a step.
-struct SegmentTotals {
-  SideSums total, dash;                                 // springs and dashpots; dashpots alone
-  double friction = 0.0, impact = 0.0, fracture = 0.0;  // J, lost in this step
-  int held = 0;                                         // bonded after the step
-  bool touching = false;                                // some unbonded segment carries force
-};
-
-/// A break or first yield of a segment.
+/// One break or first yield of a segment.
 struct SegmentEvent {
   std::int32_t side = 0, point = 0;
   Mode reached = Mode::none, broke = Mode::none;
@@ -132,26 +92,7 @@ struct EventSink {
 SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
                                double time, FailureOptions o, EventSink& sink) noexcept;
 
-/// Normal displacement of the faces of a side and its rate: u_n(s,t) = d + s·ds + t·dt [m], v + s·vs + t·vt [m/s].
-struct NormalFields {
-  double d, ds, dt, v, vs, vt;
-};
-/// Crushes unbonded segments as far as their pressure exceeds their strength, before the law of contact is applied
-/// (kernels/laws/crushing.h). \param factor  of Eq. 11, on the segment areas \param crushed  m, by segment; increased \return loss by
-/// crushing [J]
-double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
-                      double* crushed) noexcept;
-
-/// Losses of springs before the law of contact is applied [J].
-struct GaveWay {
-  double fracture = 0.0, impact = 0.0;  // by crushing; by steps along the hyperbola of closing
-};
-/// Closes, and crushes, unbonded segments of a side that stiffens as it closes (kernels/laws/closing.h). \param crushing,  crushed nullptr:
-/// any pressure is borne
-GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Closing& a,
-                       const Crushing* crushing, double* crushed) noexcept;
-
-/// Elastic energy in the springs of a side [J]: of bonded segments, of contacts.
+/// Elastic energy in the springs of a side as they are [J]: of bonded segments, of contacts.
 struct SideEnergy {
   double bonds = 0.0, contact = 0.0;
 };
@@ -217,15 +158,12 @@ struct alignas(64) SteadySides {
 struct BlockState {
   const SideState* side_state = nullptr;  // kLanes
   const SteadySides* steady = nullptr;
-  const SideParts* parts = nullptr;    // kLanes
-  const SoftSide* soft = nullptr;      // kLanes; nullptr: no law of the model softens
-  const Crushing* crushing = nullptr;  // of all contacts; nullptr: contacts bear any pressure
-  double* const* crushed = nullptr;    // kLanes, then by segment [m]
-  const Closing* closing = nullptr;    // kLanes; nullptr: no joint of the model stiffens as it closes
-  std::int64_t first = 0;              // number of the first side
-  unsigned live = 0;                   // bit mask of the lanes that take part
-  bool look_closely = false;           // also process open sides, which may have come apart
-  bool bound_tried = false;            // advance_whole has already failed in this step to prove that the live lanes stay whole
+  const SideParts* parts = nullptr;  // kLanes
+  const SideLaws* laws = nullptr;    // kLanes, the optional ones; nullptr: no joint of the model has any
+  std::int64_t first = 0;            // number of the first side
+  unsigned live = 0;                 // bit mask of the lanes that take part
+  bool look_closely = false;         // look also at open sides, which may have come apart
+  bool bound_tried = false;          // in this step advance_whole has not found the lanes that take part certain to stay whole
 };
 
 /// Clock of a step.

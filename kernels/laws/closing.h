@@ -95,4 +95,19 @@ inline Closed close_point(double u, double du, double crushed, double kn, const 
   return r;
 }
 
+/// Moves the closures of the contacts of a side. \param crushing, crushed  nullptr: any pressure is borne
+VOUSSOIR_INLINE GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step,
+                                       const Closing& a, const Crushing* crushing, double* crushed) noexcept {
+  GaveWay lost;
+  for (int i = 0; i < p.n; ++i) {
+    if (holds(q.bond[i])) continue;
+    const double s = p.s[i], t = p.t[i], u = f.d + s * f.ds + t * f.dt, du = step * (f.v + s * f.vs + t * f.vt);
+    const Closed r = close_point(u, du, crushed == nullptr ? 0.0 : crushed[i], kn, a, crushing);
+    q.closure(i) = r.closure;
+    (r.crushed > 0.0 ? lost.fracture : lost.impact) += factor * p.area[i] * r.lost;
+    if (r.crushed > 0.0) crushed[i] += r.crushed;
+  }
+  return lost;
+}
+
 }  // namespace voussoir::kernels

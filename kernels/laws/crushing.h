@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
-/// Crushing of contacts: the pressure that a contact bears, and its permanent loss of height beyond it, THEORY.md (19a)-(19c). A crushed
-/// point lies that much deeper in its face from then on, against any partner. Crushing lowers the closure of a point; the laws of contact
-/// (segment_law.h, patch_work.h) then apply unchanged.
+#include "kernels/segments.h"
+
+/// Pressure that a contact bears, and how its surface gives way beyond it: THEORY.md (19a)-(19c). What is crushed is gone for good: the
+/// point lies that much deeper in its face from then on, whoever it meets. So crushing lowers the closure of a point, and the laws of
+/// contact (segment_law.h, patch_work.h) go on from there as they are.
 namespace voussoir::kernels {
 
 struct Crushing {
@@ -42,6 +44,23 @@ inline double crushed_further(double xn, double crushed, double kn, const Crushi
 inline double lost_by_crushing(double xn, double by, double du, double kn) noexcept {
   const double old = std::min(0.0, xn - du), from = std::min(0.0, xn + by - du);
   return 0.5 * kn * (old * old - from * from + (old - from) * du);
+}
+
+/// Lets the contacts of a side give way that are pressed harder than they bear. \param factor  of Eq. 11, on the segment areas
+/// \param crushed  m, by segment \return J, lost by it
+VOUSSOIR_INLINE double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step,
+                                      const Crushing& a, double* crushed) noexcept {
+  double lost = 0.0;
+  for (int i = 0; i < p.n; ++i) {
+    if (holds(q.bond[i])) continue;
+    const double s = p.s[i], t = p.t[i], xn = f.d + s * f.ds + t * f.dt - q.closure(i);
+    const double by = crushed_further(xn, crushed[i], kn, a);
+    if (by == 0.0) continue;
+    lost += factor * p.area[i] * lost_by_crushing(xn, by, step * (f.v + s * f.vs + t * f.vt), kn);
+    crushed[i] += by;
+    q.closure(i) -= by;
+  }
+  return lost;
 }
 
 }  // namespace voussoir::kernels

@@ -61,8 +61,6 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   add_dashpot(rows.wrench, rows.dashpot, side.slave, -w.dash_force, w.dash_torque_b);
 }
 
-/// Advances segments by a law. Compiled separately for brittle and for softening bonds, so that the latter do not change the last digits of
-/// the former.
 /// \param law  advances segment i: (state, i, u, rate) -> SegmentStep
 template <typename Law>
 [[gnu::noinline]] SegmentTotals advance_by(const Law& law, const Side& side, std::int32_t id, const SideFrame& f, PointsView p,
@@ -93,60 +91,9 @@ template <typename Law>
 
 SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
                                double time, FailureOptions o, EventSink& sink) noexcept {
-  if (side.soft == nullptr) {
-    const auto brittle = [&](SegmentState& state, int, const Local& u, const Local& rate) {
-      return advance_segment(state, u, rate, step, side.k, side.strength, o);
-    };
-    return advance_by(brittle, side, id, f, p, q, time, sink);
-  }
-  const auto softens = [&](SegmentState& state, int i, const Local& u, const Local& rate) {
-    return advance_soft_segment(state, side.soft->wear[i], u, rate, step, side.k, side.strength, side.soft->law, o);
-  };
-  return advance_by(softens, side, id, f, p, q, time, sink);
+  return with_segment_law(*side.laws, side.k, side.strength, step, o,
+                          [&](const auto& law) { return advance_by(law, side, id, f, p, q, time, sink); });
 }
-
-double crush_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Crushing& a,
-                      double* crushed) noexcept {
-  double lost = 0.0;
-  for (int i = 0; i < p.n; ++i) {
-    if (holds(q.bond[i])) continue;
-    const double s = p.s[i], t = p.t[i], xn = f.d + s * f.ds + t * f.dt - q.closure(i);
-    const double by = crushed_further(xn, crushed[i], kn, a);
-    if (by == 0.0) continue;
-    lost += factor * p.area[i] * lost_by_crushing(xn, by, step * (f.v + s * f.vs + t * f.vt), kn);
-    crushed[i] += by;
-    q.closure(i) -= by;
-  }
-  return lost;
-}
-
-GaveWay close_segments(const NormalFields& f, double kn, double factor, PointsView p, SegmentsView q, double step, const Closing& a,
-                       const Crushing* crushing, double* crushed) noexcept {
-  GaveWay lost;
-  for (int i = 0; i < p.n; ++i) {
-    if (holds(q.bond[i])) continue;
-    const double s = p.s[i], t = p.t[i], u = f.d + s * f.ds + t * f.dt, du = step * (f.v + s * f.vs + t * f.vt);
-    const Closed r = close_point(u, du, crushed == nullptr ? 0.0 : crushed[i], kn, a, crushing);
-    q.closure(i) = r.closure;
-    (r.crushed > 0.0 ? lost.fracture : lost.impact) += factor * p.area[i] * r.lost;
-    if (r.crushed > 0.0) crushed[i] += r.crushed;
-  }
-  return lost;
-}
-
-namespace {
-
-/// Moves the closure of the segments of one lane by crushing or closing, as the model has it.
-GaveWay give_way(const BlockState& state, int l, const Side& side, const SideParts& parts, const NormalFields& f, double step) noexcept {
-  double* crushed = state.crushing == nullptr ? nullptr : state.crushed[l];
-  if (side.closing != nullptr) {
-    return close_segments(f, side.k.kn, side.factor, parts.points, parts.segments, step, *side.closing, state.crushing, crushed);
-  }
-  if (state.crushing == nullptr) return {};
-  return {.fracture = crush_segments(f, side.k.kn, side.factor, parts.points, parts.segments, step, *state.crushing, crushed)};
-}
-
-}  // namespace
 
 SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept {
   SideEnergy e;
@@ -156,12 +103,7 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
     const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
     const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};
-    if (!held && side.closing != nullptr) {
-      e.contact += side.factor * p.area[i] * (stored_at(-side.k.kn * n, *side.closing) + 0.5 * side.k.ks * (x.s1 * x.s1 + x.s2 * x.s2));
-      continue;
-    }
-    const double stored =
-        held && side.soft != nullptr ? stored_when_worn(x, side.soft->wear[i], side.k, side.soft->law) : detail::stored_energy(x, side.k);
+    const double stored = held ? stored_by_bond(*side.laws, i, x, side.k) : stored_by_contact(*side.laws, x, side.k);
     (held ? e.bonds : e.contact) += side.factor * p.area[i] * stored;
   }
   return e;
@@ -173,13 +115,12 @@ unsigned advance_sides_reference(const SideBlock& block, const BlockState& state
     if (!(state.live >> l & 1U)) continue;
     const SideParts& parts = state.parts[l];
     Side side = side_of(block, l, parts);
-    if (state.soft != nullptr && state.soft[l].wear != nullptr) side.soft = state.soft + l;
-    if (state.closing != nullptr && state.closing[l].on()) side.closing = state.closing + l;
+    if (state.laws != nullptr) side.laws = state.laws + l;
     const SideFrame f = side_frame(side, load_pose(rows.pose, side.master), load_pose(rows.pose, side.slave),
                                    load_twist(rows.twist, side.master), load_twist(rows.twist, side.slave));
     const int before = sink.count;
     const NormalFields normal{f.d.n, f.ds.n, f.dt.n, f.v.n, f.vs.n, f.vt.n};
-    const GaveWay gave = give_way(state, l, side, parts, normal, clock.dt);
+    const GaveWay gave = give_way(*side.laws, normal, side.k.kn, side.factor, parts.points, parts.segments, clock.dt);
     const SegmentTotals r = advance_segments(side, parts.id, f, parts.points, parts.segments, clock.dt, clock.time, o, sink);
     hand_out(side, state.first + l, f, r, rows);
     result[l] = {.friction = r.friction,

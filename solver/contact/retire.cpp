@@ -10,10 +10,6 @@ namespace voussoir::solver {
 
 namespace {
 
-/// Normal stiffness of the patches that a side leaves [Pa/m]. Those of a joint that stiffens as it closes have their blocks' alone, and so
-/// give back no more than the joint held.
-double patch_stiffness(const kernels::Side& s) { return s.closing == nullptr ? s.k.kn : s.closing->blocks; }
-
 /// The free patch that one element keeps of a retired side. `mirrored`: the slave's, whose face sees the side from behind.
 kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s, bool mirrored) {
   const auto i = static_cast<std::size_t>(id);
@@ -30,7 +26,7 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   p.normal_sign = mirrored ? -1.0F : 1.0F;
   p.origin_face = mirrored ? w.sides.master_face[i] : w.sides.slave_face[i];
   p.s_low = b.s_low[l], p.s_high = b.s_high[l], p.t_low = b.t_low[l], p.t_high = b.t_high[l];
-  p.origin_kn = patch_stiffness(s), p.origin_ks = s.k.ks;
+  p.origin_kn = kernels::patch_stiffness(*s.laws, s.k.kn), p.origin_ks = s.k.ks;
   return p;
 }
 
@@ -46,7 +42,7 @@ void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const 
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
     const kernels::Local x{u.n - q.closure(k), u.s1 - q.slip1(k), u.s2 - q.slip2(k)};
     if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
-    const double kn = s.soft == nullptr ? s.k.kn : kernels::stiffness_left(x.n, s.soft->wear[k], s.k.kn, s.soft->law);
+    const double kn = kernels::bond_stiffness(*s.laws, k, x.n, s.k.kn);
     const kernels::Local traction{kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
     const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
     w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + step * dot(traction, rate));
@@ -69,7 +65,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
     const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
-    if (to.crushed != nullptr) to.crushed[k] = w.sides.crushed_of[i][k], to.closure(k) = to.recess(k);
+    if (to.crushed != nullptr) to.crushed[k] = kernels::crushed_by(*s.laws, k), to.closure(k) = to.recess(k);
     if (u.n - q.closure(k) >= 0.0) continue;
     // Still bonded while it slid half a segment: only the elastic part of its shear lives on.
     const bool held = kernels::holds(q.bond[k]);
@@ -81,15 +77,11 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.set_slip(k, body);
     const double depth =
         kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
-    double n = u.n - q.closure(k);
     const double da = (w.faces[static_cast<std::size_t>(to.face[k])].is_ground() ? 1.0 : 0.5) * points.area[k];
-    if (s.closing != nullptr) {
-      const double pressure = s.k.kn * -n;
-      w.sides.impact[i] += da * (kernels::stored_at(pressure, *s.closing) - 0.5 * pressure * pressure / s.closing->blocks);
-      n = -pressure / s.closing->blocks;
-    }
+    const auto [n, lost] = kernels::left_to_patch(*s.laws, u.n - q.closure(k), s.k.kn);
+    w.sides.impact[i] += da * lost;
     to.closure(k) = depth - n;
-    patch.stored += 0.5 * da * (patch_stiffness(s) * n * n + s.k.ks * (x1 * x1 + x2 * x2));
+    patch.stored += 0.5 * da * (kernels::patch_stiffness(*s.laws, s.k.kn) * n * n + s.k.ks * (x1 * x1 + x2 * x2));
     ++patch.touching;
   }
 }

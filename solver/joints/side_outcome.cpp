@@ -22,8 +22,7 @@ bool comes_apart(const World& w, std::size_t id, const kernels::DamagedSide& r) 
 /// A side that has just been looked at, and in which nothing happens, may need no look for a while.
 bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
   if (w.options.reference_kernels || r.held == 0 || r.touching || r.events != 0) return false;
-  const kernels::SoftSide* soft = w.sides.soft_side(static_cast<std::int64_t>(id));
-  if (soft != nullptr && kernels::is_worn(*soft, 0, w.sides.parts[id].points.n)) return false;  // springs of one stiffness alone
+  if (kernels::has_changed_bonds(w.sides.laws_of(id), 0, w.sides.parts[id].points.n)) return false;  // springs of one stiffness alone
   const std::size_t block = id / kernels::kLanes;
   const double left = kSlideShare * w.sides.size[id] - std::sqrt(r.slide2);
   return kernels::make_steady(w.sides.blocks[block], static_cast<int>(id % kernels::kLanes), w.sides.parts[id], r.u, left, w.failure,
@@ -32,8 +31,7 @@ bool found_steady(World& w, std::size_t id, const kernels::DamagedSide& r) {
 
 /// Slip has opened the joint for good (THEORY.md (13e)), so that it touches before its faces meet: then an opening is no proof of no force.
 bool stands_out(const World& w, std::size_t id) {
-  const kernels::SoftSide* soft = w.sides.soft_side(static_cast<std::int64_t>(id));
-  if (soft == nullptr || soft->law.dilatancy == 0.0) return false;
+  if (!w.sides.laws_of(id).opens_by_slip()) return false;
   const kernels::SideParts& parts = w.sides.parts[id];
   for (int i = 0; i < parts.points.n; ++i) {
     if (parts.segments.closure(i) > 0.0) return true;

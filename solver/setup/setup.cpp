@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/setup/setup.h"
-
 #include <omp.h>
 
 #include <algorithm>
@@ -11,8 +9,10 @@
 
 #include "cases/census.h"
 #include "cases/loads/loads.h"
+#include "solver/setup/laws/optional_laws.h"
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
+#include "solver/setup/setup_stages.h"
 #include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
@@ -123,9 +123,64 @@ double choose_skin(const cases::Model& m) {
   return 0.4 * smallest;
 }
 
+void set_up_step(World& w, const cases::Case& c) {
+  w.bound = cases::census(w.model).step_bound;
+  w.dt = choose_step(c, w.options, w.bound);
+}
+
+void set_up_friction(World& w, const cases::Case& c) {
+  const cases::Model& m = w.model;
+  for (const double angle : m.contact_friction) w.friction.push_back(std::tan(angle * std::numbers::pi / 180.0));
+  w.contact = {.step = w.dt,
+               .damping = c.contact.damping,
+               .friction = {w.friction.data(), static_cast<std::int32_t>(m.materials.size()) + 1},
+               .master_normal = c.contact.normal == cases::ContactNormal::master};
+  w.contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
+  w.contact.crushing = crushing_of(c.contact);
+  w.contact.dashpot_excess = dashpot_excess(c.contact);
+}
+
+void set_up_laws(World& w, const cases::Case& c) {
+  for (const OptionalLaw& law : optional_laws()) law.set_up(w, c);
+}
+
+void set_up_travel(World& w, const cases::Case& /*c*/) {
+  w.travel = Travel(w.elements, choose_skin(w.model));
+  w.travel.set_margin(search_margin(w, w.travel.skin()));
+}
+
+/// A stage that needs nothing of the case.
+template <void (*stage)(World&)>
+void without_case(World& w, const cases::Case& /*c*/) {
+  stage(w);
+}
+
+using namespace part;
+
+constexpr SetUpStage kStages[] = {
+    {"step", 0, kStep, set_up_step},
+    {"friction", kStep, kFriction, set_up_friction},
+    {"elements", 0, kElements, set_up_elements},
+    {"faces", 0, kFaces, without_case<set_up_faces>},
+    {"bound of dashpots", kElements | kFaces | kFriction, kDashpotBound, without_case<set_up_damping_bound>},
+    {"levels", kStep | kElements, kLevels, set_up_multirate},
+    {"sides", kStep | kFriction | kElements | kFaces | kDashpotBound | kLevels, kSides, set_up_sides},
+    {"patches", kFriction | kElements | kSides, kPatches, without_case<set_up_patches>},
+    {"views of sides", kSides | kPatches, kSideViews, without_case<set_up_side_views>},
+    {"overlaps", kFriction | kElements | kFaces | kSides, kShapes, without_case<set_up_overlaps>},
+    {"optional laws", kFriction | kFaces | kSides | kSideViews, kLaws, set_up_laws},
+    {"forces of sides", kElements | kSides, kPairBuffer, set_up_pair_forces},
+    {"ties", kStep | kElements | kSides | kSideViews, kTies, without_case<set_up_ties>},
+    {"loads", 0, kLoads, set_up_loads},
+    {"travel", kStep | kElements | kLevels, kTravel, set_up_travel},
+};
+static_assert(in_order(kStages), "a stage of the set-up comes before what it needs");
+
 }  // namespace
 
-std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) {
+std::span<const SetUpStage> setup_stages() { return kStages; }
+
+std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o, std::span<const SetUpStage> stages) {
   auto w = std::make_unique<World>(m);
   w->options = o;
   w->threads = o.threads > 0 ? o.threads : omp_get_max_threads();
@@ -133,33 +188,10 @@ std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, 
   w->failure = failure_options(c.failure, c.contact);
   w->has_base = c.base.has_value();
   w->drop_debris_damping = !c.damping.debris;
-  w->bound = cases::census(m).step_bound;
-  w->dt = choose_step(c, o, w->bound);
-  for (const double angle : m.contact_friction) w->friction.push_back(std::tan(angle * std::numbers::pi / 180.0));
-  w->contact = {.step = w->dt,
-                .damping = c.contact.damping,
-                .friction = {w->friction.data(), static_cast<std::int32_t>(m.materials.size()) + 1},
-                .master_normal = c.contact.normal == cases::ContactNormal::master};
-  w->contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
-  w->contact.crushing = crushing_of(c.contact);
-  w->contact.dashpot_excess = dashpot_excess(c.contact);
-  set_up_elements(*w, c);
-  set_up_faces(*w);
-  set_up_damping_bound(*w);
-  set_up_multirate(*w, c);
-  set_up_sides(*w, c);
-  set_up_patches(*w);
-  set_up_side_views(*w);
-  set_up_overlaps(*w);
-  set_up_softening(*w);
-  set_up_closing(*w);
-  set_up_crushing(*w, c.contact);
-  set_up_pair_forces(*w, c);
-  set_up_ties(*w);
-  set_up_loads(*w, c);
-  w->travel = Travel(w->elements, choose_skin(m));
-  w->travel.set_margin(search_margin(*w, w->travel.skin()));
+  for (const SetUpStage& stage : stages) stage.run(*w, c);
   return w;
 }
+
+std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o) { return build_world(c, m, o, kStages); }
 
 }  // namespace voussoir::solver

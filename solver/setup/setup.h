@@ -21,11 +21,11 @@ double choose_step(const cases::Case& c, const Options& o, double bound);
 /// \throw cases::InputError for inconsistent data (mortar thicker than its bricks, a load on an unknown block)
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o);
 
-/// The parts of build_world, in calling order.
+/// What the stages of build_world do; their order and what each needs stands in setup_stages.h.
 void set_up_elements(World& w, const cases::Case& c);
 void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
-/// Sets the levels of all elements, for a case with multi-rate stepping. \pre elements are set up
+/// The levels of all elements, for a case with multi-rate stepping.
 void set_up_multirate(World& w, const cases::Case& c);
 /// Distance [m] by which an element is searched earlier, since a search waits for the first step of a cycle: the travel of a flying element
 /// meanwhile, but at most a small part of the skin (THEORY.md, section 7, "Late pairs").
@@ -37,19 +37,13 @@ void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours);
 void set_up_sides(World& w, const cases::Case& c);
 void set_up_patches(World& w);
 void set_up_overlaps(World& w);
-/// Connects each side to its points and its segments' history, after all arrays have their final size.
+/// Points each side at its points and its segments' history.
 void set_up_side_views(World& w);
-/// Sets up the softening of bonds and its history, if a law needs it. \pre sides have their views
-void set_up_softening(World& w);
-/// Sets up the closing laws of joints that stiffen as they close.
-void set_up_closing(World& w);
-/// The crushing parameters of the case.
+/// How contacts give way under pressure, as the case says it: the one optional law (laws/optional_laws.h) that free patches follow too.
 kernels::Crushing crushing_of(const cases::Contact& c);
-/// Sets up the crushing history of each segment. \pre sides have their views
-void set_up_crushing(World& w, const cases::Contact& c);
-/// Allocates memory for the forces of sides, if cuts need them.
+/// Memory for the forces of sides, if cuts need them.
 void set_up_pair_forces(World& w, const cases::Case& c);
-/// Sets up ties, with their stiffness limited by the step. \pre sides have their views
+/// Ties, their stiffness no more than the step allows.
 void set_up_ties(World& w);
 void set_up_loads(World& w, const cases::Case& c);
 

@@ -97,8 +97,7 @@ void add_sides(Table& t, Sides& s) {
                      field("segment_bond", "-", "segment", s.bond, 0, 3), field("segment_first_mode", "-", "segment", s.first_mode, 0, 3),
                      field("segment_first_time", "s", "segment", s.first_time), of_segments("segment_slip1", first.slip1),
                      of_segments("segment_slip2", first.slip2), of_segments("segment_closure", first.closure)});
-  if (s.wear.size() != 0) t.push_back(field("segment_wear", "-", "segment of a side that softens", s.wear));
-  if (s.crushed.size() != 0) t.push_back(field("segment_crushed", "m", "segment", s.crushed));
+  for (LawState& kept : s.law_state) t.push_back(field(kept.name, kept.unit, kept.shape, kept.values));
   t.push_back(rows<double>("side_steady", "SI", "block of sides", s.steady, sizeof(kernels::SteadySides) / sizeof(double)));
 }
 

@@ -13,6 +13,7 @@
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/run.h"
+#include "solver/setup/laws/optional_laws.h"
 #include "solver/setup/setup.h"
 #include "solver/state/hash.h"
 #include "solver/world/errors.h"
@@ -188,15 +189,7 @@ std::uint64_t model_hash(const World& w) {
     hash.add(b.constants, sizeof *b.constants);
     hash.add(b.master, sizeof b.master), hash.add(b.slave, sizeof b.slave);
   }
-  for (const kernels::SoftSide& side : w.sides.soft) {
-    for (const double v : {side.law.opening, side.law.slip, side.law.dilatancy, side.law.linear ? 1.0 : 0.0}) hash.add(&v, sizeof v);
-  }
-  for (const kernels::Closing& c : w.sides.closing) {
-    for (const double v : {c.most, c.scale, c.blocks}) hash.add(&v, sizeof v);
-  }
-  if (const kernels::Crushing& c = w.contact.crushing; c.on()) {
-    for (const double v : {c.strength, c.residual, c.slope, c.depth}) hash.add(&v, sizeof v);
-  }
+  for (const OptionalLaw& law : optional_laws()) add(law.numbers(w));
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "kernels/law.h"
-#include "kernels/laws/closing.h"
-#include "kernels/laws/softening.h"
 #include "kernels/side.h"
+#include "kernels/side_laws.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 
@@ -20,6 +20,12 @@ struct PointSets {
   Array<double> s, t, area;                // padded to kLanes with area 0
   std::int32_t largest = 0;                // greatest number of points of a set
   [[nodiscard]] kernels::PointsView view(std::int32_t set) const noexcept;
+};
+
+/// What an optional law keeps of segments.
+struct LawState {
+  const char *name, *unit, *shape;  // as in state/field_table.h
+  ZeroArray<double> values;         // zero at first
 };
 
 /// Sides of joints, structure of arrays. A joint has two *sides*: in each, one of its two faces is the master. Where both faces have the
@@ -61,12 +67,9 @@ struct Sides {
   ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
   ZeroArray<kernels::SteadySides> steady;      // of the steady sides of a block
 
-  // Laws used by few models, and their state; empty without them.
-  std::vector<kernels::SoftSide> soft;    // by side: softening of its bonds
-  ZeroArray<double> wear;                 // State by segment of the sides that soften, kernels/laws/softening.h
-  std::vector<kernels::Closing> closing;  // by side: closing law of its joint
-  std::vector<double*> crushed_of;        // by side: pointer into `crushed`; empty: contacts bear any pressure
-  ZeroArray<double> crushed;              // m, State by segment, kernels/laws/crushing.h
+  // Optional laws (setup/laws/optional_laws.h); empty in a model without.
+  std::vector<kernels::SideLaws> laws;  // by side
+  std::vector<LawState> law_state;      // State: what they keep, in the order in which they were set up
 
   // Pair forces (kernels::PairForces) in steps with World::keep_pairs; empty if not needed.
   Array<double> pair_wrench;
@@ -74,10 +77,10 @@ struct Sides {
 
   [[nodiscard]] std::int64_t count() const noexcept { return static_cast<std::int64_t>(joint.size()); }
   [[nodiscard]] kernels::Side side(std::int64_t id) const noexcept;
-  /// Softening law of a side; nullptr: its bonds do not soften.
-  [[nodiscard]] const kernels::SoftSide* soft_side(std::int64_t id) const noexcept {
-    return soft.empty() || soft[static_cast<std::size_t>(id)].wear == nullptr ? nullptr : &soft[static_cast<std::size_t>(id)];
-  }
+  /// The optional laws of a side.
+  [[nodiscard]] const kernels::SideLaws& laws_of(std::size_t id) const noexcept { return laws.empty() ? kernels::kNoLaws : laws[id]; }
+  /// What a law keeps; nullptr: no joint has it.
+  [[nodiscard]] const ZeroArray<double>* state_of_law(std::string_view name) const noexcept;
   [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
 };
 

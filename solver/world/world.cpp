@@ -89,9 +89,15 @@ void ByLevel::sort(const std::vector<std::uint8_t>& level, int levels) {
 kernels::Side Sides::side(std::int64_t id) const noexcept {
   const auto i = static_cast<std::size_t>(id);
   kernels::Side side = kernels::side_of(blocks[i / kernels::kLanes], static_cast<int>(i % kernels::kLanes), parts[i]);
-  side.soft = soft_side(id);
-  if (!closing.empty() && closing[i].on()) side.closing = &closing[i];
+  side.laws = &laws_of(i);
   return side;
+}
+
+const ZeroArray<double>* Sides::state_of_law(std::string_view name) const noexcept {
+  for (const LawState& s : law_state) {
+    if (s.name == name) return &s.values;
+  }
+  return nullptr;
 }
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {

@@ -86,7 +86,12 @@ struct SideUnderTest {
 
   void soften(kernels::Softening law) { softening = law, wear.assign(s.size(), 0.0); }
   void crush(kernels::Crushing law) { crushing = law, crushed.assign(s.size(), 0.0); }
-  kernels::SoftSide soft() { return {softening, wear.empty() ? nullptr : wear.data()}; }
+  kernels::SideLaws laws() {
+    return {.soft = {softening, wear.empty() ? nullptr : wear.data()},
+            .closing = closing,
+            .crushing = crushed.empty() ? nullptr : &crushing,
+            .crushed = crushed.empty() ? nullptr : crushed.data()};
+  }
 
   /// Against the base instead of the other body.
   void put_onto_base() { side.slave = 2, side.on_base = true, side.mean = 0.0, side.factor = 1.0; }
@@ -149,24 +154,12 @@ inline SideStep advance(kernels::AdvanceSides& kernel, SideUnderTest& u, const T
   kernels::DamagedSide result[kernels::kLanes];
   kernels::SideState states[kernels::kLanes] = {};
   states[kLane] = state;
-  kernels::SoftSide soft[kernels::kLanes];
-  soft[kLane] = u.soft();
+  kernels::SideLaws laws[kernels::kLanes];
+  laws[kLane] = u.laws();
   const std::size_t before = events.size();
   events.resize(before + u.s.size());
   kernels::EventSink sink{events.data() + before, 0};
-  kernels::Closing closing[kernels::kLanes];
-  closing[kLane] = u.closing;
-  double* crushed[kernels::kLanes] = {};
-  crushed[kLane] = u.crushed.data();
-  const kernels::BlockState block{.side_state = states,
-                                  .steady = &u.steady,
-                                  .parts = parts,
-                                  .soft = u.wear.empty() ? nullptr : soft,
-                                  .crushing = u.crushed.empty() ? nullptr : &u.crushing,
-                                  .crushed = u.crushed.empty() ? nullptr : crushed,
-                                  .closing = u.closing.on() ? closing : nullptr,
-                                  .first = 0,
-                                  .live = 1U << kLane};
+  const kernels::BlockState block{.side_state = states, .steady = &u.steady, .parts = parts, .laws = laws, .first = 0, .live = 1U << kLane};
   const kernels::Rows rows{b.pose.data(), b.twist.data(), wrench, dashpot, {}};
   s.looked_at = kernel(u.block(kLane), block, rows, {step, time}, o, result, sink) != 0;
   events.resize(before + static_cast<std::size_t>(sink.count));
@@ -188,9 +181,8 @@ inline bool make_steady(SideUnderTest& u, const SideStep& looked_at, double fart
 /// Elastic energy in the segments of a side under test.
 inline kernels::SideEnergy energy(SideUnderTest& u, const TwoBodies& b) {
   kernels::Side side = u.side;
-  const kernels::SoftSide soft = u.soft();
-  if (soft.wear != nullptr) side.soft = &soft;
-  if (u.closing.on()) side.closing = &u.closing;
+  const kernels::SideLaws laws = u.laws();
+  side.laws = &laws;
   return kernels::segment_energy(side, u.frame(b), u.points(), u.segments());
 }
 

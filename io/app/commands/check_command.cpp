@@ -31,6 +31,7 @@
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "solver/run/simulation.h"
+#include "solver/setup/laws/optional_laws.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -125,7 +126,15 @@ void print_joint_laws(const cases::Model& m) {
   }
 }
 
-/// Prints the friction common to all pairs of materials, and the pairs with their own friction.
+/// What optional laws do, those that some joint has.
+void print_optional_laws(const cases::Case& c, const cases::Model& m) {
+  const char* gap = "\n";
+  for (const solver::OptionalLaw& law : solver::optional_laws()) {
+    for (const std::string& line : law.words(c, m)) std::printf("%s%-24s %s\n", gap, law.name, line.c_str()), gap = "";
+  }
+}
+
+/// One friction for all pairs of materials, and those that have their own.
 void print_friction(const cases::Contact& c) {
   std::printf("\nfriction of contacts     %s degrees", cases::text(c.friction).c_str());
   for (const cases::ContactRule& r : c.between) {
@@ -275,6 +284,7 @@ int check(const LoadedCase& c, const CheckOptions& o) {
   print_bounded_ties(sim.world().ties, model);
   print_step(n, model, sim.world());
   print_joint_laws(model);
+  print_optional_laws(c.value, model);
   print_friction(c.value.contact);
   print_loading(c.value, motion);
   print_parts(n);

@@ -55,20 +55,20 @@ TEST_CASE("memory: what softening, crushing and closing keep is counted with sid
   const auto sides = static_cast<std::size_t>(plain.world->sides.count());
   cases::Case softening = wall();
   softening.joint_laws["mortar"].fracture_energy_tension = 10.0, softening.joint_laws["mortar"].fracture_energy_shear = 50.0;
-  CHECK(Built(softening).use.sides >= plain.use.sides + sides * sizeof(kernels::SoftSide));
+  CHECK(Built(softening).use.sides >= plain.use.sides + sides * sizeof(kernels::SideLaws));
 
   cases::Case crushing = wall();
   crushing.contact.compression = 1e6;
   Built crushed(crushing);
-  CHECK(crushed.use.sides >= plain.use.sides + sides * sizeof(double*));
+  CHECK(crushed.use.sides >= plain.use.sides + sides * sizeof(kernels::SideLaws));
   REQUIRE(crushed.world->patches.crushed.size() > 0);
   CHECK(crushed.use.patches >= plain.use.patches + crushed.world->patches.crushed.size() * sizeof(double));
-  crushed.world->sides.crushed[0] = 1e-4;
+  crushed.world->sides.law_state.at(0).values[0] = 1e-4;
   CHECK(solver::memory_use(*crushed.world).segments >= crushed.use.segments + kPage);
 
   cases::Case closing = wall();
   cases::JointLaw dry;
   dry.tension = dry.cohesion = 0.0, dry.maximum_closure = 1e-4, dry.normal_stiffness = 1e9, dry.shear_stiffness = 5e8;
   closing.joint_laws["mortar"] = dry;
-  CHECK(Built(closing).use.sides >= plain.use.sides + sides * sizeof(kernels::Closing));
+  CHECK(Built(closing).use.sides >= plain.use.sides + sides * sizeof(kernels::SideLaws));
 }

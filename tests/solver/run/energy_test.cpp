@@ -180,7 +180,7 @@ TEST_CASE("a wall whose bonds soften loses energy and gains none, and its ledger
       const double all = now.friction + now.fracture + now.dashpot + now.damping + 1e-300;
       least = std::min({least, (now.friction - before.friction) / all, (now.fracture - before.fracture) / all});
       before = now;
-      const auto& wear = sim.world().sides.wear;
+      const auto& wear = *sim.world().sides.state_of_law("segment_wear");
       worn =
           std::max(worn, static_cast<std::size_t>(std::count_if(wear.data(), wear.data() + wear.size(), [](double x) { return x > 0.0; })));
     }
@@ -207,7 +207,7 @@ TEST_CASE("a wall whose contacts crush loses energy by it and gains none, and it
     for (const solver::FreePatch& p : w.patches.patch) by_patches += p.fracture;
     MESSAGE("residual ", sim.worst_residual(), ", lost by breaking ", fracture.all, " J, by crushing of free patches ", by_patches, " J");
     CHECK(by_patches > 1e-4);
-    CHECK(*std::max_element(w.sides.crushed.data(), w.sides.crushed.data() + w.sides.crushed.size()) > 1e-5);
+    CHECK(std::ranges::max(*w.sides.state_of_law("segment_crushed")) > 1e-5);
     CHECK(sim.worst_residual() < 1e-4);
     CHECK(fracture.least > -1e-6);
   }

@@ -106,7 +106,7 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
             w.contacts.searches,
             std::count_if(w.patches.patch.begin(), w.patches.patch.end(), [](const auto& p) { return p.touching > 0; }),
             w.ties.state,
-            std::count_if(w.sides.crushed.data(), w.sides.crushed.data() + w.sides.crushed.size(), [](double x) { return x > 0.0; }),
+            std::ranges::count_if(*w.sides.state_of_law("segment_crushed"), [](double x) { return x > 0.0; }),
             std::ranges::count_if(w.patches.crushed, [](double x) { return x > 0.0; })};
   }
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/names.h"
 #include "geometry/message.h"
-#include "solver/schedule/colouring.h"
-#include "solver/setup/setup.h"
+#include "solver/setup/laws/optional_laws.h"
 
 namespace voussoir::solver {
 
@@ -39,11 +39,6 @@ kernels::Softening softening_of(const cases::JointLaw& law, const kernels::Side&
           .linear = law.softening == cases::SofteningCurve::linear};
 }
 
-const cases::JointLaw& law_of(const World& w, std::size_t side) {
-  return w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(w.sides.joint[side])])].value;
-}
-double scatter_of(const World& w, std::size_t side) { return w.model.joint_strength[static_cast<std::size_t>(w.sides.joint[side])]; }
-
 bool softens(const cases::JointLaw& law) { return law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0; }
 
 /// A fracture energy of which nothing is left after the elastic energy at the limit is refused, with the least that all sides of the law
@@ -51,13 +46,12 @@ bool softens(const cases::JointLaw& law) { return law.fracture_energy_tension > 
 void refuse_snap_back(const World& w, const char* key, double cases::JointLaw::*energy,
                       Budget (*budget)(const cases::JointLaw&, const kernels::Side&, double)) {
   std::vector<double> least(w.model.laws.size(), 0.0);
-  for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
-    if (w.sides.joint[id] < 0) continue;
-    const Budget b = budget(law_of(w, id), w.sides.side(static_cast<std::int64_t>(id)), scatter_of(w, id));
-    if (!b.softens()) continue;
+  each_side(w.sides, [&](std::size_t id) {
+    const Budget b = budget(joint_law_of(w, id), w.sides.side(static_cast<std::int64_t>(id)), strength_factor_of(w, id));
+    if (!b.softens()) return;
     double& of_law = least[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(w.sides.joint[id])])];
-    of_law = std::max(of_law, b.stored() / scatter_of(w, id));
-  }
+    of_law = std::max(of_law, b.stored() / strength_factor_of(w, id));
+  });
   for (std::size_t i = 0; i < least.size(); ++i) {
     const double given = w.model.laws[i].value.*energy;
     if (least[i] == 0.0 || given > least[i]) continue;
@@ -70,26 +64,58 @@ void refuse_snap_back(const World& w, const char* key, double cases::JointLaw::*
   }
 }
 
-}  // namespace
+constexpr const char* kWear = "segment_wear";  // by segment of the sides that soften
 
-void set_up_softening(World& w) {
+void set_up(World& w, const cases::Case& /*c*/) {
   Sides& s = w.sides;
-  const auto is_soft = [&](std::size_t id) { return s.joint[id] >= 0 && softens(law_of(w, id)); };
+  const auto room = [&](std::size_t id) { return static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes)); };
   std::size_t segments = 0;
-  for (std::size_t id = 0; id < s.joint.size(); ++id) {
-    if (is_soft(id)) segments += static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes));
-  }
+  each_side(s, [&](std::size_t id) { segments += softens(joint_law_of(w, id)) ? room(id) : 0; });
   if (segments == 0) return;
   refuse_snap_back(w, "fracture_energy_tension", &cases::JointLaw::fracture_energy_tension, tension_of);
   refuse_snap_back(w, "fracture_energy_shear", &cases::JointLaw::fracture_energy_shear, shear_of);
-  s.wear.assign_zeros(segments);
-  s.soft.resize(s.joint.size());
-  std::size_t at = 0;
-  for (std::size_t id = 0; id < s.joint.size(); ++id) {
-    if (!is_soft(id)) continue;
-    s.soft[id] = {softening_of(law_of(w, id), s.side(static_cast<std::int64_t>(id)), scatter_of(w, id)), s.wear.data() + at};
-    at += static_cast<std::size_t>(round_up(s.parts[id].points.n, kernels::kLanes));
+  double* wear = keep(s, {.name = kWear, .unit = "-", .shape = "segment of a side that softens", .values = {}}, segments);
+  each_side(s, [&](std::size_t id) {
+    const cases::JointLaw& law = joint_law_of(w, id);
+    if (!softens(law)) return;
+    own_laws(s, id).soft = {softening_of(law, s.side(static_cast<std::int64_t>(id)), strength_factor_of(w, id)), wear};
+    wear += room(id);
+  });
+}
+
+std::vector<double> numbers(const World& w) {
+  std::vector<double> all;
+  if (w.sides.state_of_law(kWear) == nullptr) return all;
+  for (const kernels::SideLaws& side : w.sides.laws) {
+    const kernels::Softening& a = side.soft.law;
+    all.insert(all.end(), {a.opening, a.slip, a.dilatancy, a.linear ? 1.0 : 0.0});
   }
+  return all;
+}
+
+std::vector<std::string> words(const cases::Case& /*c*/, const cases::Model& m) {
+  std::vector<std::string> lines;
+  for (const cases::NamedLaw* law : laws_in_use(m)) {
+    const cases::JointLaw& l = law->value;
+    if (!softens(l)) continue;
+    std::string text = law->name + ":";
+    if (l.fracture_energy_tension > 0.0) text += " " + cases::text(l.fracture_energy_tension) + " J/m2 in tension,";
+    if (l.fracture_energy_shear > 0.0) text += " " + cases::text(l.fracture_energy_shear) + " J/m2 in shear,";
+    text += l.softening == cases::SofteningCurve::linear ? " linear" : " exponential";
+    if (l.dilatancy > 0.0) text += ", dilatancy " + cases::text(l.dilatancy) + " degrees";
+    lines.push_back(text);
+  }
+  return lines;
+}
+
+void example(cases::Case& /*c*/, cases::JointLaw& law) {
+  law.fracture_energy_tension = 0.2, law.fracture_energy_shear = 0.4, law.dilatancy = 10.0;
+}
+
+}  // namespace
+
+OptionalLaw softening_law() {
+  return {.name = "softening", .after = "", .set_up = set_up, .numbers = numbers, .words = words, .example = example};
 }
 
 }  // namespace voussoir::solver

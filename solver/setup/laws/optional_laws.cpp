@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/laws/optional_laws.h"
+
+#include <utility>
+
+namespace voussoir::solver {
+
+// One each, in the source of its name.
+OptionalLaw softening_law();
+OptionalLaw closing_law();
+OptionalLaw crushing_law();
+
+std::span<const OptionalLaw> optional_laws() {
+  static const OptionalLaw kLaws[] = {softening_law(), closing_law(), crushing_law()};
+  return kLaws;
+}
+
+const cases::JointLaw& joint_law_of(const World& w, std::size_t side) {
+  return w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(w.sides.joint[side])])].value;
+}
+
+double strength_factor_of(const World& w, std::size_t side) {
+  return w.model.joint_strength[static_cast<std::size_t>(w.sides.joint[side])];
+}
+
+kernels::SideLaws& own_laws(Sides& s, std::size_t side) {
+  if (s.laws.empty()) s.laws.resize(s.joint.size());
+  return s.laws[side];
+}
+
+double* keep(Sides& s, LawState what, std::size_t count) {
+  what.values.assign_zeros(count);
+  return s.law_state.emplace_back(std::move(what)).values.data();
+}
+
+std::vector<const cases::NamedLaw*> laws_in_use(const cases::Model& m) {
+  std::vector<bool> used(m.laws.size(), false);
+  for (const std::int32_t law : m.joint_law) used[static_cast<std::size_t>(law)] = true;
+  std::vector<const cases::NamedLaw*> laws;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) laws.push_back(&m.laws[i]);
+  }
+  return laws;
+}
+
+}  // namespace voussoir::solver
