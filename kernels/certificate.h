@@ -53,7 +53,7 @@ VOUSSOIR_INLINE LaneMask certified(const SideConstants& s, int at, const Kinemat
       const Lanes sigma = along + t * bn, sigma2 = sigma * sigma;
       const Lanes tau2 = square + t * (slope + t * bb) - to_n * sigma2;
       const Lanes coulomb = c - sigma * tan_phi;
-      tension_or_cap_exceeded |= (sigma > ft) | (sigma2 + cap * (tau2 + round) > fm2);
+      tension_or_cap_exceeded |= tension_fails(sigma, ft) | (sigma2 + cap * (tau2 + round) > fm2);
       above_cohesion |= tau2 > c2;
       above_coulomb |= (coulomb < 0.0) | (tau2 + round > coulomb * coulomb);
     }

@@ -80,7 +80,7 @@ VOUSSOIR_INLINE Springs bonded(const Law& a, const Chunk& c) noexcept {
   const Lanes limit = bonded_limit(sigma, a);
   const LaneMask yields = tau2 > limit * limit;
   const Lanes fm2 = lanes(a.strength.compression * a.strength.compression);
-  r.rare = (sigma > a.strength.tension) | ((sigma < 0.0) & (sigma * sigma + a.strength.cap * tau2 > fm2));
+  r.rare = tension_fails(sigma, a.strength.tension) | ((sigma < 0.0) & (sigma * sigma + a.strength.cap * tau2 > fm2));
   r.rare |= a.o.brittle ? yields : yields & ~c.slipped;
   r.slip1 = c.slip1, r.slip2 = c.slip2;
   if (bits(yields & c.held) != 0) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernels/law.h"
+#include "kernels/laws/tension.h"
 
 /// The constitutive law of one segment, literally: Eqs. 4-9, THEORY.md (11)-(19). The plain twin of the vector kernels; every rare event
 /// (breaking, crushing) is decided here for both.
@@ -119,7 +120,7 @@ inline SegmentStep advance_segment(SegmentState& q, Local u, Local rate, double 
     const double sigma = k.kn * x.n;
     const double tau = k.ks * std::sqrt(x.s1 * x.s1 + x.s2 * x.s2);
     const double limit = shear_limit(sigma, s, o);
-    if (sigma > s.tension) {  // Eq. 5
+    if (tension_fails(sigma, s.tension)) {  // Eq. 5
       out.broke = Mode::tension;
       open = true;
     } else {

@@ -86,7 +86,7 @@ struct Wearing {
 /// Increases the wear by opening beyond the limit: (13b).
 inline void wear_by_opening(Wearing& w, Stiffness k, Strength s, const Softening& a) noexcept {
   const double sigma = k.kn * w.x.n;  // of a bond without wear
-  if (sigma <= s.tension * (1.0 + w.wear * a.opening)) return;
+  if (!tension_fails(sigma, s.tension * (1.0 + w.wear * a.opening))) return;
   w.reached = Mode::tension;
   if (a.opening > 0.0) {
     w.wear = (sigma / s.tension - 1.0) / a.opening;
