@@ -32,12 +32,20 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     team = 1;
     ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(omp_get_thread_num())];
     mine.clock = LapClock(stage.split);
+    const auto note = [&w, first = omp_get_thread_num() == 0](StepStage s) {
+      if (first) w.log.note(s);
+    };
+    note(StepStage::own_joints);
     advance_own_joints(joints, mine.joints, mine.clock);
     mine.clock.begin();
+    note(StepStage::contacts);
     advance_contacts(w, due, mine.contacts);
+    note(StepStage::overlaps);
     find_overlaps(w, due, mine.overlaps);
     mine.clock.lap(ForcePart::contacts);
+    note(StepStage::late_joints);
     help_with_joints(joints, mine.joints, mine.clock);
+    note(StepStage::gather);
     gather(w, due, mine.clock);
   }
   const double ended = stage.split ? omp_get_wtime() : 0.0;
@@ -52,7 +60,9 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
     r.overlaps.clear();
     for (std::size_t k = 0; k < kForceParts; ++k) stage.parts[k] += r.clock.times()[k] / team;
   }
+  w.log.note(StepStage::findings);
   collect(found, stage.events);
+  w.log.note(StepStage::overlap_forces);
   apply_overlaps(w, due, overlaps);
   if (stage.split) stage.alone += omp_get_wtime() - ended;
 }

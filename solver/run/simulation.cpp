@@ -56,16 +56,6 @@ double over_elements(const World& w, TaskShares& shares, Work work) {
   return most;
 }
 
-Vec3 rotation_vector(Quaternion q, Quaternion start) {
-  // q · start⁻¹
-  const double w = q.w * start.w + q.x * start.x + q.y * start.y + q.z * start.z;
-  Vec3 v{q.x * start.w - q.w * start.x - q.y * start.z + q.z * start.y, q.y * start.w - q.w * start.y - q.z * start.x + q.x * start.z,
-         q.z * start.w - q.w * start.z - q.x * start.y + q.y * start.x};
-  const double s = norm(v);
-  if (s < 1e-12) return 2.0 * v;
-  return (2.0 * std::atan2(s, w) / s) * v;
-}
-
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
@@ -177,35 +167,6 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
-// Forces of pairs of higher levels, which are not among those of the other pairs yet, count as the others do: not with their impulse.
-// Internal forces cancel in pairs, so what is left of the sum over all free elements is what base and fixed blocks exert.
-void Simulation::measure_base_forces() {
-  const World& w = *world_;
-  forces_ = {time(), {}, {}};
-  for (std::int32_t e = 0; e < w.elements.count; ++e) {
-    const auto i = static_cast<std::size_t>(e);
-    if (w.elements.fixed[i]) continue;
-    const Vec3 x = w.elements.body[i].ref + Vec3{w.elements.ux[i], w.elements.uy[i], w.elements.uz[i]};
-    const auto add = [&](const Array<double>& rows) {
-      const double* r = rows.data() + i * kernels::kWrenchStride;
-      const Vec3 f{r[0], r[1], r[2]};
-      forces_.base_shear += f;
-      forces_.base_moment += cross(x, f) + Vec3{r[3], r[4], r[5]};
-    };
-    add(w.elements.wrench);
-    for (const Multirate::Rows& r : w.multirate.rows) add(r.wrench);
-  }
-}
-
-void Simulation::take_samples() {
-  const Elements& e = world_->elements;
-  for (std::size_t k = 0; k < followed_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(followed_[k]);
-    const Vec3 u{e.ux[i], e.uy[i], e.uz[i]}, v{e.vx[i], e.vy[i], e.vz[i]};
-    samples_[k] = {u - start_[k], 0.5 * (velocity_before_[k] + v), rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, turned_[k])};
-  }
-}
-
 /// Of the largest speed [m2/s2]. \throw NumericalError
 double Simulation::fastest_square() {
   const Elements& e = world_->elements;
@@ -252,14 +213,6 @@ std::string Simulation::fastest_element() const {
     if (std::isnan(v2)) break;
   }
   return cases::describe(world_->model.blocks[fastest], fastest);
-}
-
-void Simulation::note_velocities() {
-  const Elements& e = world_->elements;
-  for (std::size_t k = 0; k < followed_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(followed_[k]);
-    velocity_before_[k] = {e.vx[i], e.vy[i], e.vz[i]};
-  }
 }
 
 /// A search waits for the first step of a cycle.
@@ -310,14 +263,16 @@ void Simulation::kick_and_drift() {
 void Simulation::step(Due due) {
   World& w = *world_;
   const double t = time();
+  const auto note = [&w](StepStage s) { w.log.note(s); };  // see step_stages.h
+  note(StepStage::supports);
   place_supports();
   {
     const StageTimer timer(times_, Stage::search);
     const bool search = w.multirate.starts_cycle(step_) && w.travel.search_due(moved_);
-    if (search) search_contacts(w);
-    if (search && w.multirate.on()) renew_contact_levels(w);
-    if (w.contacts.stale_level < w.multirate.due(step_)) build_gather(w);
-    if ((search || step_ == 0) && w.multirate.on()) renew_moves(w);
+    if (search) note(StepStage::search), search_contacts(w);
+    if (search && w.multirate.on()) note(StepStage::contact_levels), renew_contact_levels(w);
+    if (w.contacts.stale_level < w.multirate.due(step_)) note(StepStage::gather_lists), build_gather(w);
+    if ((search || step_ == 0) && w.multirate.on()) note(StepStage::moves), renew_moves(w);
   }
   const bool cuts_due = due.ledger && cuts_.any() && phase_ == Phase::shaking;
   {
@@ -325,33 +280,43 @@ void Simulation::step(Due due) {
     if (cuts_due) std::ranges::fill(w.sides.pair_on, std::uint8_t{0});
     w.keep_pairs = cuts_due;
     solver::forces(w, t, step_, forces_stage_);
+    note(StepStage::ties);
     ledger_.add_load_work(apply_ties(w, gravity_share(static_cast<double>(step_) * w.dt)));
-    if (cuts_due) cuts_.measure(w, cut_samples_);
+    if (cuts_due) note(StepStage::cuts), cuts_.measure(w, cut_samples_);
   }
   {
     const StageTimer timer(times_, Stage::damage);
+    note(StepStage::damage);
     record_damage(w, forces_stage_.events, t, damage_, cracks_);
   }
-  if (due.sample) measure_base_forces();
-  if (w.multirate.on()) add_impulses(w, step_);
+  if (due.sample) note(StepStage::base_forces), measure_base_forces();
+  if (w.multirate.on()) note(StepStage::impulses), add_impulses(w, step_);
   if (due.ledger) {
     const StageTimer timer(times_, Stage::ledger);
+    note(StepStage::ledger_before);
     ledger_.before_kick(w);
   }
   const StageTimer timer(times_, Stage::update);
+  note(StepStage::support_work);
   ledger_.add_support_work(w);
-  if (due.sample) note_velocities();
-  if (phase_ == Phase::shaking) program_.advance(w, step_);
+  if (due.sample) note(StepStage::velocities_before), note_velocities();
+  if (phase_ == Phase::shaking) note(StepStage::load_program), program_.advance(w, step_);
+  note(StepStage::loads);
   apply_loads();
+  note(StepStage::support_velocities);
   move_supports_on();
+  note(StepStage::kick);
   if (due.sample) {
     kick();
+    note(StepStage::samples);
     take_samples();
+    note(StepStage::drift);
     drift();
   } else {
+    note(StepStage::drift);
     kick_and_drift();
   }
-  if (due.ledger) ledger_.after_drift(w, body_forces(0), t);
+  if (due.ledger) note(StepStage::ledger_after), ledger_.after_drift(w, body_forces(0), t);
   ++step_;
   if (step_ % kGuardInterval == 0) peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_square()));
 }

@@ -19,6 +19,7 @@
 #include "solver/world/overlaps.h"
 #include "solver/world/patches.h"
 #include "solver/world/sides.h"
+#include "solver/world/step_log.h"
 #include "solver/world/ties.h"
 #include "solver/world/travel.h"
 
@@ -40,6 +41,7 @@ struct World {
   bool out_of_cache = false;         // the model is larger than the caches, see schedule/out_of_cache.h
   bool keep_pairs = false;           // in this step sides and overlaps store a copy of their forces, for cuts
   int threads = 1;                   // number of threads of teams
+  StepLog log;                       // stages of the last step, for tests
 
   // Time.
   double dt = 0.0;     // s
