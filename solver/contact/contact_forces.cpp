@@ -139,21 +139,19 @@ void ContactRoom::part(std::int64_t patches, int threads) {
 }
 
 void advance_contacts(World& w, int due, ContactRoom& room) {
-  const ByLevel& by_level = w.contacts.patches;
-  const bool listed = w.multirate.on();
-  const auto patches = listed ? by_level.end[static_cast<std::size_t>(due) - 1] : static_cast<std::int64_t>(w.contacts.active.size());
-  if (patches == 0) return;
+  const DueNumbers patches(w.multirate, w.contacts.patches, due, w.contacts.active.size());
+  if (patches.size() == 0) return;
   room.steps.clear();
   for (int level = 0; level < due; ++level) room.steps.push_back({w.bodies(level), w.contact_of(level)});
   const kernels::Face* faces = w.faces.data();
   room.fit(w.points.largest, w.most_faces);
-  room.part(patches, omp_get_num_threads());
+  room.part(patches.size(), omp_get_num_threads());
 #pragma omp for schedule(dynamic) nowait
   for (std::size_t run = 1; run < room.runs.size(); ++run) {
     std::size_t near[kMostRun];
     std::size_t count = 0;
     for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
-      const auto i = static_cast<std::size_t>(listed ? by_level.list[static_cast<std::size_t>(a)] : a);
+      const std::size_t i = patches[a];
       if (is_quiet(w, i)) continue;
       if (count < kPrefetchPatches) prefetch_patch(w, i);
       near[count++] = i;
@@ -167,20 +165,18 @@ void advance_contacts(World& w, int due, ContactRoom& room) {
   }
 }
 
-std::int64_t gatherers(const World& w, int due) {
-  return w.multirate.on() ? w.contacts.gatherers.end[static_cast<std::size_t>(due) - 1] : w.elements.count;
+DueNumbers gatherers(const World& w, int due) {
+  return {w.multirate, w.contacts.gatherers, due, static_cast<std::size_t>(w.elements.count)};
 }
 
 void gather_contacts(World& w, int due, std::int64_t number) {
   const Contacts& c = w.contacts;
-  const auto element_at = [&](std::int64_t i) {
-    return w.multirate.on() ? c.gatherers.list[static_cast<std::size_t>(i)] : static_cast<std::int32_t>(i);
-  };
-  if (number + kPrefetchElements < gatherers(w, due)) {
-    each_push(c, due, static_cast<std::size_t>(element_at(number + kPrefetchElements)),
+  const DueNumbers elements = gatherers(w, due);
+  if (number + kPrefetchElements < elements.size()) {
+    each_push(c, due, elements[number + kPrefetchElements],
               [&](std::size_t, std::size_t slot, bool) { kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]); });
   }
-  const std::int32_t element = element_at(number);
+  const auto element = static_cast<std::int32_t>(elements[number]);
   each_push(c, due, static_cast<std::size_t>(element), [&](std::size_t place, std::size_t slot, bool is_slave) {
     const kernels::PairWrench& x = c.wrench[slot];
     const kernels::Rows rows = w.rows(c.gather_level.empty() ? 0 : c.gather_level[place]);

@@ -38,11 +38,11 @@ struct ContactRoom {
 
 /// Computes the forces of active patches into their slots. To be called by every thread of a team; threads may return before all patches
 /// are done.
-/// \param due  number of levels of patches due in this step, from level 0 on (solver/world/multirate.h)
+/// \param due  number of levels of patches due in this step, from level 0 on
 void advance_contacts(World& w, int due, ContactRoom& room);
 
 /// Number of elements that may get forces from slots of the due levels.
-[[nodiscard]] std::int64_t gatherers(const World& w, int due);
+[[nodiscard]] DueNumbers gatherers(const World& w, int due);
 /// Adds the forces in the slots of gatherer `number` to the rows of its element, in slot order. Fastest if called in order of numbers.
 void gather_contacts(World& w, int due, std::int64_t number);
 

@@ -253,26 +253,25 @@ kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, doub
 }
 
 void list_overlap_levels(World& w) {
+  if (!w.multirate.on()) return;
   std::vector<std::uint8_t> level;
   for (const OverlapPair& p : w.overlaps.pairs) level.push_back(static_cast<std::uint8_t>(level_of(w, p.a, p.b)));
   w.overlaps.by_level.sort(level, w.multirate.levels());
 }
 
 void find_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
-  const ByLevel& by_level = w.overlaps.by_level;
-  const bool listed = w.multirate.on();
-  const auto count = listed ? by_level.end[static_cast<std::size_t>(due) - 1] : static_cast<std::int64_t>(w.overlaps.pairs.size());
+  const DueNumbers pairs(w.multirate, w.overlaps.by_level, due, w.overlaps.pairs.size());
 #pragma omp for schedule(static) nowait
-  for (std::int64_t k = 0; k < count; ++k) {
-    const std::int64_t i = listed ? by_level.list[static_cast<std::size_t>(k)] : k;
-    OverlapPair& p = w.overlaps.pairs[static_cast<std::size_t>(i)];
+  for (std::int64_t k = 0; k < pairs.size(); ++k) {
+    const std::size_t i = pairs[k];
+    OverlapPair& p = w.overlaps.pairs[i];
     const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
     if (travel < p.safe && !w.options.reference_kernels) continue;
     const double allowed = allowed_overlap(w, p.a, p.b);
     const kernels::Overlap at = overlap_of(w, p.a, p.b, allowed);
     if (at.depth > allowed) {
       p.safe = kernels::kLookNow;
-      found.push_back({static_cast<std::size_t>(i), at});
+      found.push_back({i, at});
     } else {
       p.safe = travel + (allowed - at.depth) - kernels::kRoundOff;
     }

@@ -42,7 +42,7 @@ void list_overlap_levels(World& w);
 
 /// Tests pairs whose bodies have moved far enough to overlap. To be called by every thread of a team; threads may return before all is
 /// done.
-/// \param due  number of levels of pairs due in this step, from level 0 on (solver/world/multirate.h)
+/// \param due  number of levels of pairs due in this step, from level 0 on
 void find_overlaps(World& w, int due, std::vector<OverlapFound>& found);
 
 /// Adds the forces of all found pairs to the rows of elements, pair by pair, and sums the losses of springs. To be called by one thread.

@@ -89,12 +89,12 @@ void replace_overlap_pairs(World& w) {
     pairs.insert(pairs.end(), found.begin() + room.first_overlap[i], found.begin() + room.first_overlap[i + 1]);
     std::ranges::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), {}, &OverlapPair::b);
   }
-  if (w.multirate.on()) list_overlap_levels(w);
+  list_overlap_levels(w);
 }
 
 void use_restored_overlap_pairs(World& w) {
   activate(w, w.overlaps.pairs);
-  if (w.multirate.on()) list_overlap_levels(w);
+  list_overlap_levels(w);
 }
 
 }  // namespace voussoir::solver

@@ -13,7 +13,7 @@ void gather(World& w, int due, LapClock& clock) {
   if (w.contacts.active.empty()) return;
 #pragma omp barrier
   clock.begin();
-  const std::int64_t elements = gatherers(w, due);
+  const std::int64_t elements = gatherers(w, due).size();
 #pragma omp for schedule(static) nowait
   for (std::int64_t e = 0; e < elements; ++e) gather_contacts(w, due, e);
   clock.lap(ForcePart::assembly);

@@ -68,4 +68,21 @@ struct ByLevel {
   void sort(const std::vector<std::uint8_t>& level, int levels);
 };
 
+/// The numbers of 0 ... count - 1 whose turn it is in a step: at several rates those that are listed for its levels, else all.
+class DueNumbers {
+ public:
+  /// \param due  see Multirate::due
+  DueNumbers(const Multirate& m, const ByLevel& listed, int due, std::size_t count)
+      : list_(m.on() ? listed.list.data() : nullptr),
+        size_(m.on() ? listed.end[static_cast<std::size_t>(due) - 1] : static_cast<std::int64_t>(count)) {}
+  [[nodiscard]] std::int64_t size() const noexcept { return size_; }
+  [[nodiscard]] std::size_t operator[](std::int64_t i) const noexcept {
+    return static_cast<std::size_t>(list_ != nullptr ? std::int64_t{list_[i]} : i);
+  }
+
+ private:
+  const std::int32_t* list_;  // nullptr: all
+  std::int64_t size_;
+};
+
 }  // namespace voussoir::solver
