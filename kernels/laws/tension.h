@@ -17,7 +17,7 @@
 ///     certificate.h        certified         of other whole sides, and of those that fail the bound above
 ///     steady_sides.cpp     approach          of damaged sides in which nothing changes; stay_steady compares with what it left
 ///
-/// tests/kernels/tension_test.cpp pulls one side at all of them. What reads f_t for other ends: setup_softening.cpp (the energy below the
+/// tests/kernels/tension_test.cpp pulls one side at all of them. What reads f_t for other ends: setup/laws/softening.cpp (the energy below the
 /// limit), side_kinds.cpp (which sides are alike), solver/limit/contacts.cpp and case_table_joint_laws.cpp (whether there is any).
 namespace voussoir::kernels {
 

@@ -15,7 +15,7 @@ void search_contacts(World& w);
 /// Finds the candidates of all elements anew.
 void search_all(World& w);
 
-/// Data common to the patches of one level (multirate.h) in a step.
+/// Data common to the patches of one level in a step.
 struct PatchStep {
   kernels::Bodies bodies;
   kernels::ContactOptions options;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <vector>
 
 #include "cases/model.h"
@@ -37,9 +38,11 @@ void read_support(const std::string& path, std::size_t bytes) {
   check(model.support_motions[0], bytes);
 }
 
+using Reader = std::vector<io::Channel> (*)(const std::string&);
+constexpr Reader kReaders[] = {io::read_bhrc, io::read_cosmos, io::read_csmip, io::read_esm, io::read_geonet, io::read_knet};
+constexpr unsigned kFormats = 4 + std::size(kReaders);
+
 void read(unsigned format, const std::string& path, std::size_t bytes) {
-  using Reader = std::vector<io::Channel> (*)(const std::string&);
-  constexpr Reader kReaders[] = {io::read_bhrc, io::read_cosmos, io::read_csmip, io::read_esm, io::read_geonet, io::read_knet};
   switch (format) {
     case 0:
       return check(io::read_at2(path), bytes);
@@ -61,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   file.fill(data + 1, size - 1);
   try {
-    read(static_cast<unsigned>(data[0]) % 10, file.path(), size);
+    read(static_cast<unsigned>(data[0]) % kFormats, file.path(), size);
   } catch (const io::FileError&) {
   }
   return 0;

@@ -30,15 +30,12 @@ std::vector<Channel> only(cases::Accelerogram a) {
 }
 
 struct Format {
+  const char* name;
   bool (*is)(Lines first_lines);
   std::vector<Channel> (*read)(const std::string& path);
 };
 
-constexpr std::size_t kFirstLines = 16;  // suffices to recognise any format
-constexpr const char* kFormats =
-    "PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, USC V2, GeoNet V2A, K-NET (known by their first lines), or two columns of time and "
-    "acceleration, "
-    "or one of acceleration (.csv, .txt)";
+constexpr std::size_t kFirstLines = 16;  // enough for every mark
 
 bool any_begins(Lines lines, std::string_view word) {
   return std::any_of(lines.begin(), lines.end(), [&](std::string_view line) { return begins(line, word); });
@@ -46,15 +43,21 @@ bool any_begins(Lines lines, std::string_view word) {
 
 /// Formats; the first that recognises a file reads it.
 constexpr Format kKnown[] = {
-    {[](Lines l) { return begins(l[0], "* VOL1"); }, read_bhrc},
-    {[](Lines l) { return begins(l[0], "EVENT_NAME:"); }, read_esm},
-    {[](Lines l) { return begins(l[0], "ORIGIN TIME ") && any_begins(l, "SAMPLING FREQ(HZ)"); }, read_knet},
-    {[](Lines l) { return holds(l[0], "(FORMAT V") && holds(l[0], "TEXT LINES"); }, read_cosmos},
-    {[](Lines l) { return begins(l[0], "CORRECTED ACCELEROGRAM") && any_begins(l, "NUMBER OF POINTS"); }, read_geonet},
-    {[](Lines l) { return begins(l[0], "CORRECTED ACCELEROGRAM"); }, read_csmip},
-    {[](Lines l) { return l.size() > 2 && !l[2].starts_with('#') && holds(l[2], "IN UNITS OF"); },
+    {"BHRC V1", [](Lines l) { return begins(l[0], "* VOL1"); }, read_bhrc},
+    {"ESM ASC", [](Lines l) { return begins(l[0], "EVENT_NAME:"); }, read_esm},
+    {"K-NET", [](Lines l) { return begins(l[0], "ORIGIN TIME ") && any_begins(l, "SAMPLING FREQ(HZ)"); }, read_knet},
+    {"COSMOS", [](Lines l) { return holds(l[0], "(FORMAT V") && holds(l[0], "TEXT LINES"); }, read_cosmos},
+    {"GeoNet V2A", [](Lines l) { return begins(l[0], "CORRECTED ACCELEROGRAM") && any_begins(l, "NUMBER OF POINTS"); }, read_geonet},
+    {"CSMIP V2, USC V2", [](Lines l) { return begins(l[0], "CORRECTED ACCELEROGRAM"); }, read_csmip},
+    {"PEER AT2", [](Lines l) { return l.size() > 2 && !l[2].starts_with('#') && holds(l[2], "IN UNITS OF"); },
      [](const std::string& path) { return only(read_at2(path)); }},
 };
+
+std::string format_names() {
+  std::string names;
+  for (const Format& f : kKnown) names += (names.empty() ? "" : ", ") + std::string(f.name);
+  return names + " (known by their first lines), or two columns of time and acceleration, or one of acceleration (.csv, .txt)";
+}
 
 const Format* format_of(const std::string& path) {
   const std::string text = read_foreign_text(path, kLargestMotionFile);
@@ -105,7 +108,7 @@ std::vector<Channel> read_motion_file(const std::string& path, const Unstated& u
   // VT2 and DT2 files go to the AT2 reader, which refuses them by the quantity in their third line.
   if (ending == ".AT2" || ending == ".VT2" || ending == ".DT2") return only(read_at2(path));
   if (ending == ".CSV" || ending == ".TXT") return only(read_motion_csv(path, unstated));
-  throw FileError(path, std::string("is in no format that is read; allowed: ") + kFormats);
+  throw FileError(path, "is in no format that is read; allowed: " + format_names());
 }
 
 std::string component_list(const std::vector<Channel>& channels) {

@@ -101,8 +101,19 @@ void write_loops(Hdf5File& file, const std::string& name, const std::vector<Loop
 }  // namespace
 
 const char* name_of(AnalysisKind kind) {
-  constexpr std::array names{"time-history", "pushover", "tilt", "settlement", "cyclic"};
-  return names[static_cast<std::size_t>(kind)];
+  switch (kind) {  // the compiler misses one that is new
+    case AnalysisKind::time_history:
+      return "time-history";
+    case AnalysisKind::pushover:
+      return "pushover";
+    case AnalysisKind::tilt:
+      return "tilt";
+    case AnalysisKind::settlement:
+      return "settlement";
+    case AnalysisKind::cyclic:
+      return "cyclic";
+  }
+  return "";
 }
 
 std::vector<Figure> figures_of(const Capacity& c) {

@@ -56,7 +56,7 @@ TEST_CASE("formats: a file goes to its reader by its first lines, whatever its n
   refused("Corrected acceleration    (Format v01.20 with 13 text lines)\n", "the end of the 13 text lines");
   refused("Corrected accelerogram x\nNumber of points 1\n", "Number of points is 1");
   refused("Corrected accelerogram x\n", "POINTS OF ACCEL DATA");
-  refused("", "is in no format that is read; allowed: PEER AT2, BHRC V1, ESM ASC, COSMOS, CSMIP V2, USC V2, GeoNet V2A, K-NET (known by");
+  refused("", "is in no format that is read; allowed: BHRC V1, ESM ASC, K-NET, COSMOS, GeoNet V2A, CSMIP V2, USC V2, PEER AT2 (known by");
   refused("UNCORRECTED ACCELEROGRAM\n", "is in no format that is read");
 }
 
