@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""How far apart two numbers may be that mean the same, beside the largest of their kind; the README has the reasons."""
+
+SINGLE = 2e-6  # frames of single precision, of the size of the model
+STATIC = 1e-9  # geometry and equilibrium: sums in another order
+MODES = 2e-5  # six digits are printed
+DYNAMIC = 1e-6  # a thousand steps, each with the round-off of its sums, and contacts that open and close
+ONE = 0.5  # counts: the same
+# Of numbers by the beginning of their names; the first that fits.
+TABLE = {"check": (("", STATIC),),
+         "limit": (("points", ONE), ("multiplier", 1e-6), ("", STATIC)),
+         "modes": (("frequency", MODES), ("mass", 2e-4)),
+         "run": (("frames", SINGLE), ("element", STATIC), ("joint", STATIC), ("motion", STATIC), ("summary: peak_drift", 1e-4), ("", DYNAMIC)),
+         "assess": (("", DYNAMIC),)}
+COUNTS = ("elements", "joints", "base_joints", "faults", "storeys", "damage", "cracks", "summary: collapsed", "summary: settled", "summary: damage_grade",
+          "summary: deep_pairs", "summary: touching_pairs")
+
+
+def of(command, name, change):
+    if change.equal == "bits" or name in COUNTS or name.startswith("damage"):
+        return ONE
+    return next(limit for beginning, limit in TABLE[command] if name.startswith(beginning))

@@ -1,0 +1,212 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs commands on a case and collects what they say, each number with the way in which it transforms."""
+import dataclasses
+import json
+import os
+import re
+import subprocess
+
+import h5py
+import numpy
+
+SCALAR, VECTOR, AXIAL, PEAKS, COUNT = "scalar", "vector", "axial", "peaks", "count"  # peaks: of each axis by itself
+# Dimensions: exponents of mass, length, time.
+ONE, LENGTH, TIME, MASS, AREA, VOLUME = (0, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0), (0, 2, 0), (0, 3, 0)
+FORCE, MOMENT, ENERGY, SPEED, ACCELERATION, RATE = (1, 1, -2), (1, 2, -2), (1, 2, -2), (0, 1, -1), (0, 1, -2), (0, 0, -1)
+INERTIA, STIFFNESS = (1, 2, 0), (1, 0, -2)
+
+
+@dataclasses.dataclass
+class Value:
+    """Numbers of one kind: kind says how they turn, dimension how they scale. `element`, `joint`: the axis that counts these.
+    floor: differences are relative to no less than this."""
+    data: numpy.ndarray
+    kind: str = SCALAR
+    dimension: tuple = ONE
+    element: int = None
+    joint: int = None
+    floor: float = 0.0
+    group: str = ""  # values of one group are measured by the largest of them: a component may be nothing but round-off
+
+
+class Refused(Exception):
+    pass
+
+
+def call(voussoir, words, seconds=300):
+    environment = os.environ | {"OMP_NUM_THREADS": "1"}
+    try:
+        done = subprocess.run([str(voussoir), *map(str, words)], capture_output=True, text=True, timeout=seconds, env=environment)
+    except subprocess.TimeoutExpired:
+        raise Refused(f"{words[0]}: no answer in {seconds} s")
+    return done
+
+
+def json_of(done):
+    if not done.stdout.strip().startswith("{"):
+        said = [line for line in done.stderr.strip().splitlines() if "warning" not in line]
+        raise Refused(said[-1] if said else f"exit code {done.returncode}")
+    return json.loads(done.stdout)
+
+
+def check(voussoir, case, path, more):
+    said = json_of(call(voussoir, ["check", path, "--format", "json", "-j", more.get("threads", 1)]))
+    out = {name: Value(numpy.array(said[name]), COUNT) for name in ("elements", "joints", "base_joints")}
+    out |= {"volume": Value(numpy.array(said["volume"]), SCALAR, VOLUME), "mass": Value(numpy.array(said["mass"]), SCALAR, MASS)}
+    out |= {"step_bound": Value(numpy.array(said["step_bound"]), SCALAR, TIME), "faults": Value(numpy.array(len(said["faults"])), COUNT)}
+    return out
+
+
+def limit(voussoir, case, path, more):
+    direction = ",".join(repr(float(x)) for x in case.live)
+    done = call(voussoir, ["limit", path, "--format", "json", "--quiet", "--associated", "--direction=" + direction, "-j", more.get("threads", 1)])
+    for answer in ("does not stand under its dead loads alone", "no collapse multiplier in this direction", "beyond what is looked for"):
+        if answer in done.stderr:
+            return {"verdict: " + answer: Value(numpy.array(1), COUNT)}
+    said = json_of(done)
+    return {"multiplier": Value(numpy.array(said["associated"]["multiplier"]), SCALAR, ONE, floor=1e-3),
+            "weight": Value(numpy.array(said["weight"]), SCALAR, FORCE), "points": Value(numpy.array(said["points"]), COUNT)}
+
+
+MODE = re.compile(r"^ +(\d+) +([\d.]+) +([\d.]+) +([\d.]+) +([\d.]+)$", re.MULTILINE)
+
+
+def modes(voussoir, case, path, more):
+    done = call(voussoir, ["modes", path, "--no-impulse", "--closed", "--count", 5, "--quiet", "-j", more.get("threads", 1)])
+    rows = MODE.findall(done.stdout.split("Fourier")[0])
+    if not rows:
+        said = done.stderr.strip().splitlines()
+        raise Refused(said[-1] if said else "no modes")
+    table = numpy.array([[float(x) for x in row[1:]] for row in rows])
+    return {"frequency": Value(table[:, 0], SCALAR, RATE, floor=1e3), "mass in z": Value(table[:, 3], SCALAR, ONE, floor=1e3)}
+
+
+def run(voussoir, case, path, more):
+    folder = path.parent / "run"
+    words = ["run", path, "-o", folder, "--overwrite", "--quiet", "-j", more.get("threads", 1), *more.get("run", [])]
+    if "stop" in more:
+        done = stop_and_resume(voussoir, case, words, folder, more)
+    else:
+        done = call(voussoir, words)
+    said = [line for line in done.stderr.strip().splitlines() if "warning" not in line]
+    if not (folder / "run.h5").exists() or done.returncode:
+        raise Refused(said[-1] if said else f"exit code {done.returncode}")
+    return read(case, folder)
+
+
+def stop_and_resume(voussoir, case, words, folder, more):
+    """A run that ends early, and goes on from its checkpoint to the whole time."""
+    early = call(voussoir, words + ["--duration", repr(more["stop"])])
+    return early if early.returncode else call(voussoir, ["resume", folder, "--until", repr(case.times["duration"]), "-j", more["resumed by"], "--quiet"])
+
+
+def elements_of(f):
+    m = f["model/element"]
+    return m["position0"][:], m["fixed"][:] == 0
+
+
+def read(case, folder):
+    """Numbers of run.h5, of summary and of assess."""
+    with h5py.File(folder / "run.h5") as f:
+        return of_model(case, f) | of_tables(case, f) | of_cracks(f) | of_summary(f) | of_capacity(f)
+
+
+def of_model(case, f):
+    m = f["model/element"]
+    out = {"element position": Value(m["position0"][:] - case.pivot, VECTOR, LENGTH, element=0, floor=size_of(f))}
+    out |= {"element mass": Value(m["mass"][:], SCALAR, MASS, element=0), "element inertia": Value(m["inertia"][:], SCALAR, INERTIA, element=0)}
+    out["element segment size"] = Value(m["segment_size"][:], SCALAR, LENGTH, element=0)
+    j = f["model/joint"]
+    out |= {"joint area": Value(j["area"][:], SCALAR, AREA, joint=0)}
+    out["joint centre"] = Value(j["centre"][:] - case.pivot, VECTOR, LENGTH, joint=0, floor=size_of(f))
+    out["joint sides"] = Value(numpy.stack([j["element_a"][:], j["element_b"][:]], axis=1), COUNT, joint=0)
+    return out
+
+
+def size_of(f):
+    return float(numpy.ptp(f["model/vertex"][:], axis=0).max())
+
+
+def of_tables(case, f):
+    weight = float(f["model/element/mass"][:][f["model/element/fixed"][:] == 0].sum()) * 9.8
+    # Displacements are measured by the largest at the last frame, loads by the weight.
+    x = f["frames/displacement"][:] if "displacement" in f["frames"] else f["frames/position"][:].astype(float) - f["model/element/position0"][:]
+    moved = max(float(numpy.abs(x).max()), 1e-12)
+    # How fine single precision is beside the size of the model; frames have no more digits.
+    out = {"frames: settled": Value(x[0], VECTOR, LENGTH, element=0), "frames: last": Value(x[-1], VECTOR, LENGTH, element=0)}
+    for v in out.values():
+        v.floor = size_of(f)
+    out["frames: broken"] = Value(f["frames/broken"][-1], SCALAR, ONE, element=0, floor=1.0)
+    for name in case.points:
+        h = f["history"][name]
+        out[f"history {name}: displacement"] = Value(h["displacement"][:], VECTOR, LENGTH, group="displacement")
+        out[f"history {name}: velocity"] = Value(h["velocity"][:], VECTOR, SPEED, group="velocity")
+        out[f"history {name}: rotation"] = Value(h["rotation"][:], AXIAL, ONE, group="rotation")
+    energies = [k for k in f["energy"] if k not in ("time", "residual")]
+    for k in energies:
+        out[f"energy: {k}"] = Value(f["energy"][k][:], SCALAR, ENERGY, group="energy")
+    force, moment = f["forces/base_shear"][:], f["forces/base_moment"][:]
+    out["base shear"] = Value(force, VECTOR, FORCE, floor=weight)
+    out["base moment"] = Value(moment - numpy.cross(numpy.broadcast_to(case.pivot, force.shape), force), AXIAL, MOMENT, floor=weight * size_of(f))
+    for name, _, _ in case.cuts:
+        out[f"cut {name}: force"] = Value(f["cuts"][name]["force"][:], VECTOR, FORCE, floor=weight)
+        out[f"cut {name}: moment"] = Value(f["cuts"][name]["moment"][:], AXIAL, MOMENT, floor=weight * size_of(f))
+    if "ties" in f:
+        out["ties: force"] = Value(f["ties/force"][:], SCALAR, FORCE, floor=weight)
+    if "motion" in f and case.samples is not None:
+        out["motion: acceleration"] = Value(f["motion/acceleration"][:], VECTOR, ACCELERATION)
+        out["motion: displacement"] = Value(f["motion/displacement"][:], VECTOR, LENGTH)
+    for name in ("bonded", "slipped", "tension", "shear", "compression"):
+        out[f"damage: {name}"] = Value(f["damage"][name][:], COUNT)
+    return out
+
+
+def of_cracks(f):
+    c = f["cracks"]
+    n = len(c["time"])
+    out = {"cracks": Value(numpy.array(n), COUNT), "cracks: area": Value(numpy.array(c["area"][:].sum()), SCALAR, AREA)}
+    if n:
+        out["cracks: first"] = Value(numpy.array(c["time"][:].min()), SCALAR, TIME, floor=0.01)
+        out["cracks: times"] = Value(numpy.sort(c["time"][:]), SCALAR, TIME, floor=0.01)
+    return out
+
+
+SUMMARY = {"fallen_mass_fraction": ONE, "peak_base_shear": FORCE, "peak_speed": SPEED, "debris_area": AREA, "initial_free_volume": VOLUME, "peak_drift": ONE,
+           "residual_drift": ONE, "peak_in_plane_drift": ONE, "free_volume": ONE}
+
+
+def of_summary(f):
+    s = f["summary"].attrs
+    out = {}
+    for name, dimension in SUMMARY.items():
+        if name in s and numpy.isfinite(s[name]):
+            out[f"summary: {name}"] = Value(numpy.array(float(s[name])), SCALAR, dimension, floor=1.0 if dimension == ONE else 0.0)
+    out |= {f"summary: {name}": Value(numpy.array(int(s[name])), COUNT) for name in ("collapsed", "settled", "damage_grade", "deep_pairs", "touching_pairs")}
+    hash_ = s["state_hash"]
+    out["bits"] = Value(numpy.array([int(hash_ if isinstance(hash_, str) else hash_.decode(), 16)], dtype=object), COUNT)
+    return out
+
+
+CAPACITY = {"multiplier": ONE, "multiplier_at_rest": ONE, "peak_shear": FORCE, "peak_displacement": LENGTH, "first_stiffness": STIFFNESS}
+
+
+def of_capacity(f):
+    if "capacity" not in f:
+        return {}
+    a = f["capacity"].attrs
+    return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
+
+
+def assess(voussoir, case, path, more):
+    said = json_of(call(voussoir, ["assess", path.parent / "run", "--format", "json"]))
+    out = {"weight": Value(numpy.array(said["weight"]), SCALAR, FORCE), "base shear": Value(numpy.array(said["base_shear"]["value"]), SCALAR, FORCE)}
+    out["storeys"] = Value(numpy.array(len(said["storeys"])), COUNT)
+    if said.get("base_acceleration"):
+        out["base acceleration"] = Value(numpy.abs(said["base_acceleration"]), PEAKS, ACCELERATION)
+    for point in said["points"]:
+        out[f"acceleration {point['name']}"] = Value(numpy.array(point["acceleration"]), PEAKS, ACCELERATION, group="acceleration")
+    return out
+
+
+COMMANDS = {"check": check, "limit": limit, "modes": modes, "run": run, "assess": assess}

@@ -1,0 +1,265 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""The relations: each makes another case of a case, and says how every number of the first must be found in the second."""
+import dataclasses
+import math
+
+import numpy
+
+from data import UNITS
+
+BITS, ROUND_OFF = "bits", "round-off"
+
+
+@dataclasses.dataclass
+class Change:
+    """What is expected: turned by `turn` (an orthogonal matrix), `scale` times as long; equal to the last bit, or but for round-off."""
+    turn: numpy.ndarray = dataclasses.field(default_factory=lambda: numpy.eye(3))
+    scale: float = 1.0
+    equal: str = ROUND_OFF
+    more: dict = dataclasses.field(default_factory=dict)  # words for the commands
+    leave_out: tuple = ()  # beginnings of names of numbers that are others
+    commands: tuple = ("check", "limit", "modes", "run", "assess")
+    detail: str = ""
+    rewritten: bool = False
+
+
+def points_moved(case, move):
+    """All points of the case by a function of points."""
+    for b in case.blocks:
+        b.vertices = move(b.vertices)
+    for load in case.loads:
+        load.at = None if load.at is None else move(load.at)
+    for tie in case.ties:
+        tie.start, tie.end = move(tie.start), move(tie.end)
+    case.points = {name: move(p) for name, p in case.points.items()}
+    case.cuts = [(name, move(p), n) for name, p, n in case.cuts]
+    case.pivot = move(case.pivot)
+
+
+def shifted(case, d):
+    out = case.copy()
+    points_moved(out, lambda p: p + d)
+    if out.base is not None:
+        out.base += d[2]
+    out.ground = [(x0 + d[0], x1 + d[0], y0 + d[1], y1 + d[1], level) for x0, x1, y0, y1, level in out.ground]
+    if out.house:
+        out.house["[house]"]["origin"] = [float(d[0]), float(d[1])]
+    return out
+
+
+def moved(rng, case, far, leave_out=()):
+    """Moved by an even or odd vector of about this length; no component of gravity, record or load changes."""
+    d = numpy.array([rng.uniform(-1.0, 1.0) * far, rng.uniform(-1.0, 1.0) * far, rng.uniform(-0.1, 0.3) * min(far, 3000.0)])
+    d = numpy.round(d) if rng.random() < 0.5 else numpy.round(d, 3)
+    out = shifted(case, d)
+    return out, Change(leave_out=leave_out, detail=f"by ({d[0]:.10g}, {d[1]:.10g}, {d[2]:.10g})")
+
+
+def turn_all(case, R):
+    out = case.copy()
+    points_moved(out, lambda p: p @ R.T)
+    out.gravity, out.live = R @ out.gravity, R @ out.live
+    axial = numpy.linalg.det(R) * R
+    for load in out.loads:
+        load.force = R @ load.force
+        load.moment = None if load.moment is None else axial @ load.moment
+    out.samples = None if out.samples is None else out.samples @ R.T
+    out.cuts = [(name, p, R @ n) for name, p, n in out.cuts]
+    if out.analysis and "direction" in out.analysis:
+        out.analysis["direction"] = [float(x) for x in (R @ numpy.array([*out.analysis["direction"], 0.0]))[:2]]
+    for b in out.blocks:
+        b.faces = b.faces if numpy.linalg.det(R) > 0.0 else tuple(f[::-1] for f in b.faces)
+        b.velocity = None if b.velocity is None else R @ b.velocity
+        b.spin = None if b.spin is None else axial @ b.spin
+    return out
+
+
+def rotation(degrees):
+    quarter = round(degrees / 90.0)
+    if degrees == 90.0 * quarter:
+        c, s = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][quarter % 4]
+    else:
+        c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return numpy.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def ground_turned(case, R):
+    out = []
+    for x0, x1, y0, y1, level in case.ground:
+        corners = numpy.array([(x0, y0, 0.0), (x1, y1, 0.0)]) @ R.T
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        out.append((low[0], high[0], low[1], high[1], level))
+    return out
+
+
+def quarter_turn(rng, case):
+    """Turned by 90, 180 or 270 degrees about the upright axis of the case."""
+    degrees = rng.choice([90.0, 180.0, 270.0])
+    R = rotation(degrees)
+    out = turn_all(case, R)
+    out.ground = ground_turned(case, R)
+    if case.house:
+        out.house["[house]"]["turn"] = int(degrees)  # about the origin of the house
+    return out, Change(turn=R, detail=f"by {degrees:.0f} degrees")
+
+
+def any_turn(rng, case):
+    """Turned by any angle about the upright axis: boxes become polyhedra, corners are rounded."""
+    if case.house or case.ground:
+        return None
+    degrees = round(rng.uniform(5.0, 85.0) + 90.0 * rng.randrange(4), 2)
+    R = rotation(degrees)
+    return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees")
+
+
+def mirrored(rng, case):
+    """Its mirror image: x, or y, with the other sign."""
+    if case.house:
+        return None
+    R = numpy.diag(rng.choice([(-1.0, 1.0, 1.0), (1.0, -1.0, 1.0)]))
+    out = turn_all(case, R)
+    out.ground = ground_turned(case, R)
+    return out, Change(turn=R, detail="x" if R[0, 0] < 0.0 else "y")
+
+
+def other_order(rng, case):
+    """Blocks, corners of each, and its faces in another order."""
+    if case.house:
+        return None
+    out = case.copy()
+    rng.shuffle(out.blocks)
+    rng.shuffle(out.loads)
+    if out.rule == "rim":  # with "centres" the grid begins at the first corner of a face
+        for b in out.blocks:
+            order = list(range(len(b.vertices)))
+            rng.shuffle(order)
+            b.vertices = b.vertices[order]
+            b.faces = [tuple(order.index(i) for i in face) for face in b.faces]
+            rng.shuffle(b.faces)
+            b.faces = tuple(face[k:] + face[:k] for face in b.faces for k in [rng.randrange(len(face))])
+    return out, Change()
+
+
+def other_unit(rng, case):
+    """The file of stones in another unit."""
+    if not case.unit:
+        return None
+    out = case.copy()
+    out.unit = rng.choice([u for u in UNITS if u != "m"])
+    return out, Change(detail=out.unit)
+
+
+def other_names(rng, case):
+    """Other names of blocks, ties, followed points and cuts."""
+    if case.house:
+        return None
+    out = case.copy()
+    new = {b.name: f"stone {i} of {rng.randrange(1000)}" for i, b in enumerate(out.blocks)}
+    for b in out.blocks:
+        b.name = new[b.name]
+    for load in out.loads:
+        load.block = new[load.block]
+    return out, Change(equal=BITS)
+
+
+def split_load(rng, case):
+    """A load in two parts on the same block."""
+    if not case.loads:
+        return None
+    out = case.copy()
+    k = rng.randrange(len(out.loads))
+    load = out.loads.pop(k)
+    for share in (0.25, 0.75):
+        part = case.copy().loads[k]
+        part.force, part.moment = share * load.force, None if load.moment is None else share * load.moment
+        out.loads.append(part)
+    return out, Change()
+
+
+def far_building(rng, case):
+    """The same again 30 m to the side, or where it casts no shadow: the first one is as it was alone."""
+    if case.house or case.unit:
+        return None
+    out = case.copy()
+    size = numpy.ptp(numpy.concatenate([b.vertices for b in case.blocks]), axis=0).max()
+    d = numpy.array([round(4.0 * size + 10.0) + 0.0, -round(size), 0.0])
+    second = shifted(case, d)
+    for b in second.blocks:
+        b.name = "second " + b.name
+    out.blocks += second.blocks
+    out.ground += second.ground
+    left_out = ("energy", "base", "elements", "joints", "volume", "mass", "damage", "summary", "cracks", "cut", "weight", "bits", "points")
+    return out, Change(leave_out=left_out, commands=("run",), detail=f"by ({d[0]:.0f}, {d[1]:.0f}, 0)")
+
+
+def later_record(rng, case):
+    """Other samples before the record, which `motion.from` leaves out."""
+    if case.samples is None:
+        return None
+    out = case.copy()
+    n = rng.randrange(1, 40)
+    before = numpy.array([[rng.uniform(-5.0, 5.0) for _ in range(3)] for _ in range(n)])
+    out.samples, out.start = numpy.concatenate([before, case.samples]), n * case.dt
+    return out, Change(equal=BITS, commands=("run", "assess"), detail=f"by {n} samples")
+
+
+def threads(rng, case):
+    """Two threads in place of one."""
+    return case.copy(), Change(equal=BITS, more={"threads": 2})
+
+
+def reference_kernels(rng, case):
+    """The plain kernels in place of the fast ones."""
+    return case.copy(), Change(more={"run": ["--kernels", "reference"]}, commands=("run", "assess"))
+
+
+def stopped(rng, case):
+    """Stopped in the middle, and resumed with two threads."""
+    frames = round(case.times["duration"] / case.times["frame"])
+    return case.copy(), Change(equal=BITS, more={"stop": rng.randrange(1, frames) * case.times["frame"], "resumed by": 2}, commands=("run", "assess"))
+
+
+def rewritten(rng, case):
+    """The case that a run has written beside its results, with all keys."""
+    return case.copy(), Change(equal=BITS, rewritten=True)
+
+
+def scaled(rng, case):
+    """Froude's law: lengths by a factor, times by its root, stresses and moduli as lengths, stiffness of joints as it is."""
+    if case.house or case.unit:
+        return None
+    factor = rng.choice([4.0, round(rng.uniform(1.1, 3.0), 2)])  # upwards: a ramp below 0.05 s is damped as one of 0.05 s
+    out, root = case.copy(), math.sqrt(factor)
+    points_moved(out, lambda p: factor * p)
+    if out.base is not None:
+        out.base *= factor
+    out.ground = [tuple(factor * v for v in part) for part in out.ground]
+    for load in out.loads:
+        load.force = factor**3 * load.force
+        load.moment = None if load.moment is None else factor**4 * load.moment
+    for tie in out.ties:  # E A as a force
+        tie.area, tie.young, tie.pretension = tie.area * factor**2, tie.young * factor, tie.pretension * factor**3
+    for m in out.materials.values():
+        m["young"] *= factor
+    powers = {"tension": 1, "cohesion": 1, "compression": 1, "young": 1, "thickness": 1, "fracture_energy_tension": 2, "fracture_energy_shear": 2}
+    for law in out.laws.values():
+        law.update({k: law[k] * factor**n for k, n in powers.items() if k in law})
+    out.times = {k: v * root for k, v in case.times.items()}
+    out.dt, out.alpha = case.dt * root, case.alpha / root
+    out.size = None if case.size is None else case.size * factor
+    for b in out.blocks:
+        b.velocity = None if b.velocity is None else b.velocity * root
+        b.spin = None if b.spin is None else b.spin / root
+    return out, Change(scale=factor, detail=f"by {factor}", leave_out=("summary: touching", "summary: deep", "summary: debris"))
+
+
+# Frames hold absolute places in single precision: what comes of them is coarser the farther a model stands from the origin.
+FROM_FRAMES = ("frames", "summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift")
+
+RELATIONS = {"moved 1 m": lambda r, c: moved(r, c, 1.0), "moved 100 m": lambda r, c: moved(r, c, 100.0, FROM_FRAMES),
+             "turned by quarters": quarter_turn, "turned": any_turn, "mirrored": mirrored, "another order": other_order, "another unit": other_unit,
+             "other names": other_names, "a load in two": split_load, "a far building": far_building, "record later": later_record,
+             "two threads": threads, "reference kernels": reference_kernels, "stopped": stopped, "rewritten": rewritten, "scaled": scaled}
+# Without leaving out anything, and farther than results hold today.
+FAR = {f"moved 1e{k} m": (lambda far: lambda r, c: moved(r, c, far))(10.0**k) for k in (2, 3, 4, 5, 6, 7)}
