@@ -9,13 +9,18 @@ from measure import AXIAL, COUNT, PEAKS, VECTOR
 BITS = "bits"
 
 
+def exponent(value):
+    """By Froude's law: mass as the cube of a length, time as its root."""
+    mass, length, time = value.dimension
+    return 3 * mass + length + 0.5 * time
+
+
 def expected(value, change):
     """The numbers of the first case as the second must have them."""
     data = value.data
     if value.kind == COUNT:
         return data
-    m, l, t = value.dimension
-    factor = change.scale ** (3 * m + l + 0.5 * t)
+    factor = change.scale ** exponent(value)
     turn = change.turn if value.kind == VECTOR else numpy.linalg.det(change.turn) * change.turn if value.kind == AXIAL else None
     if value.kind == PEAKS:
         return factor * (numpy.abs(change.turn) @ data)
@@ -35,16 +40,13 @@ def matching(first, second, name, change):
 def pairs(first, second, change):
     """name -> (expected, found, value) of all numbers that both must have."""
     rows = {}
-    if "element position" in first:
-        rows["element"] = matching(first, second, "element position", change)
-        if "joint centre" in first and len(first["joint centre"].data):
-            rows["joint"] = matching(first, second, "joint centre", change)
+    for places in ("element position", "place"):
+        if places in first:
+            rows["element"] = matching(first, second, places, change)
+    if "joint centre" in first and len(first["joint centre"].data):
+        rows["joint"] = matching(first, second, "joint centre", change)
     for name, value in first.items():
-        if name.startswith(change.leave_out) if change.leave_out else False:
-            continue
-        if name == "bits" and change.equal != BITS:
-            continue
-        if name == "joint sides" and change.equal != BITS:
+        if name.startswith(change.leave_out) or (name in ("bits", "joint sides") and change.equal != BITS):
             continue
         if value.kind == PEAKS and not numpy.isin(change.turn, (-1.0, 0.0, 1.0)).all():
             continue  # each axis has a peak of its own
@@ -52,16 +54,13 @@ def pairs(first, second, change):
             yield name, None, None, value
             continue
         found = second[name].data
-        for axis, kind in ((value.element, "element"), (value.joint, "joint")):
-            if axis is not None and change.equal != BITS:
-                if rows.get(kind) is None:
-                    if len(found):
-                        yield f"{kind}s are not where they must be", None, None, value
-                    found = None
-                    break
-                found = numpy.take(found, rows[kind], axis=axis)
-        if found is not None:
+        axis, kind = (value.joint, "joint") if value.element is None else (value.element, "element")
+        if axis is None or change.equal == BITS or not len(found):
             yield name, expected(value, change), found, value
+        elif rows.get(kind) is None:
+            yield f"{kind}s are not where they must be", None, None, value
+        else:
+            yield name, expected(value, change), numpy.take(found, rows[kind], axis=axis), value
 
 
 def differences(first, second, change):
@@ -77,8 +76,7 @@ def differences(first, second, change):
         if value.kind == COUNT:
             out[name] = float(numpy.abs(numpy.asarray(want, float) - numpy.asarray(found, float)).max(initial=0.0))
             continue
-        m, l, t = value.dimension
-        floor = value.floor * change.scale ** (3 * m + l + 0.5 * t)
+        floor = value.floor * change.scale ** exponent(value)
         apart, largest = float(numpy.abs(want - found).max(initial=0.0)), max(float(numpy.abs(want).max(initial=0.0)), floor)
         group = value.group or name
         a, b = groups.get(group, (0.0, 0.0))

@@ -70,7 +70,7 @@ class Case:
     size: float = None  # of segments
     times: dict = dataclasses.field(default_factory=dict)  # ramp, settle, duration, history, frame, ledger
     settle: bool = True
-    analysis: dict = None
+    capacity: dict = None  # keys of [analysis] for a pushover or a tilt of the same case
     live: numpy.ndarray = None  # direction of the live load of `voussoir limit`
     unit: str = None  # the blocks are stones of a file in this unit; none: they stand in the case
     pivot: numpy.ndarray = None  # where the model stands: a point that is moved with it
@@ -178,10 +178,7 @@ def write(case, folder):
     rubs = [{"materials": [a, b], "friction": angle} for a, b, angle in case.rubs]
     lines += table("[contact]", {"friction": case.friction} | ({"between": rubs} if rubs else {}))
     lines += table("[segments]", {"rule": case.rule, "size": case.size})
-    if case.analysis:
-        lines += table("[analysis]", case.analysis)
-    else:
-        lines += motion_lines(case, folder)
+    lines += motion_lines(case, folder)
     lines += table("[output]", {"history_interval": t["history"], "frame_interval": t["frame"], "ledger_interval": t["ledger"]})
     for name, point in case.points.items():
         lines += table("[[output.history]]", {"name": name, "point": point})

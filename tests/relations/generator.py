@@ -64,7 +64,7 @@ def record(rng, case, strength):
 
 
 def set_times(rng, case):
-    case.times = {"ramp": 0.06, "settle": 0.02, "duration": 0.06, "history": 0.002, "frame": 0.01, "ledger": 0.01}
+    case.times = {"ramp": 0.06, "settle": 0.004, "duration": 0.06, "history": 0.002, "frame": 0.01, "ledger": 0.01}
     case.dt, case.alpha = 0.002, round(rng.uniform(20.0, 120.0), 1)
 
 
@@ -150,6 +150,13 @@ def hut(rng):
     return case
 
 
+def load_slowly(rng, case):
+    """Some small models have a capacity, too."""
+    if not case.house and len(case.blocks) <= 8 and rng.random() < 0.3:
+        angle = rng.uniform(0.0, 2.0 * math.pi)
+        case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)], "pace": 0.1, "longest": 1.0}
+
+
 def make(seed, number):
     rng = random.Random(f"relations {seed}:{number}")
     if rng.random() < 0.12:
@@ -174,4 +181,5 @@ def make(seed, number):
     record(rng, case, 10.0 ** rng.uniform(-0.3, 0.7))
     angle = math.radians(rng.uniform(0.0, 360.0))
     case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])
+    load_slowly(rng, case)
     return case

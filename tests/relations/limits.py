@@ -4,17 +4,24 @@
 
 SINGLE = 2e-6  # frames of single precision, of the size of the model
 STATIC = 1e-9  # geometry and equilibrium: sums in another order
+PROGRAMME = 2e-6  # the program proves a multiplier to 1e-6
 MODES = 2e-5  # six digits are printed
 DYNAMIC = 1e-6  # a thousand steps, each with the round-off of its sums, and contacts that open and close
+PAGE = 1e-4  # a page has fewer digits
+SLOW = 1e-4  # ten thousand steps
 ONE = 0.5  # counts: the same
 # Of numbers by the beginning of their names; the first that fits.
 TABLE = {"check": (("", STATIC),),
-         "limit": (("points", ONE), ("multiplier", 1e-6), ("", STATIC)),
+         "limit": (("points", ONE), ("multiplier", PROGRAMME), ("", STATIC)),
          "modes": (("frequency", MODES), ("mass", 2e-4)),
          "run": (("frames", SINGLE), ("element", STATIC), ("joint", STATIC), ("motion", STATIC), ("summary: peak_drift", 1e-4), ("", DYNAMIC)),
-         "assess": (("", DYNAMIC),)}
+         "view": (("place", SINGLE), ("", ONE)),
+         "summary": (("", DYNAMIC),),
+         "assess": (("", DYNAMIC),),
+         "report": (("place", SINGLE), ("", PAGE)),
+         "capacity": (("", SLOW),)}
 COUNTS = ("elements", "joints", "base_joints", "faults", "storeys", "damage", "cracks", "summary: collapsed", "summary: settled", "summary: damage_grade",
-          "summary: deep_pairs", "summary: touching_pairs")
+          "summary: deep_pairs", "summary: touching_pairs", "collapsed", "settled", "tension", "shear", "compression", "slipped", "damage_grade")
 
 
 def of(command, name, change):

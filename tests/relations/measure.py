@@ -101,15 +101,10 @@ def stop_and_resume(voussoir, case, words, folder, more):
     return early if early.returncode else call(voussoir, ["resume", folder, "--until", repr(case.times["duration"]), "-j", more["resumed by"], "--quiet"])
 
 
-def elements_of(f):
-    m = f["model/element"]
-    return m["position0"][:], m["fixed"][:] == 0
-
-
 def read(case, folder):
     """Numbers of run.h5, of summary and of assess."""
     with h5py.File(folder / "run.h5") as f:
-        return of_model(case, f) | of_tables(case, f) | of_cracks(f) | of_summary(f) | of_capacity(f)
+        return of_model(case, f) | of_tables(case, f) | of_cracks(f) | of_summary(f)
 
 
 def of_model(case, f):
@@ -192,8 +187,6 @@ CAPACITY = {"multiplier": ONE, "multiplier_at_rest": ONE, "peak_shear": FORCE, "
 
 
 def of_capacity(f):
-    if "capacity" not in f:
-        return {}
     a = f["capacity"].attrs
     return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
 
@@ -209,4 +202,15 @@ def assess(voussoir, case, path, more):
     return out
 
 
-COMMANDS = {"check": check, "limit": limit, "modes": modes, "run": run, "assess": assess}
+def capacity(voussoir, case, path, more):
+    """A pushover or a tilt of the same case, whose keys lie over it."""
+    folder = path.parent / "capacity"
+    words = [w for k, v in case.capacity.items() for w in ("--set", f"analysis.{k}={json.dumps(v)}")]
+    done = call(voussoir, ["run", path, "-o", folder, "--overwrite", "--quiet", "-j", more.get("threads", 1), *words])
+    if done.returncode:
+        raise Refused([line for line in done.stderr.strip().splitlines() if "warning" not in line][-1])
+    with h5py.File(folder / "run.h5") as f:
+        return of_capacity(f)
+
+
+COMMANDS = {"check": check, "limit": limit, "modes": modes, "run": run, "assess": assess, "capacity": capacity}

@@ -9,6 +9,7 @@ import numpy
 from data import UNITS
 
 BITS, ROUND_OFF = "bits", "round-off"
+AFTER_RUN = ("run", "summary", "assess", "report")
 
 
 @dataclasses.dataclass
@@ -19,7 +20,7 @@ class Change:
     equal: str = ROUND_OFF
     more: dict = dataclasses.field(default_factory=dict)  # words for the commands
     leave_out: tuple = ()  # beginnings of names of numbers that are others
-    commands: tuple = ("check", "limit", "modes", "run", "assess")
+    commands: tuple = ("check", "view", "limit", "modes", "run", "summary", "assess", "report", "capacity")
     detail: str = ""
     rewritten: bool = False
 
@@ -66,8 +67,8 @@ def turn_all(case, R):
         load.moment = None if load.moment is None else axial @ load.moment
     out.samples = None if out.samples is None else out.samples @ R.T
     out.cuts = [(name, p, R @ n) for name, p, n in out.cuts]
-    if out.analysis and "direction" in out.analysis:
-        out.analysis["direction"] = [float(x) for x in (R @ numpy.array([*out.analysis["direction"], 0.0]))[:2]]
+    if out.capacity:
+        out.capacity["direction"] = [float(x) for x in (R @ numpy.array([*out.capacity["direction"], 0.0]))[:2]]
     for b in out.blocks:
         b.faces = b.faces if numpy.linalg.det(R) > 0.0 else tuple(f[::-1] for f in b.faces)
         b.velocity = None if b.velocity is None else R @ b.velocity
@@ -201,7 +202,7 @@ def later_record(rng, case):
     n = rng.randrange(1, 40)
     before = numpy.array([[rng.uniform(-5.0, 5.0) for _ in range(3)] for _ in range(n)])
     out.samples, out.start = numpy.concatenate([before, case.samples]), n * case.dt
-    return out, Change(equal=BITS, commands=("run", "assess"), detail=f"by {n} samples")
+    return out, Change(equal=BITS, commands=AFTER_RUN, detail=f"by {n} samples")
 
 
 def threads(rng, case):
@@ -211,13 +212,13 @@ def threads(rng, case):
 
 def reference_kernels(rng, case):
     """The plain kernels in place of the fast ones."""
-    return case.copy(), Change(more={"run": ["--kernels", "reference"]}, commands=("run", "assess"))
+    return case.copy(), Change(more={"run": ["--kernels", "reference"]}, commands=AFTER_RUN)
 
 
 def stopped(rng, case):
     """Stopped in the middle, and resumed with two threads."""
     frames = round(case.times["duration"] / case.times["frame"])
-    return case.copy(), Change(equal=BITS, more={"stop": rng.randrange(1, frames) * case.times["frame"], "resumed by": 2}, commands=("run", "assess"))
+    return case.copy(), Change(equal=BITS, more={"stop": rng.randrange(1, frames) * case.times["frame"], "resumed by": 2}, commands=AFTER_RUN)
 
 
 def rewritten(rng, case):
@@ -229,7 +230,10 @@ def scaled(rng, case):
     """Froude's law: lengths by a factor, times by its root, stresses and moduli as lengths, stiffness of joints as it is."""
     if case.house or case.unit:
         return None
-    factor = rng.choice([4.0, round(rng.uniform(1.1, 3.0), 2)])  # upwards: a ramp below 0.05 s is damped as one of 0.05 s
+    # Runs: a factor whose root is exact, so that settling ends with the same step, and upwards, since a ramp below 0.05 s is damped as one of
+    # 0.05 s. It is looked for rest every 0.01 s, whatever the size: capacities begin at another time.
+    factor = rng.choice([4.0, 4.0, round(rng.uniform(0.2, 5.0), 2)])
+    commands = ("check", "view", "limit", "modes") + (AFTER_RUN if factor == 4.0 else ())
     out, root = case.copy(), math.sqrt(factor)
     points_moved(out, lambda p: factor * p)
     if out.base is not None:
@@ -251,11 +255,12 @@ def scaled(rng, case):
     for b in out.blocks:
         b.velocity = None if b.velocity is None else b.velocity * root
         b.spin = None if b.spin is None else b.spin / root
-    return out, Change(scale=factor, detail=f"by {factor}", leave_out=("summary: touching", "summary: deep", "summary: debris"))
+    return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=("summary: touching", "summary: deep", "summary: debris"))
 
 
 # Frames hold absolute places in single precision: what comes of them is coarser the farther a model stands from the origin.
-FROM_FRAMES = ("frames", "summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift")
+FROM_FRAMES = ("frames", "summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift", "peak_drift", "residual_drift",
+               "peak_in_plane_drift", "curves: Drift", "curves: In-plane", "place")
 
 RELATIONS = {"moved 1 m": lambda r, c: moved(r, c, 1.0), "moved 100 m": lambda r, c: moved(r, c, 100.0, FROM_FRAMES),
              "turned by quarters": quarter_turn, "turned": any_turn, "mirrored": mirrored, "another order": other_order, "another unit": other_unit,
