@@ -143,7 +143,7 @@ def hut(rng):
     if rng.random() < 0.6:
         case.house["[[house.opening]]"] = [{"wall": "front", "from": 0.6, "width": 0.4, "sill": 0.0, "height": 0.4, "lintel": {"length": 0.8, "height": 0.2, "element": 0.4}}]
     case.friction = 32.0
-    case.points = {"top": numpy.array([0.35, 0.1, house["height"] - 0.1]), "foot": numpy.array([0.1, 0.7, 0.3])}
+    case.points = {"top": numpy.array([0.35, 0.1, house["height"] - 0.1]), "foot": numpy.array([0.7, size[1] + 0.3, 0.3])}
     case.cuts = [("across", numpy.array([0.3, 0.4, 0.45]), numpy.array([0.0, 0.0, 1.0]))]
     case.pivot = numpy.zeros(3)
     case.kind += ", dry" if dry else ", bonded"
