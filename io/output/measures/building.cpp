@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kPiece = 1.0;       // m, length of a piece of a wall's top, over which displacement is averaged
 constexpr double kSameLevel = 1e-3;  // m
+constexpr double kOnBorder = 1e-6;   // of a piece: a centre so near to its end counts in both that meet there, not in one by round-off
 
 /// Required parts of /model/element.
 struct Elements {
@@ -192,7 +193,10 @@ void find_courses(const Elements& elements, Building& b) {
     if (b.box[e].high[2] < w.box.high[2] - kSameLevel) continue;
     const std::size_t along = 1 - w.across;
     const double place = (b.box[e].centre(along) - w.box.low[along]) / w.length() * static_cast<double>(w.top.size());
-    w.top[std::min(w.top.size() - 1, static_cast<std::size_t>(place))].push_back(e);
+    const auto piece = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(w.top.size() - 1))); };
+    const std::size_t first = piece(place - kOnBorder), last = piece(place + kOnBorder);
+    w.top[first].push_back(e);
+    if (last != first) w.top[last].push_back(e);
   }
 }
 

@@ -27,6 +27,22 @@ std::vector<std::size_t> first_bed(const Hut& hut, const std::string& tag) {
   return found;
 }
 
+/// In-plane drift of a front wall whose top is moved: its left half by 10 mm, the brick in its middle, if there is one, by 50 mm.
+double drift_of_moved_top(const std::string& inner_length, const std::string& origin) {
+  std::string text = kHut;
+  const std::string size = "inner_size = [1.0, 0.8]";
+  text.replace(text.find(size), size.size(),
+               "inner_size = [" + inner_length + ", 0.8]\nbond = \"running\"\norigin = [" + origin + ", 0.0]");
+  Hut hut(text);
+  const double middle = std::stod(origin) + 0.5 * std::stod(inner_length) + 0.2;
+  hut.frame(0.0, stays);
+  hut.frame(0.1, [&](std::size_t e, Vec3 x) {
+    if (hut.tag(e) == "front wall" && x.z > 0.3) x.x += std::abs(x.x - middle) < 0.01 ? 0.05 : x.x < middle ? 0.01 : 0.0;
+    return x;
+  });
+  return wall(hut.measures(), "front wall").peak_in_plane_drift;
+}
+
 }  // namespace
 
 TEST_CASE("a brick that flies off leaves its wall, whether it sinks or rises") {
@@ -68,6 +84,15 @@ TEST_CASE("a brick 1.2 m from where its neighbours are is no part of a wall, tho
   CHECK(*wall_drift(wall, start, poses, fallen) == doctest::Approx(0.2 / 2.4));
   poses[1].centre.y = poses[2].centre.y = poses[3].centre.y = -1.2;  // all do
   CHECK(*wall_drift(wall, start, poses, fallen) == doctest::Approx(0.5));
+}
+
+TEST_CASE("a brick in the middle between two pieces of a top counts in both, wherever the house stands") {
+  for (const char* inner_length : {"1.6", "1.8"}) {  // the middle is between two bricks of the top, or in one
+    const double drift = drift_of_moved_top(inner_length, "0.0");
+    for (const char* origin : {"0.1", "0.258", "0.7", "1.37", "-0.911", "12.757", "60.304", "7.13"}) {
+      CHECK(drift_of_moved_top(inner_length, origin) == doctest::Approx(drift).epsilon(1e-3));
+    }
+  }
 }
 
 TEST_CASE("damage from settling and from shaking are told apart") {
