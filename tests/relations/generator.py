@@ -64,7 +64,7 @@ def record(rng, case, strength):
 
 
 def set_times(rng, case):
-    case.times = {"ramp": 0.06, "settle": 0.004, "duration": 0.06, "history": 0.002, "frame": 0.01, "ledger": 0.01}
+    case.times = {"ramp": 0.06, "settle": 0.0, "duration": 0.06, "history": 0.002, "frame": 0.01, "ledger": 0.01}
     case.dt, case.alpha = 0.002, round(rng.uniform(20.0, 120.0), 1)
 
 

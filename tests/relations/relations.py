@@ -255,12 +255,12 @@ def scaled(rng, case):
     for b in out.blocks:
         b.velocity = None if b.velocity is None else b.velocity * root
         b.spin = None if b.spin is None else b.spin / root
-    return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=("summary: touching", "summary: deep", "summary: debris"))
+    return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=("summary: settled", "settled", "summary: touching", "summary: deep", "summary: debris"))
 
 
 # Frames hold absolute places in single precision: what comes of them is coarser the farther a model stands from the origin.
 FROM_FRAMES = ("frames", "summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift", "peak_drift", "residual_drift",
-               "peak_in_plane_drift", "curves: Drift", "curves: In-plane", "place")
+               "peak_in_plane_drift", "curves: Out-of-plane", "curves: In-plane", "place", "summary: touching_pairs")
 
 RELATIONS = {"moved 1 m": lambda r, c: moved(r, c, 1.0), "moved 100 m": lambda r, c: moved(r, c, 100.0, FROM_FRAMES),
              "turned by quarters": quarter_turn, "turned": any_turn, "mirrored": mirrored, "another order": other_order, "another unit": other_unit,

@@ -64,9 +64,7 @@ TEST_CASE("step: steps go through the stages of the list, in its order, and thro
   c.output.cuts.push_back({.name = "bed", .point = {0.3, 0.05, 0.2}, .normal = {0, 0, 1}, .box = {}});
   solver::Options o;
   o.threads = 2;
-  o.gather = true;
   std::set<StepStage> seen = follow(c, o, 40);
-  o.gather = false;
   c.gravity.settle = true;
   c.time.multirate = 2;
   seen.merge(follow(c, o, 400));
