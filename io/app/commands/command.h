@@ -17,7 +17,7 @@ struct Command {
   CLI::App* words = nullptr;     // its subcommand of the parser, with all options
   std::function<int()> work;     // to be called after parsing; returns the exit code
   const int* threads = nullptr;  // value of -j; null: the command has no -j
-  bool takes_long = false;       // runs long enough to justify measuring first how busy the machine is
+  bool takes_long = false;       // its time justifies a look, before it starts, at how busy the machine is
 };
 
 /// A function that adds a command to the command line.

@@ -26,7 +26,7 @@ std::string escaped(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
 
-/// Placeholder for the value of an option.
+/// Word that stands for the value of an option: N in "-j N".
 std::string value_word(const OptionRow& option) {
   if (option.value == "INT") return "N";
   if (option.value == "FLOAT") return "NUMBER";
