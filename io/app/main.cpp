@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <omp.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -10,7 +12,6 @@
 #include "io/app/commands/words/command_word.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
-#include "io/app/session/threads.h"
 #include "io/input/files/errors.h"
 #include "io/output/results/provenance.h"
 #include "solver/world/errors.h"
@@ -19,10 +20,9 @@ namespace {
 
 using namespace voussoir;
 
-int work(const io::Command& command, char** argv) {
-  const int threads = command.threads == nullptr ? 0 : *command.threads;
-  io::let_threads_sleep(argv, threads, command.takes_long);
-  io::use_threads(threads);
+int work(const io::Command& command) {
+  // The only place that chooses a number of threads; all others are told.
+  if (command.threads != nullptr && *command.threads == 0) *command.threads = omp_get_max_threads();
   return io::code_after_output(command.work());
 }
 
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1) io::check_command_word(program, argv[1]);
     program.parse(argc, argv);
-    return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }), argv);
+    return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }));
   } catch (const CLI::ParseError& e) {
     return program.exit(e) == 0 ? io::kDone : io::kInputFault;
   } catch (const solver::NumericalError& e) {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/bench/assembly_time.h"
 
+#include <numeric>
+#include <vector>
+
 #include "kernels/side.h"
 #include "solver/joints/block_state.h"
 #include "solver/world/stages.h"
@@ -11,11 +14,9 @@ namespace voussoir::solver {
 double assembly_time(World& w, JointTasks& tasks) {
   const Sides& s = w.sides;
   const kernels::Rows rows = w.rows();
-  tasks.begin(w.threads);
-  double time = 0.0;
-  int team = 0;
-#pragma omp parallel num_threads(w.threads) reduction(+ : time, team)
-  {
+  tasks.begin(w.team);
+  std::vector<double> times(static_cast<std::size_t>(w.team.size()), 0.0);
+  w.team.run([&](int thread) {
     LapClock clock(true);
     const auto hand_out = [&](std::size_t task, std::span<const std::int32_t> /*next*/) {
       clock.begin();
@@ -25,11 +26,11 @@ double assembly_time(World& w, JointTasks& tasks) {
       }
       clock.lap(ForcePart::assembly);
     };
-    tasks.run_own(hand_out);
-    tasks.help(hand_out);
-    time = clock.time(ForcePart::assembly), team = 1;
-  }
-  return time / team;
+    tasks.run_own(thread, hand_out);
+    tasks.help(thread, hand_out);
+    times[static_cast<std::size_t>(thread)] = clock.time(ForcePart::assembly);
+  });
+  return std::accumulate(times.begin(), times.end(), 0.0) / w.team.size();
 }
 
 }  // namespace voussoir::solver

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <numeric>
 #include <thread>
 
 #include "kernels/lanes.h"
@@ -16,16 +18,21 @@ namespace voussoir::solver {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kTries = 10;
+constexpr int kPeakRounds = 1'000'000;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Best of a few, s.
 template <class Work>
 double fastest(Work work) {
   double best = 1e300;
   for (int i = 0; i < kTries; ++i) {
-    const double start = omp_get_wtime();
+    const Clock::time_point start = Clock::now();
     work();
-    best = std::min(best, omp_get_wtime() - start);
+    best = std::min(best, seconds_since(start));
   }
   return best;
 }
@@ -67,57 +74,62 @@ void mix() {
 
 }  // namespace
 
+int processors() { return omp_get_num_procs(); }
+
 double peak_flops(int threads) {
-  constexpr int kRounds = 1'000'000;
-  double sum = 0.0;
+  Team team(threads);
+  std::vector<double> rates(static_cast<std::size_t>(threads), 0.0);
   // Each thread by its own best, or one that the system takes from its core would make all slow.
-#pragma omp parallel num_threads(threads) reduction(+ : sum)
-  sum = 2.0 * kernels::kWidth * kChains * static_cast<double>(kRounds) / fastest([] { multiply_and_add(kRounds); });
-  return sum;
+  team.run_on_all([&](int thread) {
+    rates[static_cast<std::size_t>(thread)] =
+        2.0 * kernels::kWidth * kChains * static_cast<double>(kPeakRounds) / fastest([] { multiply_and_add(kPeakRounds); });
+  });
+  return std::accumulate(rates.begin(), rates.end(), 0.0);
 }
 
-std::vector<double> core_times(int threads) {
-  std::vector<double> times(static_cast<std::size_t>(threads), 0.0);
-#pragma omp parallel num_threads(threads)
-  {
-    const double start = omp_get_wtime();
+std::vector<double> core_times(Team& team) {
+  std::vector<double> times(static_cast<std::size_t>(team.size()), 0.0);
+  team.run_on_all([&](int thread) {
+    const Clock::time_point start = Clock::now();
     mix();
-    times[static_cast<std::size_t>(omp_get_thread_num())] = omp_get_wtime() - start;
-  }
+    times[static_cast<std::size_t>(thread)] = seconds_since(start);
+  });
   return times;
 }
 
-double handover_now(int threads) {
-  if (threads < 2 || threads > omp_get_num_procs()) return 0.0;
+double handover_now(Team& team) {
+  const int n = team.size();
+  if (n < 2 || n > processors()) return 0.0;
   constexpr int kRounds = 400;
   constexpr int kTurns = 1000;  // on a busy machine the next one may have to get its turn first
-  alignas(64) std::atomic<int> next{0};
+  alignas(128) std::atomic<int> next{0}, here{0};
   double seconds = 0.0;
-#pragma omp parallel num_threads(threads)
-  {
-    const int me = omp_get_thread_num(), n = omp_get_num_threads();
-#pragma omp barrier
-    const double start = omp_get_wtime();
-    for (int i = me; n > 1 && i < kRounds * n; i += n) {
-      for (int turn = 0; next.load(std::memory_order_acquire) != i; ++turn) {
-        if (turn > kTurns) std::this_thread::yield();
-      }
+  const auto wait_for = [](const std::atomic<int>& counter, int value) {
+    for (int turn = 0; counter.load(std::memory_order_acquire) != value; ++turn) {
+      if (turn > kTurns) std::this_thread::yield();
+    }
+  };
+  team.run_on_all([&](int me) {
+    here.fetch_add(1, std::memory_order_acq_rel);
+    wait_for(here, n);
+    const Clock::time_point start = Clock::now();
+    for (int i = me; i < kRounds * n; i += n) {
+      wait_for(next, i);
       next.store(i + 1, std::memory_order_release);
     }
-    if (n > 1 && me == n - 1) seconds = (omp_get_wtime() - start) / (kRounds * n);
-  }
+    if (me == n - 1) seconds = seconds_since(start) / (kRounds * n);
+  });
   return seconds;
 }
 
 double peak_bandwidth(int threads) {
   constexpr std::int64_t n = 8'000'000;
+  Team team(threads);
   Array<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
   const double seconds = fastest([&] {
-#pragma omp parallel for simd schedule(static) num_threads(threads)
-    for (std::int64_t i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      a[k] = b[k] + 3.0 * c[k];
-    }
+    team.share_out(n, n / threads, [&](std::int64_t first, std::int64_t last) {
+      for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) a[k] = b[k] + 3.0 * c[k];
+    });
   });
   return 3.0 * sizeof(double) * static_cast<double>(n) / seconds;
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/contact/contact_forces.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -17,6 +15,8 @@ namespace {
 constexpr std::int64_t kLeastRun = 64, kMostRun = 1024;           // patches that a thread takes at a time
 constexpr std::size_t kPrefetchPoints = 3, kPrefetchPatches = 6;  // patches, how early their memory is prefetched
 constexpr std::int32_t kPrefetchElements = 8;
+
+DueNumbers patches_due(const World& w, int due) { return {w.multirate, w.contacts.patches, due, w.contacts.active.size()}; }
 
 /// True if the patch pushes nothing and nothing can have come near its points since they were looked at. So it is with most, and this
 /// reads lists alone: the patches themselves lie all over memory.
@@ -130,27 +130,27 @@ void ContactRoom::fit(std::int32_t points, std::int32_t faces) {
   planes.resize(static_cast<std::size_t>(faces));
 }
 
-void ContactRoom::part(std::int64_t patches, int threads) {
-  runs.assign(1, 0);
-  while (runs.back() < patches) {
-    const std::int64_t left = patches - runs.back();
-    runs.push_back(runs.back() + std::min(left, std::clamp(left / (2 * threads), kLeastRun, kMostRun)));
+void ContactRuns::begin(const World& w, int due) {
+  const std::int64_t patches = patches_due(w, due).size();
+  ends_.assign(1, 0);
+  while (ends_.back() < patches) {
+    const std::int64_t left = patches - ends_.back();
+    ends_.push_back(ends_.back() + std::min(left, std::clamp(left / (2 * w.team.size()), kLeastRun, kMostRun)));
   }
+  tickets_.begin(static_cast<std::int64_t>(ends_.size()) - 1, 1);
 }
 
-void advance_contacts(World& w, int due, ContactRoom& room) {
-  const DueNumbers patches(w.multirate, w.contacts.patches, due, w.contacts.active.size());
+void advance_contacts(World& w, int due, ContactRuns& runs, ContactRoom& room) {
+  const DueNumbers patches = patches_due(w, due);
   if (patches.size() == 0) return;
   room.steps.clear();
   for (int level = 0; level < due; ++level) room.steps.push_back({w.bodies(level), w.contact_of(level)});
   const kernels::Face* faces = w.faces.data();
   room.fit(w.points.largest, w.most_faces);
-  room.part(patches.size(), omp_get_num_threads());
-#pragma omp for schedule(dynamic) nowait
-  for (std::size_t run = 1; run < room.runs.size(); ++run) {
+  runs.take([&](std::int64_t first, std::int64_t last) {
     std::size_t near[kMostRun];
     std::size_t count = 0;
-    for (std::int64_t a = room.runs[run - 1]; a < room.runs[run]; ++a) {
+    for (std::int64_t a = first; a < last; ++a) {
       const std::size_t i = patches[a];
       if (is_quiet(w, i)) continue;
       if (count < kPrefetchPatches) prefetch_patch(w, i);
@@ -162,7 +162,7 @@ void advance_contacts(World& w, int due, ContactRoom& room) {
       if (k + kPrefetchPoints < count) prefetch_points(w, near[k + kPrefetchPoints]);
       advance_one(w, near[k], room.steps[static_cast<std::size_t>(level_of(w.contacts, near[k]))], faces, room);
     }
-  }
+  });
 }
 
 DueNumbers gatherers(const World& w, int due) {

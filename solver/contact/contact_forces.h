@@ -21,25 +21,40 @@ struct PatchStep {
   kernels::ContactOptions options;
 };
 
-/// Memory of one thread for the points of a patch and the faces of its candidates, and the division of patches among threads.
+/// Memory of one thread for the points of a patch and the faces of its candidates.
 struct ContactRoom {
   std::vector<double> depth;
   std::vector<std::int32_t> candidate, face;
   std::vector<kernels::PlaneField> planes;
-  std::vector<PatchStep> steps;    // by level
-  std::vector<std::uint8_t> on;    // of the slots of a patch before this step
-  std::vector<std::int64_t> runs;  // a thread takes the patches of [runs[i], runs[i + 1]) at a time
+  std::vector<PatchStep> steps;  // by level
+  std::vector<std::uint8_t> on;  // of the slots of a patch before this step
   [[nodiscard]] kernels::PatchScratch view() { return {depth.data(), candidate.data(), face.data(), planes.data()}; }
   void fit(std::int32_t points, std::int32_t faces);
-  /// Divides the patches: long runs first, since the first patches of each run wait for their memory, and short ones last, so that no
-  /// thread waits for another's.
-  void part(std::int64_t patches, int threads);
 };
 
-/// Computes the forces of active patches into their slots. To be called by every thread of a team; threads may return before all patches
-/// are done.
-/// \param due  number of levels of patches due in this step, from level 0 on
-void advance_contacts(World& w, int due, ContactRoom& room);
+/// Division of the patches of a step among threads.
+class ContactRuns {
+ public:
+  /// Divides the patches: long runs first, since the first patches of each run wait for their memory, and short ones last, so that no
+  /// thread waits for another's. To be called before the team begins.
+  /// \param due  number of levels of patches due in this step, from level 0 on
+  void begin(const World& w, int due);
+  /// Calls `work(first, last)` for ranges of the list of these patches, until all are taken.
+  template <class Work>
+  void take(Work work) {
+    tickets_.take(
+        [&](std::int64_t run, std::int64_t) { work(ends_[static_cast<std::size_t>(run)], ends_[static_cast<std::size_t>(run) + 1]); });
+  }
+
+ private:
+  std::vector<std::int64_t> ends_;  // of runs; the first begins at 0
+  Tickets tickets_;
+};
+
+/// Computes the forces of active patches into their slots. To be called by the threads of a team; threads may return before all patches are
+/// done.
+/// \param due  as for ContactRuns::begin
+void advance_contacts(World& w, int due, ContactRuns& runs, ContactRoom& room);
 
 /// Number of elements that may get forces from slots of the due levels.
 [[nodiscard]] DueNumbers gatherers(const World& w, int due);

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -11,18 +9,20 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr std::int64_t kPatchesAtATime = 256, kElementsAtATime = 512;
 constexpr std::int64_t kRoom = 8;  // slots of sides that retire before the lists are made again, for each element that may have some
 
-/// Active patches of a thread, about as many slots for each: [first, last).
+/// One of several parts of the active patches, about as many slots in each: [first, last).
 struct PatchRange {
   std::size_t first = 0, last = 0;
 };
-PatchRange share_of(const Contacts& c, int thread, int threads) {
-  const auto begin = [&](int t) {
-    const std::int64_t slots = static_cast<std::int64_t>(c.element.size()) * t / threads;
+PatchRange part_of(const Contacts& c, std::int64_t part, std::int64_t parts) {
+  if (c.active.empty()) return {};
+  const auto begin = [&](std::int64_t p) {
+    const std::int64_t slots = static_cast<std::int64_t>(c.element.size()) * p / parts;
     return static_cast<std::size_t>(std::lower_bound(c.first_slot.begin(), c.first_slot.end() - 1, slots) - c.first_slot.begin());
   };
-  return {begin(thread), thread + 1 == threads ? c.active.size() : begin(thread + 1)};
+  return {begin(part), part + 1 == parts ? c.active.size() : begin(part + 1)};
 }
 
 /// Calls `use(element, code)` for those that gather the slots of these patches, in the order of codes.
@@ -38,7 +38,7 @@ void each_code(const World& w, PatchRange patches, Use use) {
   }
 }
 
-/// Room for what all threads have counted, and where it begins. Elements that gather have velocity rows and travel bounds from now on.
+/// Room for what has been counted, and where it begins. Elements that gather have velocity rows and travel bounds from now on.
 void part_room(World& w, const std::vector<std::int64_t>& total) {
   Contacts& c = w.contacts;
   std::int64_t at = 0;
@@ -61,8 +61,7 @@ void find_levels(World& w) {
   const int levels = w.multirate.levels();
   c.level.resize(c.active.size());
   c.gather_level.assign(c.gather_on.size(), 0);
-#pragma omp parallel for schedule(static) num_threads(w.threads)
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
+  const auto find = [&](std::size_t a) {
     int lowest = levels - 1;
     for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot)
       lowest = std::min(lowest, w.multirate.contact_level(c.master[a], c.element[slot]));
@@ -70,7 +69,10 @@ void find_levels(World& w) {
     for (auto code = static_cast<std::size_t>(2 * c.first_slot[a]); code < static_cast<std::size_t>(2 * c.first_slot[a + 1]); ++code) {
       if (c.place[code] >= 0) c.gather_level[static_cast<std::size_t>(c.place[code])] = c.level[a];
     }
-  }
+  };
+  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t a = first; a < last; ++a) find(static_cast<std::size_t>(a));
+  });
   c.patches.sort(c.level, levels);
   std::vector<std::uint8_t> lowest(static_cast<std::size_t>(w.elements.count), static_cast<std::uint8_t>(levels));
   for (std::size_t e = 0; e < lowest.size(); ++e) {
@@ -89,44 +91,47 @@ void put(Contacts& c, std::size_t place, std::int64_t code) {
 
 }  // namespace
 
-// Counting sort. The codes of one thread lie before those of the next.
+// Counting sort. The codes of one part lie before those of the next.
 void build_gather(World& w) {
   Contacts& c = w.contacts;
-  const auto n = static_cast<std::size_t>(w.elements.count);
+  const auto n = static_cast<std::int64_t>(w.elements.count);
+  const std::int64_t parts = w.team.size();
   c.master.resize(c.active.size());
-  c.first_gather.resize(n + 1), c.last_gather.resize(n);
+  c.first_gather.resize(static_cast<std::size_t>(n) + 1), c.last_gather.resize(static_cast<std::size_t>(n));
   c.place.resize(2 * c.element.size());
   std::vector<std::vector<std::int32_t>>& counts = c.room.gather_counts;
-  counts.resize(static_cast<std::size_t>(w.threads));
+  counts.resize(static_cast<std::size_t>(parts));
   std::vector<std::int64_t>& total = c.last_gather;
-  int team = 0;
-#pragma omp parallel num_threads(w.threads)
-  {
-#pragma omp single
-    team = omp_get_num_threads();
-    std::vector<std::int32_t>& mine = counts[static_cast<std::size_t>(omp_get_thread_num())];
-    mine.assign(n, 0);
-    const PatchRange patches = c.active.empty() ? PatchRange{} : share_of(c, omp_get_thread_num(), team);
+  const auto each_part = [&](auto work) {
+    w.team.share_out(parts, 1, [&](std::int64_t first, std::int64_t last) {
+      for (std::int64_t p = first; p < last; ++p) work(part_of(c, p, parts), counts[static_cast<std::size_t>(p)]);
+    });
+  };
+  const auto each_element = [&](auto work) {
+    w.team.share_out(n, kElementsAtATime, [&](std::int64_t first, std::int64_t last) {
+      for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) work(e);
+    });
+  };
+  each_part([&](PatchRange patches, std::vector<std::int32_t>& count) {
+    count.assign(static_cast<std::size_t>(n), 0);
     for (std::size_t a = patches.first; a < patches.last; ++a) c.master[a] = w.patches.element[static_cast<std::size_t>(c.active[a])];
-    each_code(w, patches, [&](std::size_t e, std::int64_t) { ++mine[e]; });
-#pragma omp barrier
-#pragma omp for schedule(static)
-    for (std::size_t e = 0; e < n; ++e) {
-      // From counts to what lies before those of a thread.
-      std::int32_t before = 0;
-      for (int t = 0; t < team; ++t) before += std::exchange(counts[static_cast<std::size_t>(t)][e], before);
-      total[e] = before;
-    }
-#pragma omp single
-    part_room(w, total);
-#pragma omp for schedule(static)
-    for (std::size_t e = 0; e < n; ++e) c.last_gather[e] = c.first_gather[e] + total[e];
+    each_code(w, patches, [&](std::size_t e, std::int64_t) { ++count[e]; });
+  });
+  each_element([&](std::size_t e) {
+    // From counts to what lies before those of a part.
+    std::int32_t before = 0;
+    for (std::vector<std::int32_t>& count : counts) before += std::exchange(count[e], before);
+    total[e] = before;
+  });
+  part_room(w, total);
+  each_element([&](std::size_t e) { c.last_gather[e] = c.first_gather[e] + total[e]; });
+  each_part([&](PatchRange patches, std::vector<std::int32_t>& at) {
     each_code(w, patches, [&](std::size_t e, std::int64_t code) {
-      put(c, static_cast<std::size_t>(c.first_gather[e] + mine[e]++), code);
+      put(c, static_cast<std::size_t>(c.first_gather[e] + at[e]++), code);
       if (code % 2 == 0 && c.element[static_cast<std::size_t>(code / 2)] == w.elements.base)
         c.place[static_cast<std::size_t>(code + 1)] = -1;
     });
-  }
+  });
   find_levels(w);
   c.stale_level = Contacts::kUpToDate;
 }

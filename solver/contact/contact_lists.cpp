@@ -12,20 +12,28 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr std::int64_t kAtATime = 512;  // patches, or pairs, that a thread takes
+
+/// Calls `work(i)` for all i below `count`.
+template <class Work>
+void for_all(Team& team, std::size_t count, Work work) {
+  team.share_out(static_cast<std::int64_t>(count), kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) work(i);
+  });
+}
+
 /// How many candidates every patch keeps, beside those that a search has found for patches that are searched again. Marks patches whose
-/// candidates change. To be called by every thread of a team.
-void count_kept(const Contacts& c, SearchRoom& room) {
-#pragma omp for schedule(static)
-  for (std::size_t p = 0; p < room.changed.size(); ++p) room.changed[p] = room.re_search.patch[p];
-#pragma omp for schedule(static)
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
+/// candidates change.
+void count_kept(const Contacts& c, SearchRoom& room, Team& team) {
+  std::ranges::copy(room.re_search.patch, room.changed.begin());
+  for_all(team, c.active.size(), [&](std::size_t a) {
     const auto p = static_cast<std::size_t>(c.active[a]);
-    if (room.re_search.patch[p] != 0) continue;
+    if (room.re_search.patch[p] != 0) return;
     const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
     const auto kept = std::count_if(first, last, [&](std::int32_t e) { return room.re_search.element[static_cast<std::size_t>(e)] == 0; });
     room.candidates[p] = static_cast<std::int32_t>(kept);
     if (kept != last - first) room.changed[p] = 1;
-  }
+  });
 }
 
 /// Gives pairs of patches that are not searched again their places, in the order of the elements that were.
@@ -40,12 +48,12 @@ void rank_found(SearchRoom& room) {
   }
 }
 
-void reserve_slots(Contacts& c, std::size_t slots, int threads) {
-  reserve_in_shares(c.candidate, slots, threads), reserve_in_shares(c.element, slots, threads), reserve_in_shares(c.wrench, slots, threads);
+void reserve_slots(Contacts& c, std::size_t slots, Team& team) {
+  reserve_in_shares(c.candidate, slots, team), reserve_in_shares(c.element, slots, team), reserve_in_shares(c.wrench, slots, team);
 }
 
 /// Gives every patch that has candidates its slots. Leaves the lists of before in the room.
-void lay_out(Contacts& c, SearchRoom& room, int threads) {
+void lay_out(Contacts& c, SearchRoom& room, Team& team) {
   std::swap(c.active, room.active), std::swap(c.first_slot, room.first_slot), std::swap(c.candidate, room.candidate);
   c.active.clear(), c.first_slot.clear();
   room.first_of.resize(room.candidates.size() + 1);
@@ -58,7 +66,7 @@ void lay_out(Contacts& c, SearchRoom& room, int threads) {
   room.first_of.back() = at;
   c.first_slot.push_back(at);
   const auto slots = static_cast<std::size_t>(at);
-  reserve_slots(c, slots, threads);
+  reserve_slots(c, slots, team);
   c.candidate.resize(slots), c.element.resize(slots), c.wrench.resize(slots);
   c.on.assign(slots, 0);
 }
@@ -68,24 +76,22 @@ void put(Contacts& c, std::int64_t slot, const kernels::Candidate& k) {
   c.element[static_cast<std::size_t>(slot)] = k.element;
 }
 
-/// Candidates that stay, in their order, and behind them those found. To be called by every thread of a team.
-void fill_slots(Contacts& c, const SearchRoom& room) {
-#pragma omp for schedule(static) nowait
-  for (std::size_t a = 0; a < room.active.size(); ++a) {
+/// Candidates that stay, in their order, and behind them those found.
+void fill_slots(Contacts& c, const SearchRoom& room, Team& team) {
+  for_all(team, room.active.size(), [&](std::size_t a) {
     const auto p = static_cast<std::size_t>(room.active[a]);
-    if (room.re_search.patch[p] != 0) continue;
+    if (room.re_search.patch[p] != 0) return;
     std::int64_t to = room.first_of[p];
     for (std::int64_t slot = room.first_slot[a]; slot < room.first_slot[a + 1]; ++slot) {
       const kernels::Candidate& k = room.candidate[static_cast<std::size_t>(slot)];
       if (room.re_search.element[static_cast<std::size_t>(k.element)] == 0) put(c, to++, k);
     }
-  }
+  });
   for (const SearchOfThread& t : room.by_thread) {
     for (const FoundPairs* found : {&t.own, &t.around}) {
-#pragma omp for schedule(static) nowait
-      for (std::size_t i = 0; i < found->size(); ++i) {
+      for_all(team, found->size(), [&](std::size_t i) {
         put(c, room.first_of[static_cast<std::size_t>(found->patch[i])] + found->rank[i], found->candidate[i]);
-      }
+      });
     }
   }
 }
@@ -111,14 +117,12 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
   patch.stored = 0.0;
 }
 
-/// The patches whose candidates are others than before: who touches whom is to be listed again, where anything touches. To be called by
-/// every thread of a team.
+/// The patches whose candidates are others than before: who touches whom is to be listed again, where anything touches.
 void settle_partners(World& w) {
   Contacts& c = w.contacts;
   const SearchRoom& room = c.room;
-#pragma omp for schedule(dynamic, 256)
-  for (std::size_t p = 0; p < room.changed.size(); ++p) {
-    if (room.changed[p] == 0) continue;
+  for_all(w.team, room.changed.size(), [&](std::size_t p) {
+    if (room.changed[p] == 0) return;
     const auto first = static_cast<std::size_t>(room.first_of[p]), last = static_cast<std::size_t>(room.first_of[p + 1]);
     const std::int32_t touching = w.patches.patch[p].touching;
     release_lost(w, p, {c.element.data() + first, last - first});
@@ -127,7 +131,7 @@ void settle_partners(World& w) {
       c.candidate[slot].face = touching == 0 ? kernels::kNoFace : kernels::kUnknownFace;
       if (released) c.candidate[slot].safe = kernels::kLookNow;  // a point that is free now is a new one for all
     }
-  }
+  });
 }
 
 }  // namespace
@@ -141,7 +145,7 @@ kernels::Candidate candidate_of(const World& w, std::int32_t element) {
 
 void list_candidates(World& w) {
   Contacts& c = w.contacts;
-  reserve_slots(c, c.element.size(), w.threads);
+  reserve_slots(c, c.element.size(), w.team);
   c.candidate.clear();
   for (const std::int32_t e : c.element) c.candidate.push_back(candidate_of(w, e));
   c.wrench.assign(c.element.size(), {});
@@ -153,16 +157,11 @@ void replace_candidates(World& w) {
   Contacts& c = w.contacts;
   SearchRoom& room = c.room;
   room.changed.resize(room.re_search.patch.size());
-#pragma omp parallel num_threads(w.threads)
-  count_kept(c, room);
+  count_kept(c, room, w.team);
   rank_found(room);
-  lay_out(c, room, w.threads);
-#pragma omp parallel num_threads(w.threads)
-  {
-    fill_slots(c, room);
-#pragma omp barrier
-    settle_partners(w);
-  }
+  lay_out(c, room, w.team);
+  fill_slots(c, room, w.team);
+  settle_partners(w);
   c.searched = static_cast<std::int64_t>(c.active.size());
   w.travel.answer_search();
   c.stale_level = 0;

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,6 +14,8 @@
 namespace voussoir::solver {
 
 namespace {
+
+constexpr std::int64_t kElementsAtATime = 64, kPatchesAtATime = 4096, kSearchedAtATime = 16;  // that a thread takes
 
 /// As it stood when it was searched last.
 PlacedElement placed_then(const World& w, std::int32_t e) {
@@ -177,13 +177,11 @@ void list_patches(const World& w, PatchesOfElements& r) {
   }
 }
 
-/// Marks elements that have moved farther than that: they count as searched from here on. To be called by every thread of a team.
-/// \return m, that elements of this thread's share which are not marked have moved at most
+/// Marks elements that have moved farther than that: they count as searched from here on. \return m, that those which are not marked have
+/// moved at most
 double mark_moved(World& w, double farther_than) {
   SearchRoom& room = w.contacts.room;
-  double moved = 0.0;
-#pragma omp for schedule(static)
-  for (std::int32_t e = 0; e < w.elements.count; ++e) {
+  const auto mark = [&](std::int32_t e, double& moved) {
     const auto i = static_cast<std::size_t>(e);
     const double m = w.travel.displacement(w.elements, e);
     const bool again = m > farther_than;
@@ -194,8 +192,14 @@ double mark_moved(World& w, double farther_than) {
     } else {
       moved = std::max(moved, m);
     }
-  }
-  return moved;
+  };
+  w.team.share_out(w.elements.count, kElementsAtATime, [&](std::int64_t first, std::int64_t last, int thread) {
+    double& moved = room.by_thread[static_cast<std::size_t>(thread)].moved;
+    for (std::int64_t e = first; e < last; ++e) mark(static_cast<std::int32_t>(e), moved);
+  });
+  double most = 0.0;
+  for (const SearchOfThread& t : room.by_thread) most = std::max(most, t.moved);
+  return most;
 }
 
 /// Patches that came after the last search.
@@ -234,7 +238,7 @@ void begin_search(World& w) {
   room.re_search.element.resize(elements), room.looked_at.resize(elements), room.box.resize(static_cast<std::size_t>(w.elements.count));
   room.re_search.patch.assign(w.patches.patch.size(), 0);
   room.candidates.assign(w.patches.patch.size(), 0);
-  room.by_thread.resize(static_cast<std::size_t>(w.threads));
+  if (const auto threads = static_cast<std::size_t>(w.team.size()); room.by_thread.size() < threads) room.by_thread.resize(threads);
   for (SearchOfThread& t : room.by_thread) t.own.clear(), t.around.clear(), t.overlaps.clear(), t.moved = 0.0;
   list_patches(w, room.patches);
 }
@@ -253,29 +257,25 @@ void search(World& w, double farther_than) {
   Contacts& c = w.contacts;
   SearchRoom& room = c.room;
   begin_search(w);
-#pragma omp parallel num_threads(w.threads)
-  room.by_thread[static_cast<std::size_t>(omp_get_thread_num())].moved = mark_moved(w, farther_than);
+  const double moved = mark_moved(w, farther_than);
   mark_new_patches(w);
   place_in_grid(w);
   list_elements(room, w.elements.count);
-  double moved = 0.0;
-  for (const SearchOfThread& t : room.by_thread) moved = std::max(moved, t.moved);
   const SearchPass pass{w, w.travel.skin(), moved};
-#pragma omp parallel num_threads(w.threads)
-  {
-    const int thread = omp_get_thread_num();
-    SearchOfThread& mine = room.by_thread[static_cast<std::size_t>(thread)];
-    Neighbours near;
-#pragma omp for schedule(static)
-    for (std::size_t p = 0; p < room.re_search.patch.size(); ++p)
+  w.team.share_out(static_cast<std::int64_t>(room.re_search.patch.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p)
       room.re_search.patch[p] |= room.re_search.element[static_cast<std::size_t>(w.patches.element[p])];
-#pragma omp for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < room.elements.size(); ++k) {
-      const std::size_t first = mine.around.size();
-      search_element(pass, room.elements[k], room, near, mine);
-      room.found[k] = {thread, first, mine.around.size()};
-    }
-  }
+  });
+  w.team.share_out(static_cast<std::int64_t>(room.elements.size()), kSearchedAtATime,
+                   [&](std::int64_t first, std::int64_t last, int thread) {
+                     SearchOfThread& mine = room.by_thread[static_cast<std::size_t>(thread)];
+                     Neighbours near;
+                     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+                       const std::size_t before = mine.around.size();
+                       search_element(pass, room.elements[k], room, near, mine);
+                       room.found[k] = {thread, before, mine.around.size()};
+                     }
+                   });
   replace_candidates(w);
   replace_overlap_pairs(w);
   ++c.searches;

@@ -259,14 +259,15 @@ void list_overlap_levels(World& w) {
   w.overlaps.by_level.sort(level, w.multirate.levels());
 }
 
-void find_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
-  const DueNumbers pairs(w.multirate, w.overlaps.by_level, due, w.overlaps.pairs.size());
-#pragma omp for schedule(static) nowait
-  for (std::int64_t k = 0; k < pairs.size(); ++k) {
+DueNumbers overlaps_due(const World& w, int due) { return {w.multirate, w.overlaps.by_level, due, w.overlaps.pairs.size()}; }
+
+void find_overlaps(World& w, int due, Tickets& tickets, std::vector<OverlapFound>& found) {
+  const DueNumbers pairs = overlaps_due(w, due);
+  const auto find = [&](std::int64_t k) {
     const std::size_t i = pairs[k];
     OverlapPair& p = w.overlaps.pairs[i];
     const double travel = w.travel.bound(p.a) + w.travel.bound(p.b);
-    if (travel < p.safe && !w.options.reference_kernels) continue;
+    if (travel < p.safe && !w.options.reference_kernels) return;
     const double allowed = allowed_overlap(w, p.a, p.b);
     const kernels::Overlap at = overlap_of(w, p.a, p.b, allowed);
     if (at.depth > allowed) {
@@ -275,7 +276,10 @@ void find_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
     } else {
       p.safe = travel + (allowed - at.depth) - kernels::kRoundOff;
     }
-  }
+  };
+  tickets.take([&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t k = first; k < last; ++k) find(k);
+  });
 }
 
 void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {

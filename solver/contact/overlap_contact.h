@@ -40,10 +40,11 @@ void use_restored_overlap_pairs(World& w);
 /// Sorts pairs by level for multi-rate stepping. To be called when pairs or levels have changed.
 void list_overlap_levels(World& w);
 
-/// Tests pairs whose bodies have moved far enough to overlap. To be called by every thread of a team; threads may return before all is
-/// done.
-/// \param due  number of levels of pairs due in this step, from level 0 on
-void find_overlaps(World& w, int due, std::vector<OverlapFound>& found);
+/// Pairs due in this step. \param due  number of their levels, from level 0 on
+[[nodiscard]] DueNumbers overlaps_due(const World& w, int due);
+/// Tests those of them whose bodies have moved far enough to overlap. To be called by the threads of a team; threads may return before all
+/// is done. \param tickets  of as many as are due
+void find_overlaps(World& w, int due, Tickets& tickets, std::vector<OverlapFound>& found);
 
 /// Adds the forces of all found pairs to the rows of elements, pair by pair, and sums the losses of springs. To be called by one thread.
 void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found);

@@ -8,6 +8,8 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr std::int64_t kBlocksAtATime = 16;
+
 StoredEnergy energy_of(World& w, std::size_t id, double whole) {
   Sides& s = w.sides;
   if (s.retired[id]) return {};
@@ -27,8 +29,7 @@ StoredEnergy energy_of(World& w, std::size_t id, double whole) {
 StoredEnergy joint_energy(World& w) {
   const auto blocks = static_cast<std::int64_t>(w.sides.blocks.size());
   std::vector<StoredEnergy> by_block(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static, 16) num_threads(w.threads)
-  for (std::int64_t b = 0; b < blocks; ++b) {
+  const auto add_block = [&](std::int64_t b) {
     double whole[kernels::kLanes];
     const auto block = static_cast<std::size_t>(b);
     kernels::whole_side_energies(w.sides.blocks[block], w.elements.pose.data(), whole);
@@ -36,7 +37,10 @@ StoredEnergy joint_energy(World& w) {
       const StoredEnergy e = energy_of(w, block * kernels::kLanes + l, whole[l]);
       by_block[block].bonds += e.bonds, by_block[block].contact += e.contact;
     }
-  }
+  };
+  w.team.share_out(blocks, kBlocksAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t b = first; b < last; ++b) add_block(b);
+  });
   StoredEnergy sum;  // in one fixed order
   for (const StoredEnergy& e : by_block) sum.bonds += e.bonds, sum.contact += e.contact;
   return sum;

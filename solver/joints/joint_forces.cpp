@@ -138,12 +138,14 @@ auto advance_task(const JointStep& at, JointFindings& found, LapClock& clock) {
 
 }  // namespace
 
-void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock) {
+void advance_own_joints(const JointStep& s, int thread, JointFindings& found, LapClock& clock) {
   found.room.resize(static_cast<std::size_t>(kernels::kLanes * s.w.points.largest));
-  s.tasks.run_own(advance_task(s, found, clock));
+  s.tasks.run_own(thread, advance_task(s, found, clock));
 }
 
-void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock) { s.tasks.help(advance_task(s, found, clock)); }
+void help_with_joints(const JointStep& s, int thread, JointFindings& found, LapClock& clock) {
+  s.tasks.help(thread, advance_task(s, found, clock));
+}
 
 void collect(std::span<JointFindings*> found, JointEvents& out) {
   out.events.clear();

@@ -29,7 +29,7 @@ struct JointEvents {
   std::vector<std::int32_t> coming_apart;     // sides whose faces no longer face each other, ascending
 };
 
-/// The joints in one step, to be advanced by every thread of a team, each with its own findings. Threads may return before all is done.
+/// The joints in one step, to be advanced by the threads of a team, each with its own findings. Threads may return before all is done.
 struct JointStep {
   World& w;
   double time;  // s
@@ -38,9 +38,9 @@ struct JointStep {
   JointTasks& tasks;
 };
 /// Advances the joints of the thread's own queue.
-void advance_own_joints(const JointStep& s, JointFindings& found, LapClock& clock);
+void advance_own_joints(const JointStep& s, int thread, JointFindings& found, LapClock& clock);
 /// Helps threads that are late with the rest of their queues. To be called after advance_own_joints.
-void help_with_joints(const JointStep& s, JointFindings& found, LapClock& clock);
+void help_with_joints(const JointStep& s, int thread, JointFindings& found, LapClock& clock);
 
 /// Merges and empties the threads' findings; sorting makes their order a property of the model, not of the scheduling.
 void collect(std::span<JointFindings*> found, JointEvents& out);

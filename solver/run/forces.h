@@ -23,14 +23,16 @@ struct ThreadRoom {
 struct ForceStage {
   JointEvents events;  // of the last step
   std::vector<ThreadRoom> by_thread;
+  ContactRuns contacts;
+  Tickets overlaps;
   JointTasks tasks;
   bool split = false;  // whether parts are timed
   ForceTimes parts{};  // of the mean thread, accumulated
   double alone = 0.0;  // s, of one thread after the team, accumulated while parts are timed
 };
 
-/// Computes all forces with one team of threads. Contacts and joints are independent: a thread that has finished its joints continues with
-/// contacts while others still process joints, and helps those last.
+/// Computes all forces. Contacts and joints are independent: a thread that has finished its joints continues with contacts while others
+/// still process joints, and helps those last. Then the forces of contacts are added to elements.
 /// \pre the gather lists of contacts are up to date (build_gather)
 void forces(World& w, double time, std::int64_t step, ForceStage& stage);
 

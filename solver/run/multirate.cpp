@@ -13,6 +13,8 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr std::int64_t kRowsAtATime = 256;
+
 std::array<double, 6> velocities_of(const Elements& e, std::size_t i) { return {e.vx[i], e.vy[i], e.vz[i], e.wx[i], e.wy[i], e.wz[i]}; }
 
 static_assert(kernels::kTwistStride == 8 && kernels::kWrenchStride == 8 && kernels::kDashpotStride == 8);
@@ -114,8 +116,7 @@ void add_impulses(World& w, std::int64_t step) {
   Multirate& m = w.multirate;
   const int due = m.due(step);
   if (due == 1) return;
-#pragma omp parallel for schedule(static) num_threads(w.threads)
-  for (std::int64_t i = 0; i < w.elements.rows; ++i) {
+  const auto add = [&](std::int64_t i) {
     const double at_once = m.steps_of(w.batch_level(static_cast<std::size_t>(i / kernels::kBatch)));
     for (int level = 1; level < due; ++level) {
       Multirate::Rows& of_level = m.rows[static_cast<std::size_t>(level) - 1];
@@ -126,7 +127,10 @@ void add_impulses(World& w, std::int64_t step) {
       }
       move_row(w.elements.wrench.data() + i * kernels::kWrenchStride, wrench, steps);
     }
-  }
+  };
+  w.team.share_out(w.elements.rows, kRowsAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < last; ++i) add(i);
+  });
 }
 
 void sum_velocities(World& w, std::int64_t step, std::int64_t first, std::int64_t last) {

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/simulation.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -13,12 +12,12 @@
 #include <utility>
 
 #include "cases/loads/gravity.h"
-#include "kernels/prefetch.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/loads.h"
 #include "solver/run/multirate.h"
+#include "solver/run/over_elements.h"
 #include "solver/setup/setup.h"
 #include "solver/ties/tie_forces.h"
 #include "solver/world/errors.h"
@@ -34,33 +33,12 @@ constexpr double kRamp = 1.0;                // s, of gravity, if the case says 
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
 
-constexpr std::int64_t kElementsAtATime = 2 * kernels::kBatch;  // elements that a thread takes at a time
-
-/// Calls `work(first, last)` for all elements, batch by batch: the rows of one stay near. \return the most of what it returns
-template <class Work>
-double over_elements(const World& w, TaskShares& shares, Work work) {
-  const std::int64_t rows = w.elements.rows;
-  shares.begin(w.threads);
-  shares.deal((rows + kElementsAtATime - 1) / kElementsAtATime);
-  double most = 0.0;
-#pragma omp parallel num_threads(w.threads) reduction(max : most)
-  {
-    const auto do_run = [&](std::int32_t run) {
-      const std::int64_t last = std::min((run + 1) * kElementsAtATime, rows);
-      for (std::int64_t i = run * kElementsAtATime; i < last; i += kernels::kBatch) most = std::max(most, work(i, i + kernels::kBatch));
-    };
-    shares.take_own(omp_get_thread_num(), do_run);
-    shares.help(omp_get_thread_num(), omp_get_num_threads(), do_run);
-    kernels::finish_stores();  // of poses, where they are streaming
-  }
-  return most;
-}
-
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
     : case_(c), motion_(motion), ground_velocity_(motion), world_(build_world(c, m, o)), program_(c, *world_) {
   World& w = *world_;
+  set_threads(o.threads);
   list_live_blocks(w);
   forces_stage_.tasks = JointTasks(w);
   full_gravity_ = cases::gravity_on_base(c);
@@ -180,7 +158,7 @@ double Simulation::fastest_square() {
     return v2 < kFastest * kFastest && w2 * step(i) * step(i) < kLargestTurn * kLargestTurn;
   };
   // By the threads that have the rows: one alone would fetch all of them, and the others fetch theirs back.
-  const double most = over_elements(*world_, update_shares_, [&](std::int64_t first, std::int64_t last) {
+  const double most = over_elements(*world_, update_shares_, most_, [&](std::int64_t first, std::int64_t last) {
     double v2 = 0.0;
     for (std::int64_t i = first; i < last; ++i) v2 = std::max(v2, sound(i) ? squares(i).first : std::numeric_limits<double>::infinity());
     return v2;
@@ -226,7 +204,7 @@ double Simulation::over_due_elements(Work work) {
   const int due = w.multirate.due(step_);
   for (int level = 0; level < due; ++level)
     moves[static_cast<std::size_t>(level)] = {body_forces(level), w.travel.view(w.elements, w.step_of(level))};
-  return over_elements(w, update_shares_, [&](std::int64_t first, std::int64_t last) {
+  return over_elements(w, update_shares_, most_, [&](std::int64_t first, std::int64_t last) {
     const int level = w.batch_level(static_cast<std::size_t>(first / kernels::kBatch));
     return level < due ? work(moves[static_cast<std::size_t>(level)], first, last) : 0.0;
   });
@@ -260,7 +238,21 @@ void Simulation::kick_and_drift() {
   }));
 }
 
+void Simulation::set_threads(int threads) {
+  pace_ = TeamSize(threads);
+  world_->team.set_size(pace_.size());
+}
+
 void Simulation::step(Due due) {
+  if (!world_->options.own_pace) return advance(due);
+  using Clock = std::chrono::steady_clock;
+  world_->team.set_size(pace_.size());
+  const Clock::time_point start = Clock::now();
+  advance(due);
+  pace_.note(std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+void Simulation::advance(Due due) {
   World& w = *world_;
   const double t = time();
   const auto note = [&w](StepStage s) { w.log.note(s); };  // see step_stages.h

@@ -15,7 +15,9 @@
 #include "solver/run/forces.h"
 #include "solver/run/ledger.h"
 #include "solver/run/load_program.h"
+#include "solver/run/over_elements.h"
 #include "solver/run/recorder.h"
+#include "solver/team/team_size.h"
 #include "solver/world/stages.h"
 #include "solver/world/world.h"
 
@@ -48,9 +50,9 @@ class Simulation {
   [[nodiscard]] std::int64_t cycle() const { return world_->multirate.wanted; }
   [[nodiscard]] const World& world() const { return *world_; }
   [[nodiscard]] World& world() { return *world_; }
-  /// Sets the number of threads for the next steps. No bit depends on it.
-  void set_threads(int threads) { world_->threads = threads; }
-  [[nodiscard]] int threads() const { return world_->threads; }
+  /// Sets the largest number of threads for the next steps. No bit depends on it.
+  void set_threads(int threads);
+  [[nodiscard]] int threads() const { return pace_.most(); }
 
   /// The load program of a quasi-static analysis; without effect in a time history.
   [[nodiscard]] const LoadProgram& program() const { return program_; }
@@ -93,6 +95,7 @@ class Simulation {
 
  private:
   friend struct FieldTable;
+  void advance(Due due);
   [[nodiscard]] double time_of(std::int64_t step) const;
   void place_supports();
   void move_supports_on();
@@ -134,6 +137,8 @@ class Simulation {
   ForceStage forces_stage_;
   // A range of elements taken from another thread is some five hundred cache lines of traffic both ways: much patience.
   TaskShares update_shares_{1.0};
+  std::vector<Most> most_;
+  TeamSize pace_;
   double moved_ = 0.0;  // m, largest displacement of the elements due for a search; 0: none in this cycle
   StageTimes times_{};
   Damage damage_;

@@ -50,15 +50,10 @@ JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), f
   if (w.out_of_cache) rank_ = ranks_along_plan({first_before_, before_}, place_);
 }
 
-void JointTasks::begin(int threads) {
+void JointTasks::begin(Team& team) {
   ++step_;
-  if (threads != asked_) asked_ = given_ = threads;
-  expected_ = given_;
-  deal(expected_);
-}
-
-void JointTasks::deal(int threads) {
-  if (shares_.begin(threads)) queue_up();
+  team_ = &team;
+  if (shares_.begin(team.size())) queue_up();
   shares_.deal(ends_);
 }
 
@@ -94,7 +89,9 @@ JointTasks::Plan JointTasks::plan(std::span<const double> borders) const {
 void JointTasks::queue_up() {
   Plan p = plan(shares_.borders());
   place_flags(p);
-  queues_ = std::move(p.queues), ends_ = std::move(p.ends);
+  queues_ = std::move(p.queues), ends_ = std::move(p.ends), owner_ = std::move(p.owner);
+  queue_place_.resize(queues_.size());
+  for (std::size_t i = 0; i < queues_.size(); ++i) queue_place_[static_cast<std::size_t>(queues_[i])] = static_cast<std::int32_t>(i);
 }
 
 /// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <omp.h>
-
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "solver/schedule/task_shares.h"
@@ -31,19 +29,15 @@ class JointTasks {
   JointTasks() = default;
   explicit JointTasks(const World& w);
 
-  /// Begins a step. To be called before a team of `threads` threads begins.
-  void begin(int threads);
+  /// Begins a step. To be called before the team is given its job.
+  void begin(Team& team);
 
-  /// Calls `work(task, next)` for each task of the thread's own queue. To be called by every thread of the team after begin(). Others may
-  /// still be working when it returns.
+  /// Calls `work(task, next)` for each task of the thread's own queue. To be called by each thread of the team that comes, after begin().
+  /// Others may still be working when it returns.
   /// `next`: elements that the following task writes to, to be prefetched meanwhile; empty if the model is not out of cache.
   template <class Work>
-  void run_own(Work work) {
-    if (omp_get_num_threads() != expected_) {  // the system gave fewer threads
-#pragma omp single
-      deal(given_ = omp_get_num_threads());
-    }
-    shares_.take_own(omp_get_thread_num(), [&](std::int32_t i) { run(i, work); });
+  void run_own(int thread, Work work) {
+    shares_.take_own(thread, [&](std::int32_t i) { run(i, work); });
   }
 
   /// The queues of a team for given ends of shares (ShareBorders::ends).
@@ -66,15 +60,14 @@ class JointTasks {
 
   /// Does remaining tasks of other queues, until there are none. To be called after run_own().
   template <class Work>
-  void help(Work work) {
-    shares_.help(omp_get_thread_num(), omp_get_num_threads(), [&](std::int32_t i) { run(i, work); });
+  void help(int thread, Work work) {
+    shares_.help(thread, *team_, [&](std::int32_t i) { run(i, work); });
   }
 
  private:
   // Tasks take a hundredth of a thread's time each, and the rows that they write are written again in the update: little patience.
   static constexpr double kPatience = 0.1;
 
-  void deal(int threads);
   void queue_up();
   void place_flags(const Plan& plan);
 
@@ -82,10 +75,10 @@ class JointTasks {
   template <class Work>
   void run(std::int32_t i, Work& work) {
     const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
-    for (const std::int32_t other : before(task)) wait_for(other);
-    const double start = times_.empty() ? 0.0 : omp_get_wtime();
+    for (const std::int32_t other : before(task)) wait_for(other, work);
+    const Clock::time_point start = times_.empty() ? Clock::time_point{} : Clock::now();
     work(task, elements_at(static_cast<std::size_t>(i) + 1));
-    if (!times_.empty()) times_[task] += omp_get_wtime() - start;
+    if (!times_.empty()) times_[task] += std::chrono::duration<double>(Clock::now() - start).count();
     done_[flag_[task]].store(step_, std::memory_order_release);
   }
 
@@ -95,20 +88,33 @@ class JointTasks {
     return elements_[static_cast<std::size_t>(queues_[place])];
   }
 
-  void wait_for(std::int32_t task) const {
-    constexpr int kTurns = 200;  // some microseconds; then, with more threads than cores, the awaited thread may need this core
-    const Flag& step = done_[flag_[static_cast<std::size_t>(task)]];
+  /// Waits until a task is done. If nobody has begun it after a while, its thread may not have come: then the tasks up to it are done here.
+  /// These wait only for tasks of lower colours, so the recursion ends.
+  template <class Work>
+  void wait_for(std::int32_t task, Work& work) {
+    const auto t = static_cast<std::size_t>(task);
+    const Flag& step = done_[flag_[t]];
+    BackOff back_off(team_->patience());
     for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
-      if (turn >= kTurns) std::this_thread::yield();
-      pause_briefly();
+      if (turn < kTurns) {
+        pause_briefly();
+      } else if (team_->is_broken()) {
+        throw TeamBroken{};
+      } else if (!shares_.take_one(owner_[t], queue_place_[t], [&](std::int32_t i) { run(i, work); })) {
+        back_off.wait();
+      }
     }
   }
 
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kTurns = 500;  // some ten microseconds
   using Flag = std::atomic<std::uint32_t>;
-  std::uint32_t step_ = 0;                    // number of the round; finished tasks have it as mark
-  int asked_ = 0, given_ = 0, expected_ = 0;  // numbers of threads in the last step, and in this one
+  std::uint32_t step_ = 0;  // number of the round; finished tasks have it as mark
+  Team* team_ = nullptr;    // of this step
   TaskShares shares_{kPatience};
   std::vector<std::int32_t> queues_, ends_;          // one queue after the other; end of each
+  std::vector<std::size_t> owner_;                   // by task: owner of its queue
+  std::vector<std::int32_t> queue_place_;            // by task: its position in `queues_`
   std::vector<Flag, CacheAligned<Flag>> done_;       // last round in which a task was done
   std::vector<std::size_t> flag_;                    // by task: its index in done_
   std::vector<std::int32_t> first_before_, before_;  // by task: tasks that it waits for

@@ -4,23 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 namespace voussoir::solver {
 
-TaskShares::Team::Team(int threads) : shares(static_cast<std::size_t>(threads)), borders(threads) {}
+TaskShares::OfTeam::OfTeam(int threads) : shares(static_cast<std::size_t>(threads)), borders(threads) {}
 
-void TaskShares::Team::give(std::size_t thread, std::int32_t end) {
+void TaskShares::OfTeam::give(std::size_t thread, std::int32_t end) {
   Share& s = shares[thread];
   const std::int32_t first = thread == 0 ? 0 : shares[thread - 1].last;
   s.had = end - first, s.done = 0, s.time = 0.0;
-  s.next.store(first, std::memory_order_relaxed);
+  s.next.store(first, std::memory_order_relaxed), s.begun.store(false, std::memory_order_relaxed);
   s.last = end;
 }
 
 /// By what each share would have taken its thread, had nobody helped; waiting for the tasks of others counts, too.
-bool TaskShares::Team::move_borders() {
+bool TaskShares::OfTeam::move_borders() {
   std::vector<double> times;
   double most = 0.0;
   for (const Share& s : shares) {
@@ -33,19 +32,13 @@ bool TaskShares::Team::move_borders() {
   return borders.note(times);
 }
 
-void TaskShares::be_patient(const Share& own, const Share& other) {
-  constexpr int kTurns = 20;  // a microsecond; then, with more threads than cores, the other may need this one's
-  for (int turn = 0; other.any_left() && Clock::now() < own.patient_until; ++turn) {
-    if (turn < kTurns) {
-      pause_briefly();
-    } else {
-      std::this_thread::yield();
-    }
-  }
+void TaskShares::be_patient(const Share& own, const Share& other, Patience patience) {
+  BackOff back_off(patience);
+  while (other.any_left() && Clock::now() < own.patient_until) back_off.wait();
 }
 
 bool TaskShares::begin(int threads) {
-  Team& team = teams_.try_emplace(threads, threads).first->second;
+  OfTeam& team = teams_.try_emplace(threads, threads).first->second;
   const bool other = std::exchange(team_, &team) != &team;
   return (!other && threads > 1 && team.move_borders()) || other;
 }

@@ -10,15 +10,9 @@
 #include <vector>
 
 #include "solver/schedule/share_borders.h"
+#include "solver/team/team.h"
 
 namespace voussoir::solver {
-
-/// Yields a core to its other hardware thread for a moment, if the processor can.
-inline void pause_briefly() noexcept {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#endif
-}
 
 /// Divides tasks among the threads of a team, step after step. A thread does its own share, and helps where others are late.
 ///
@@ -48,6 +42,7 @@ class TaskShares {
   template <class Work>
   void take_own(int thread, Work work) {
     Share& own = team_->shares[static_cast<std::size_t>(thread)];
+    own.begun.store(true, std::memory_order_relaxed);
     const Clock::time_point begin = Clock::now();
     own.done = take(own, work);
     const Clock::time_point end = Clock::now();
@@ -55,39 +50,52 @@ class TaskShares {
     own.patient_until = end + std::chrono::duration_cast<Clock::duration>(patience_ * (end - begin));
   }
 
-  /// Calls `work` with tasks left in the shares of threads that are late. To be called after take_own().
-  /// \param team  number of threads that take part: the system may have given fewer than there are shares
+  /// Calls `work` with tasks left in the shares of threads that are late, or, without waiting, of threads that have not come. To be called
+  /// after take_own(). When the first thread of a team returns from here, each task has been taken by a thread.
   template <class Work>
-  void help(int thread, int team, Work work) {
+  void help(int thread, const Team& team, Work work) {
     std::vector<Share>& shares = team_->shares;
     const auto n = shares.size(), self = static_cast<std::size_t>(thread);
     for (std::size_t k = 1; k < n; ++k) {
       const std::size_t next = (self + k) % n;
       Share& other = shares[next];
-      if (next < static_cast<std::size_t>(team)) be_patient(shares[self], other);
+      if (other.begun.load(std::memory_order_relaxed)) be_patient(shares[self], other, team.patience());
       take(other, work);
     }
+  }
+
+  /// Calls `work` with the next task of a thread's share, unless that task is after `last`. \return true if it was called
+  template <class Work>
+  bool take_one(std::size_t thread, std::int32_t last, Work work) {
+    Share& s = team_->shares[thread];
+    std::int32_t task = s.next.load(std::memory_order_relaxed);
+    do {
+      if (task > last) return false;
+    } while (!s.next.compare_exchange_weak(task, task + 1, std::memory_order_relaxed));
+    work(task);
+    return true;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   struct alignas(128) Share {  // two cache lines each, since cores fetch them in pairs
     std::atomic<std::int32_t> next{0};
+    std::atomic<bool> begun{false};  // true: its thread has come
     std::int32_t last = 0;
     std::int64_t had = 0, done = 0;  // number of tasks in the share; number done by its own thread
     double time = 0.0;               // s, of the latter
     Clock::time_point patient_until;
     [[nodiscard]] bool any_left() const { return next.load(std::memory_order_relaxed) < last; }
   };
-  struct Team {
-    explicit Team(int threads);
+  struct OfTeam {
+    explicit OfTeam(int threads);
     void give(std::size_t thread, std::int32_t end);
     bool move_borders();
     std::vector<Share> shares;  // by thread
     ShareBorders borders;
   };
 
-  static void be_patient(const Share& own, const Share& other);
+  static void be_patient(const Share& own, const Share& other, Patience patience);
 
   template <class Work>
   static std::int64_t take(Share& s, Work& work) {
@@ -102,8 +110,8 @@ class TaskShares {
   }
 
   double patience_;
-  std::map<int, Team> teams_;  // by number of threads
-  Team* team_ = nullptr;       // in this step
+  std::map<int, OfTeam> teams_;  // by number of threads
+  OfTeam* team_ = nullptr;       // in this step
 };
 
 }  // namespace voussoir::solver

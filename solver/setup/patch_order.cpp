@@ -15,9 +15,9 @@ namespace {
 constexpr std::ptrdiff_t kScattered = 128;  // patches out of order that cost more than sorting, which takes some ten steps' time
 
 template <class Column>
-void reorder(Column& column, const std::vector<std::size_t>& order, int threads) {
+void reorder(Column& column, const std::vector<std::size_t>& order, Team& team) {
   Column sorted;
-  reserve_in_shares(sorted, column.size(), threads);
+  reserve_in_shares(sorted, column.size(), team);
   for (const std::size_t i : order) sorted.push_back(column[i]);
   column = std::move(sorted);
 }
@@ -32,9 +32,9 @@ std::vector<std::int64_t> ends_of_points(const Patches& p) {
 }
 
 template <class Column>
-void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, int threads) {
+void reorder_points(Column& column, const std::vector<std::int64_t>& ends, const std::vector<std::size_t>& order, Team& team) {
   Column sorted;
-  reserve_in_shares(sorted, column.size(), threads);
+  reserve_in_shares(sorted, column.size(), team);
   for (const std::size_t i : order) sorted.insert(sorted.end(), column.begin() + ends[i], column.begin() + ends[i + 1]);
   column = std::move(sorted);
 }
@@ -76,13 +76,13 @@ void sort_patches(World& w) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p.element[a] < p.element[b]; });
   const std::vector<std::int64_t> ends = ends_of_points(p);
-  for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order, w.threads);
-  if (!p.crushed.empty()) reorder_points(p.crushed, ends, order, w.threads);
+  for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order, w.team);
+  if (!p.crushed.empty()) reorder_points(p.crushed, ends, order, w.team);
   reorder_springs(p.springs, ends, order);
-  reorder(p.patch, order, w.threads);
-  reorder(p.element, order, w.threads);
-  reorder(p.from_side, order, w.threads);
-  reorder(p.mastered, order, w.threads);
+  reorder(p.patch, order, w.team);
+  reorder(p.element, order, w.team);
+  reorder(p.from_side, order, w.team);
+  reorder(p.mastered, order, w.team);
   place_points(p, ends, order);
   w.contacts.room.patches = {};
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
+#include "solver/setup/setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +54,8 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
 
 void reserve_patches(World& w, std::size_t patches, std::size_t points) {
   Patches& p = w.patches;
-  reserve_in_shares(p.patch, patches, w.threads);
-  reserve_in_shares(p.partner, points, w.threads), reserve_in_shares(p.face, points, w.threads);
+  reserve_in_shares(p.patch, patches, w.team);
+  reserve_in_shares(p.partner, points, w.team), reserve_in_shares(p.face, points, w.team);
   p.element.reserve(patches), p.from_side.reserve(patches), p.mastered.reserve(patches);
 }
 
@@ -183,7 +183,7 @@ std::span<const SetUpStage> setup_stages() { return kStages; }
 std::unique_ptr<World> build_world(const cases::Case& c, const cases::Model& m, const Options& o, std::span<const SetUpStage> stages) {
   auto w = std::make_unique<World>(m);
   w->options = o;
-  w->threads = o.threads > 0 ? o.threads : omp_get_max_threads();
+  w->team.set_size(o.threads);
   w->out_of_cache = m.blocks.size() >= o.out_of_cache_from;
   w->failure = failure_options(c.failure, c.contact);
   w->has_base = c.base.has_value();

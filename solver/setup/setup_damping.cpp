@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -35,9 +33,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Damping matrices of all elements, filled segment by segment.
 class DampingMatrices {
  public:
-  DampingMatrices(const World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
+  explicit DampingMatrices(World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
     const std::vector<FaceClass> classes = face_classes(w.faces);
-    const std::vector<std::array<double, 2>> worst = worst_dashpots(classes, w.contact.damping, w.threads);
+    const std::vector<std::array<double, 2>> worst = worst_dashpots(classes, w.contact.damping, w.team);
     for (const kernels::Face& f : w.faces) {
       if (f.is_ground()) {
         dashpot_.push_back({});
@@ -84,11 +82,9 @@ class DampingMatrices {
 void set_up_damping_bound(World& w) {
   const geometry::Assembly& a = w.model.assembly;
   DampingMatrices matrices(w);
-#pragma omp parallel num_threads(w.threads)
-  {
-    // Each thread goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
-    const auto bound = [&](std::int64_t i) { return static_cast<std::int32_t>(i * w.elements.count / omp_get_num_threads()); };
-    const std::int32_t first = bound(omp_get_thread_num()), last = bound(omp_get_thread_num() + 1);
+  // Each range goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
+  const std::int64_t at_a_time = (w.elements.count + w.team.size() - 1) / w.team.size();
+  w.team.share_out(w.elements.count, std::max<std::int64_t>(at_a_time, 1), [&](std::int64_t first, std::int64_t last) {
     const auto add = [&](std::int32_t element, std::int32_t face, const geometry::Frame& frame, geometry::SegmentList segments) {
       if (first <= element && element < last) matrices.add(element, face, frame, segments);
     };
@@ -97,11 +93,11 @@ void set_up_damping_bound(World& w) {
       if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
     }
     for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame, p.segments);
-    for (std::int32_t i = first; i < last; ++i) {
+    for (std::int64_t i = first; i < last; ++i) {
       const auto e = static_cast<std::size_t>(i);
       if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);
     }
-  }
+  });
 }
 
 }  // namespace voussoir::solver

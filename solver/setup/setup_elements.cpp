@@ -16,25 +16,25 @@ namespace {
 
 double plane_strain_modulus(const cases::Material& m) { return m.young / (1.0 - m.poisson * m.poisson); }
 
-void size_arrays(Elements& e, int threads) {
+void size_arrays(Elements& e, Team& team) {
   const auto n = static_cast<std::size_t>(e.rows);
   for (Array<double>* a : {&e.ux,  &e.uy,  &e.uz,  &e.qx,  &e.qy,     &e.qz,     &e.vx,     &e.vy,       &e.vz,  &e.lx,
                            &e.ly,  &e.lz,  &e.wx,  &e.wy,  &e.wz,     &e.alpha,  &e.mass,   &e.inv_mass, &e.ixx, &e.iyy,
                            &e.izz, &e.ixy, &e.ixz, &e.iyz, &e.radius, &e.half_x, &e.half_y, &e.half_z}) {
-    assign_in_shares(*a, n, 0.0, threads);
+    assign_in_shares(*a, n, 0.0, team);
   }
-  assign_in_shares(e.tally, n / kernels::kBatch * kernels::kTallies, 0.0, threads);
-  assign_in_shares(e.qw, n, 1.0, threads);
-  assign_in_shares(e.body, n, {}, threads);
+  assign_in_shares(e.tally, n / kernels::kBatch * kernels::kTallies, 0.0, team);
+  assign_in_shares(e.qw, n, 1.0, team);
+  assign_in_shares(e.body, n, {}, team);
   e.bonds.assign(n, 0);
   e.bonds_at_start.assign(n, 0);
   e.fixed.assign(n, 1);
   e.first_face.assign(n, 0);
   e.face_count.assign(n, 0);
-  assign_in_shares(e.pose, n * kernels::kPoseStride, 0.0, threads);
-  assign_in_shares(e.twist, n * kernels::kTwistStride, 0.0, threads);
-  assign_in_shares(e.wrench, n * kernels::kWrenchStride, 0.0, threads);
-  assign_in_shares(e.dashpot, n * kernels::kDashpotStride, 0.0, threads);
+  assign_in_shares(e.pose, n * kernels::kPoseStride, 0.0, team);
+  assign_in_shares(e.twist, n * kernels::kTwistStride, 0.0, team);
+  assign_in_shares(e.wrench, n * kernels::kWrenchStride, 0.0, team);
+  assign_in_shares(e.dashpot, n * kernels::kDashpotStride, 0.0, team);
 }
 
 /// In reference axes.
@@ -102,7 +102,7 @@ void set_up_elements(World& w, const cases::Case& c) {
   e.count = static_cast<std::int32_t>(m.blocks.size());
   e.base = e.count;
   e.rows = round_up(e.count + 1, kernels::kBatch);
-  size_arrays(e, w.threads);
+  size_arrays(e, w.team);
   const double alpha = mass_damping(c.damping);
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Block& b = m.blocks[i];

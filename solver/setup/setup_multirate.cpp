@@ -90,9 +90,9 @@ void set_up_multirate(World& w, const cases::Case& c) {
   m.rows.resize(m.every.size() - 1);
   w.moved_at.assign(rows / kernels::kBatch, 0);
   for (Multirate::Rows& r : m.rows) {
-    assign_in_shares(r.twist, rows * kernels::kTwistStride, 0.0, w.threads);
-    assign_in_shares(r.wrench, rows * kernels::kWrenchStride, 0.0, w.threads);
-    assign_in_shares(r.dashpot, rows * kernels::kDashpotStride, 0.0, w.threads);
+    assign_in_shares(r.twist, rows * kernels::kTwistStride, 0.0, w.team);
+    assign_in_shares(r.wrench, rows * kernels::kWrenchStride, 0.0, w.team);
+    assign_in_shares(r.dashpot, rows * kernels::kDashpotStride, 0.0, w.team);
   }
 }
 

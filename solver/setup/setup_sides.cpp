@@ -134,14 +134,14 @@ std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<New
 }
 
 /// \param points  see points_by_colour
-void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t> points, int threads) {
+void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t> points, Team& team) {
   const std::size_t n = blocks * kernels::kLanes;
   std::vector<std::int64_t> block_borders, side_borders;  // of colours: threads work on one after the other, each on a part of it
   for (const std::int32_t task : s.colour_first) block_borders.push_back(s.task_first[static_cast<std::size_t>(task)]);
   for (const std::int64_t b : block_borders) side_borders.push_back(b * kernels::kLanes);
-  assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, threads, block_borders);
-  assign_in_shares(s.parts, n, {}, threads, side_borders);
-  reserve_in_shares(s.bond, static_cast<std::size_t>(points.back()), threads, points);
+  assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, team, block_borders);
+  assign_in_shares(s.parts, n, {}, team, side_borders);
+  reserve_in_shares(s.bond, static_cast<std::size_t>(points.back()), team, points);
   s.steady.assign_zeros(blocks);
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   s.size.assign(n, 0.0);
@@ -330,7 +330,7 @@ void set_up_sides(World& w, const cases::Case& c) {
   std::vector<NewSide> sides = sides_of(w, turned);
   const SideKinds kinds = sort_by_kind(w, c, sides);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
-  size_side_arrays(w.sides, numbered.size() / kernels::kLanes, points_by_colour(w.sides, sides, numbered), w.threads);
+  size_side_arrays(w.sides, numbered.size() / kernels::kLanes, points_by_colour(w.sides, sides, numbered), w.team);
   fill_blocks(w, sides, numbered, kinds);
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {

@@ -66,16 +66,19 @@ double largest_quotient(const Own& own, const Partners& partners) {
 
 }  // namespace
 
-std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& classes, double h, int threads) {
+std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& classes, double h, Team& team) {
   const Partners normal = worst_partners(classes, &FaceClass::compliance_n), shear = worst_partners(classes, &FaceClass::compliance_s);
   std::vector<std::array<double, 2>> worst(classes.size());
   const auto count = static_cast<std::int64_t>(classes.size());
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
-  for (std::int64_t i = 0; i < count; ++i) {
+  constexpr std::int64_t kAtATime = 64;
+  const auto find = [&](std::int64_t i) {
     const FaceClass& k = classes[static_cast<std::size_t>(i)];
     worst[static_cast<std::size_t>(i)] = {2.0 * h * std::sqrt(largest_quotient({k.compliance_n, k.mass}, normal)),
                                           2.0 * h * std::sqrt(largest_quotient({k.compliance_s, k.mass}, shear))};
-  }
+  };
+  team.share_out(count, kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < last; ++i) find(i);
+  });
   return worst;
 }
 

@@ -6,6 +6,8 @@
 #include <compare>
 #include <vector>
 
+#include "solver/team/team.h"
+
 /// The largest dashpots that a face can have, in contact with any other face.
 namespace voussoir::solver {
 
@@ -19,6 +21,6 @@ struct FaceClass {
 /// By class: the largest dashpot constants per area, normal and shear, with any of the classes (Eq. 9), equal bit by bit to the maximum
 /// over pairs.
 /// \param h  fraction of critical damping
-std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& classes, double h, int threads);
+std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& classes, double h, Team& team);
 
 }  // namespace voussoir::solver

@@ -76,7 +76,7 @@ void size_search(World& w, const SavedState& from) {
   c.active.assign(integers(from, "active_patch").size(), 0);
   c.first_slot.assign(find(from, "active_first_slot").count, 0);
   const std::size_t slots = integers(from, "slot_element").size();
-  assign_in_shares(c.element, slots, 0, w.threads);
+  assign_in_shares(c.element, slots, 0, w.team);
   c.stale_level = 0;
   c.room = {};
   w.overlaps.springs.assign(find(from, "overlap_a").count, {});

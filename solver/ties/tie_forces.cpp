@@ -8,7 +8,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kWorthThreads = 256;  // ties
+constexpr std::int64_t kWorthThreads = 128;  // ties, or elements with ties, that a thread takes at a time
 
 /// From a body's centroid to the point where a hold acts, as it stands, and the way that this point has gone [m].
 struct Held {
@@ -71,13 +71,12 @@ void add_to_element(World& w, std::size_t i) {
 double apply_ties(World& w, double share) {
   const auto ties = static_cast<std::int64_t>(w.ties.tie.size()), elements = static_cast<std::int64_t>(w.ties.element.size());
   if (ties == 0) return 0.0;
-#pragma omp parallel num_threads(w.threads) if (ties >= kWorthThreads)
-  {
-#pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < ties; ++i) advance(w, i, share);
-#pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < elements; ++i) add_to_element(w, static_cast<std::size_t>(i));
-  }
+  w.team.share_out(ties, kWorthThreads, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < last; ++i) advance(w, i, share);
+  });
+  w.team.share_out(elements, kWorthThreads, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < last; ++i) add_to_element(w, static_cast<std::size_t>(i));
+  });
   double work = 0.0;
   for (const double j : w.ties.jack_work) work += j;
   return work;

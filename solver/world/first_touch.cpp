@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/world/first_touch.h"
 
-#include <omp.h>
-
 namespace voussoir::solver {
 
 namespace {
@@ -13,17 +11,16 @@ constexpr std::size_t kLeast = 16 * kPage;  // what is smaller stays in the cach
 
 }  // namespace
 
-void touch_in_shares(void* data, std::size_t width, int threads, std::span<const std::int64_t> borders) {
-  if (threads < 2 || borders.size() < 2 || static_cast<std::size_t>(borders.back() - borders.front()) * width < kLeast) return;
+void touch_in_shares(void* data, std::size_t width, Team& team, std::span<const std::int64_t> borders) {
+  if (team.size() < 2 || borders.size() < 2 || static_cast<std::size_t>(borders.back() - borders.front()) * width < kLeast) return;
   auto* bytes = static_cast<volatile unsigned char*>(data);
-#pragma omp parallel num_threads(threads)
-  {
-    const auto team = static_cast<std::size_t>(omp_get_num_threads()), own = static_cast<std::size_t>(omp_get_thread_num());
+  team.run_on_all([&](int thread) {
+    const auto threads = static_cast<std::size_t>(team.size()), own = static_cast<std::size_t>(thread);
     for (std::size_t s = 0; s + 1 < borders.size(); ++s) {
       const auto first = static_cast<std::size_t>(borders[s]) * width, size = static_cast<std::size_t>(borders[s + 1]) * width - first;
-      for (std::size_t at = first + size * own / team; at < first + size * (own + 1) / team; at += kPage) bytes[at] = 0;
+      for (std::size_t at = first + size * own / threads; at < first + size * (own + 1) / threads; at += kPage) bytes[at] = 0;
     }
-  }
+  });
 }
 
 }  // namespace voussoir::solver

@@ -14,7 +14,8 @@ struct Options {
   double cell = 0.0;               // m, cell size of the decomposition; 0: chosen from the model
   std::size_t out_of_cache_from =
       25'000;       // elements from which a model is out of cache, see World::out_of_cache; fixed, so that bits do not depend on caches
-  int threads = 0;  // 0: the default of OpenMP
+  int threads = 1;  // at most; at least 1
+  bool own_pace = false;       // continue with fewer threads while fewer are faster (team/team_size.h)
   std::optional<double> step;  // s; overrides the case
 };
 

@@ -71,7 +71,7 @@ struct SearchRoom {
   std::vector<std::int64_t> first_slot;
   Array<kernels::Candidate> candidate;
   // For gather lists and lists of overlaps.
-  std::vector<std::vector<std::int32_t>> gather_counts;  // by thread and element
+  std::vector<std::vector<std::int32_t>> gather_counts;  // by part of the slots, and element
   std::vector<std::int32_t> first_overlap;               // by element
   std::vector<OverlapPair> overlaps_before, overlaps_found;
 };

@@ -10,6 +10,7 @@
 #include "kernels/law.h"
 #include "kernels/rows.h"
 #include "kernels/side.h"
+#include "solver/team/team.h"
 #include "solver/world/array.h"
 #include "solver/world/contacts.h"
 #include "solver/world/elements.h"
@@ -40,7 +41,7 @@ struct World {
   bool drop_debris_damping = false;  // elements without a bond have no mass damping
   bool out_of_cache = false;         // the model is larger than the caches, see schedule/out_of_cache.h
   bool keep_pairs = false;           // in this step sides and overlaps store a copy of their forces, for cuts
-  int threads = 1;                   // number of threads of teams
+  Team team;                         // threads that work on it
   StepLog log;                       // stages of the last step, for tests
 
   // Time.

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <omp.h>
 
 #include <cstring>
 #include <set>
@@ -29,7 +28,6 @@ struct Wall {
   solver::SavedState good;
 
   Wall() {
-    omp_set_num_threads(1);
     c.segment_size = 0.1;
     m = cases::build_model(c);
     solver::Simulation sim(c, m, g, {});

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/bench/bench_stages.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 
 #include "solver/bench/assembly_time.h"
@@ -163,9 +162,9 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
   run.sim.time_parts(false);
   run.sim.set_threads(before);
   // A run writes its rows to disk at intervals.
-  const double start = omp_get_wtime();
+  const auto start = std::chrono::steady_clock::now();
   run.results.flush();
-  const double writing = (omp_get_wtime() - start) / ResultsOptions{}.interval;
+  const double writing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / ResultsOptions{}.interval;
   std::vector<StepSplit> splits;
   for (const StagesTeam& team : teams) {
     StepSplit s{.threads = team.threads,

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/bench/bench_timing.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 
 #include "solver/bench/machine.h"
@@ -31,12 +30,11 @@ struct Team {
 };
 
 Sample take_sample(solver::Simulation& sim, int steps) {
-  const int threads = sim.threads();
-  Sample s{.steps = steps, .time = 0.0, .cores = solver::core_times(threads)};
-  const double start = omp_get_wtime();
+  Sample s{.steps = steps, .time = 0.0, .cores = solver::core_times(sim.world().team)};
+  const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < steps; ++i) sim.step({});
-  s.time = omp_get_wtime() - start;
-  const std::vector<double> after = solver::core_times(threads);
+  s.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::vector<double> after = solver::core_times(sim.world().team);
   for (std::size_t k = 0; k < after.size(); ++k) {
     const bool given = s.cores[k] > 0.0 && after[k] > 0.0;
     s.cores[k] = given ? std::max(s.cores[k], after[k]) : 0.0;
@@ -49,7 +47,7 @@ Batch take_batch(solver::Simulation& sim, int steps) {
   for (int i = 0; i < steps; ++i) sim.step({});  // another team has other shares, and other rows in its caches
   const int samples = std::min(kSamples, steps);
   for (int k = 0; k < samples; ++k) b.samples.push_back(take_sample(sim, steps * (k + 1) / samples - steps * k / samples));
-  b.handover = solver::handover_now(sim.threads());
+  b.handover = solver::handover_now(sim.world().team);
   return b;
 }
 
@@ -80,7 +78,7 @@ std::vector<std::vector<bool>> quiet_samples(const Team& team) {
   std::vector<Sample> all;
   for (const Batch& b : team.batches) all.insert(all.end(), b.samples.begin(), b.samples.end());
   std::vector<bool> is_quiet(all.size(), false);
-  if (team.threads <= omp_get_num_procs()) is_quiet = quiet(all);
+  if (team.threads <= solver::processors()) is_quiet = quiet(all);
   std::vector<std::vector<bool>> by_batch;
   auto next = is_quiet.begin();
   for (const Batch& b : team.batches) {
@@ -101,7 +99,7 @@ bool enough(const std::vector<Team>& teams, const TimingOptions& o) {
   const int taken = static_cast<int>(teams.front().batches.size());
   if (taken < o.least) return false;
   return taken >= o.most || std::ranges::all_of(teams, [](const Team& t) {
-           return t.threads > omp_get_num_procs() || count(quiet_samples(t)) >= kEnoughQuiet;
+           return t.threads > solver::processors() || count(quiet_samples(t)) >= kEnoughQuiet;
          });
 }
 

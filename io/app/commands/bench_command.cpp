@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <omp.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -28,7 +26,6 @@
 #include "io/app/session/progress.h"
 #include "io/app/session/restored_run.h"
 #include "io/app/session/session.h"
-#include "io/app/session/threads.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/files/scratch_folder.h"
@@ -44,6 +41,7 @@ namespace voussoir::io {
 namespace {
 
 struct BenchOptions {
+  int threads = 1;         // at most
   double after = 0.0;      // s of shaking before the measurement; 0: intact, at the beginning of gravity
   int batches = 0;         // number of batches for a median; 0: 15, or up to 60 on a machine that is seldom quiet
   int steps = 0;           // in a batch; 0: the number that takes about 0.1 s
@@ -111,7 +109,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
   constexpr std::array kCores{1, 2, 4, 8, 16, 32};
   const auto split_of = [&](int threads) { return std::ranges::find(splits, threads, &StepSplit::threads); };
   const auto one = split_of(1), two = split_of(2);
-  const bool both = two != splits.end() && omp_get_num_procs() > 1;
+  const bool both = two != splits.end() && solver::processors() > 1;
   const auto timing_of = [&](int threads) { return std::ranges::find(timings, threads, &Timing::threads); };
   const double handover = both && timing_of(2)->handover > 0.0 ? timing_of(2)->handover : kNear;
   const solver::MeasuredStep measured{.tasks = one->tasks,
@@ -127,7 +125,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
   table.print_header();
   for (const int cores : kCores) {
     const auto known = timing_of(cores);
-    const bool seen = known != timings.end() && cores <= omp_get_num_procs();
+    const bool seen = known != timings.end() && cores <= solver::processors();
     table.add(schedule_row(solver::predict(tasks, measured, cores), scale, on_one, seen ? known->step : 0.0));
   }
 }
@@ -154,11 +152,11 @@ void bench_stages(Run& run, const std::string& folder, std::span<const Timing> t
 std::vector<MachineLimits> limits_of(std::span<const int> counts) {
   std::vector<MachineLimits> limits;
   for (const int n : counts) {
-    const int cores = std::min(n, omp_get_num_procs());
+    const int cores = std::min(n, solver::processors());
     limits.push_back({solver::peak_flops(cores), solver::peak_bandwidth(cores)});
     std::printf("%-25s%.1f Gflop/s, %.1f GB/s on %d\n", limits.size() == 1 ? "machine at best" : "", 1e-9 * limits.back().flops,
                 1e-9 * limits.back().bandwidth, cores);
-    if (n >= omp_get_num_procs()) return limits.resize(counts.size(), limits.back()), limits;
+    if (n >= solver::processors()) return limits.resize(counts.size(), limits.back()), limits;
   }
   return limits;
 }
@@ -174,7 +172,7 @@ void bench(Run& run, const BenchOptions& o) {
   const ScratchFolder scratch;
   BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
   const cases::Census census = cases::census(run.model);
-  const std::vector<int> counts = thread_counts(omp_get_max_threads());
+  const std::vector<int> counts = thread_counts(o.threads);
   TimingOptions timing;
   if (o.batches > 0) timing.least = timing.most = o.batches;
   timing.steps = o.steps;
@@ -183,7 +181,6 @@ void bench(Run& run, const BenchOptions& o) {
   advance_to(sim, o.after);
   run.plan.shaking |= sim.phase() == solver::Phase::shaking;
   print_subject(census, sim.world());
-  std::printf("waiting threads          %s\n", waiting_threads().c_str());
   const std::vector<MachineLimits> best = limits_of(counts);
   std::printf("\n");
   table.print_header();
@@ -202,13 +199,15 @@ struct FreshRun {
   std::unique_ptr<solver::Simulation> sim;
 };
 
-/// Steps the case with 1, 2, 4, ... threads, up to the number set by use_threads, and prints tables: times of a step and of its parts, and
-/// the predictions of a model of the schedule for more cores. \throw cases::InputError, FileError before anything runs
+/// Steps the case with 1, 2, 4, ... threads, up to o.threads, and prints tables: times of a step and of its parts, and the predictions of a
+/// model of the schedule for more cores. \throw cases::InputError, FileError before anything runs
 int bench_case(const LoadedCase& c, const BenchOptions& o) {
-  const cases::Model model = prepared_model(c.value);
+  const cases::Model model = prepared_model(c.value, o.threads);
   cases::GroundMotion motion;  // without a motion nothing happens, even after settling
   if (o.after > 0.0) motion = ground_motion(c.value);
-  FreshRun run{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, solver::Options{})};
+  solver::Options options;
+  options.threads = o.threads;
+  FreshRun run{c.value, model, {}, std::make_unique<solver::Simulation>(c.value, model, motion, options)};
   choose_drive(*run.sim, c.value);
   bench(run, o);
   return kDone;
@@ -220,7 +219,9 @@ int bench_checkpoint(const std::string& path, const BenchOptions& o) {
     throw cases::InputError("--after", "= " + cases::text(o.after) + " s; a checkpoint is measured as it stands, leave it out");
   Checkpoint checkpoint = read_checkpoint(path);
   cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
-  const std::unique_ptr<RestoredRun> run = restore_run(path, std::move(checkpoint), std::move(value), {});
+  solver::Options options;
+  options.threads = o.threads;
+  const std::unique_ptr<RestoredRun> run = restore_run(path, std::move(checkpoint), std::move(value), options);
   bench(*run, o);
   return kDone;
 }
@@ -230,7 +231,8 @@ struct BenchWords {
   BenchOptions o;
 };
 
-int bench_as_told(const BenchWords& w) {
+int bench_as_told(BenchWords& w) {
+  w.o.threads = w.c.threads;
   if (w.c.name.ends_with(".h5")) return bench_checkpoint(w.c.name, w.o);
   return with_case(w.c, [&](const auto& c) { return bench_case(c, w.o); });
 }
@@ -252,7 +254,7 @@ Command add_bench(CLI::App& program) {
   words->add_flag("--overwrite", w->o.overwrite, "replace these files");
   words->footer(
       "CASE may also be a checkpoint (.h5) of a run: measured as it stands there\nexample: voussoir bench flat20n -j 2 --after 3.5");
-  return {.words = words, .work = [w] { return bench_as_told(*w); }, .threads = &w->c.threads, .takes_long = true};
+  return {.words = words, .work = [w] { return bench_as_told(*w); }, .threads = &w->c.threads};
 }
 
 }  // namespace voussoir::io

@@ -260,11 +260,12 @@ int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::G
 }
 
 /// Reads, builds and reports, without a run. \throw cases::InputError, FileError
-int check(const LoadedCase& c, const CheckOptions& o) {
+int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   check_output(o.draw, o.overwrite);
-  const cases::Model model = prepared_model(c.value);
+  const cases::Model model = prepared_model(c.value, threads);
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
+  options.threads = threads;
   solver::Simulation sim(c.value, model, motion, options);
   if (o.json) {
     if (!o.draw.empty()) write_text_file(o.draw, draw(c.value, model), o.overwrite);
@@ -317,7 +318,9 @@ Command add_check(CLI::App& program) {
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing drawing");
   add_format(*words, w->o.json);
   words->footer("example: voussoir check my-house.toml --draw my-house.svg");
-  return {.words = words, .work = [w] { return with_case(w->c, [w](const auto& c) { return check(c, w->o); }); }, .threads = &w->c.threads};
+  return {.words = words,
+          .work = [w] { return with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); }); },
+          .threads = &w->c.threads};
 }
 
 }  // namespace voussoir::io

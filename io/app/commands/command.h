@@ -14,10 +14,9 @@ class App;
 namespace voussoir::io {
 
 struct Command {
-  CLI::App* words = nullptr;     // its subcommand of the parser, with all options
-  std::function<int()> work;     // to be called after parsing; returns the exit code
-  const int* threads = nullptr;  // value of -j; null: the command has no -j
-  bool takes_long = false;       // its time justifies a look, before it starts, at how busy the machine is
+  CLI::App* words = nullptr;  // its subcommand of the parser, with all options
+  std::function<int()> work;  // to be called after parsing; returns the exit code
+  int* threads = nullptr;     // value of -j, 0 if not given; null: the command has no -j
 };
 
 /// A function that adds a command to the command line.

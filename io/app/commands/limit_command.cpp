@@ -140,7 +140,7 @@ int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::
 
 /// Finds the collapse multiplier of a live load and its mechanism, by limit analysis of dry rigid blocks (solver/limit/limit.h).
 /// \throw cases::InputError, FileError
-int limit(const LoadedCase& c, const LimitCommandOptions& o) {
+int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   if (!solver::has_linear_programmes()) {
     std::fprintf(
         stderr,
@@ -153,7 +153,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o) {
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   if (on_terminal) asked.options.tick = ticker(asked.options.coulomb);
-  const cases::Model model = build_on_all_threads(c.value);
+  const cases::Model model = cases::build_model(c.value, threads);
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
   if (o.path.empty()) {
@@ -201,7 +201,9 @@ Command add_limit(CLI::App& program) {
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing file of the mechanism");
   words->add_flag("--quiet", w->o.quiet, "no progress");
   words->footer("A case with loads that grow has these as live load.\nexample: voussoir limit flat20n --associated");
-  return {.words = words, .work = [w] { return with_case(w->c, [w](const auto& c) { return limit(c, w->o); }); }, .threads = &w->c.threads};
+  return {.words = words,
+          .work = [w] { return with_case(w->c, [w](const auto& c) { return limit(c, w->o, w->c.threads); }); },
+          .threads = &w->c.threads};
 }
 
 }  // namespace voussoir::io

@@ -68,8 +68,10 @@ std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std
   return points;
 }
 
-void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o) {
+void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o,
+                   int threads) {
   solver::Options options;
+  options.threads = threads, options.own_pace = true;
   std::array<solver::ImpulseResponse, 2> response;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   for (int axis = 0; axis < 2; ++axis) {
@@ -99,10 +101,10 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
 /// paper's section 3.5 at the points that the case follows (if it follows none: at the element that the mode with the largest share of mass
 /// moves most).
 /// \throw cases::InputError, FileError, solver::NumericalError
-int modes(const LoadedCase& loaded, const ModesOptions& o) {
+int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
   check_output(o.shapes, o.overwrite);
   cases::Case c = loaded.value;
-  const cases::Model model = prepared_model(c);
+  const cases::Model model = prepared_model(c, threads);
   const std::vector<solver::Mode> modes =
       solver::natural_modes(*solver::build_world(c, model, {}), o.count, o.closed ? solver::DryJoints::closed : solver::DryJoints::open);
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
@@ -112,7 +114,7 @@ int modes(const LoadedCase& loaded, const ModesOptions& o) {
   std::fflush(stdout);
   if (o.no_impulse) return kDone;
   if (c.output.history.empty()) c.output.history = most_moved(model, modes);
-  print_impulse(c, model, modes, o);
+  print_impulse(c, model, modes, o, threads);
   return kDone;
 }
 
@@ -133,9 +135,8 @@ Command add_modes(CLI::App& program) {
   words->add_flag("--quiet", w->o.quiet, "no progress");
   words->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");
   return {.words = words,
-          .work = [w] { return with_case(w->c, [w](const auto& c) { return modes(c, w->o); }); },
-          .threads = &w->c.threads,
-          .takes_long = true};
+          .work = [w] { return with_case(w->c, [w](const auto& c) { return modes(c, w->o, w->c.threads); }); },
+          .threads = &w->c.threads};
 }
 
 }  // namespace voussoir::io

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <omp.h>
-
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -144,6 +142,7 @@ int resume(const ResumeOptions& o) {
   set_end(c, o.until, found.checkpoint.facts.time, there);
 
   solver::Options options;
+  options.threads = o.threads, options.own_pace = true;
   const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
 
   const std::string resolved = resolved_toml(r->value);
@@ -172,7 +171,7 @@ Command add_resume(CLI::App& program) {
   add_views(*words, o->views);
   words->add_flag("--quiet", o->quiet, "no progress");
   words->footer("example: voussoir resume results/flat20n --until 12");
-  return {.words = words, .work = [o] { return resume(*o); }, .threads = &o->threads, .takes_long = true};
+  return {.words = words, .work = [o] { return resume(*o); }, .threads = &o->threads};
 }
 
 }  // namespace voussoir::io

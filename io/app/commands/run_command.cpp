@@ -32,6 +32,7 @@ struct RunOptions {
   std::string folder;  // of the results
   bool reference_kernels = false;
   bool overwrite = false, quiet = false;
+  int threads = 1;  // at most
   CheckpointSchedule checkpoints;
   Views views;  // written at the end
 };
@@ -48,10 +49,11 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
 /// \throw cases::InputError, FileError before anything runs; FileError later if results cannot be written
 int run(const LoadedCase& c, const RunOptions& o) {
   // All faults of the input are found before the folder is changed.
-  const cases::Model model = prepared_model(c.value);
+  const cases::Model model = prepared_model(c.value, o.threads);
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
+  options.threads = o.threads, options.own_pace = true;
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
   print_bounded_ties(sim.world().ties, model);
@@ -92,7 +94,8 @@ struct RunWords {
 
 int run_as_told(RunWords& w) {
   w.run.reference_kernels = w.kernels == "reference";
-  if (w.verify) return with_case(w.c, [&](const auto& c) { return verify(c, w.run.reference_kernels); });
+  if (w.verify) return with_case(w.c, [&](const auto& c) { return verify(c, w.run.reference_kernels, w.c.threads); });
+  w.run.threads = w.c.threads;
   if (w.run.folder.empty()) w.run.folder = "results/" + std::filesystem::path(w.c.name).stem().string();
   return with_case(w.c, [&](const auto& c) { return run(c, w.run); });
 }
@@ -113,7 +116,7 @@ Command add_run(CLI::App& program) {
   words->add_flag("--overwrite", w->run.overwrite, "replace the results that the folder holds");
   words->add_flag("--quiet", w->run.quiet, "no progress");
   words->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
-  return {.words = words, .work = [w] { return run_as_told(*w); }, .threads = &w->c.threads, .takes_long = true};
+  return {.words = words, .work = [w] { return run_as_told(*w); }, .threads = &w->c.threads};
 }
 
 }  // namespace voussoir::io

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/commands/verify_command.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -109,16 +107,14 @@ int compare_runs(const Setting& s, int threads) {
 
 }  // namespace
 
-int verify(const LoadedCase& c, bool reference_kernels) {
-  const cases::Model model = prepared_model(c.value);
+int verify(const LoadedCase& c, bool reference_kernels, int threads) {
+  const cases::Model model = prepared_model(c.value, threads);
   const cases::GroundMotion motion = ground_motion(c.value);
-  // At least two threads, even where one is the default.
-  const int threads = std::max(2, omp_get_max_threads());
   Setting s{c.value, model, motion, {}, 0};
   s.options.reference_kernels = reference_kernels;
   try {
     s.steps = choose_steps(s);
-    return compare_runs(s, threads);
+    return compare_runs(s, std::max(2, threads));  // at least two, even where one is the default
   } catch (const solver::NumericalError& e) {
     std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
     return kNumericalFailure;

@@ -10,6 +10,6 @@ namespace voussoir::io {
 /// Runs a short run (the first half settling, the second shaking) with one thread, with all threads, and with all threads and two stops
 /// with a checkpoint each, and compares the complete states.
 /// \return kDone if all states are equal; kNumericalFailure if not, or after a numerical failure \throw as `run`
-int verify(const LoadedCase& c, bool reference_kernels);
+int verify(const LoadedCase& c, bool reference_kernels, int threads);
 
 }  // namespace voussoir::io

@@ -83,12 +83,12 @@ ShownModel with_faults(const LoadedCase& given, const cases::InputError& e) {
   return s;
 }
 
-ShownModel shown_model(const LoadedCase& given) {
+ShownModel shown_model(const LoadedCase& given, int threads) {
   ShownModel s{given.value, {}, "", {}};
   try {
     load_stones(s.value);
-    fill_own_frequency(s.value);
-    s.model = prepared_model(s.value);
+    fill_own_frequency(s.value, threads);
+    s.model = prepared_model(s.value, threads);
   } catch (const cases::InputError& e) {
     return with_faults(given, e);
   }
@@ -109,12 +109,12 @@ struct ViewWords {
 
 }  // namespace
 
-int view_command(const LoadedCase& c, const ViewOptions& o) {
+int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
   const std::string page = !o.still.empty()   ? o.still
                            : o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html"
                                               : o.output;
   check_output(page, o.overwrite);
-  const ShownModel s = shown_model(c);
+  const ShownModel s = shown_model(c, threads);
   const ScratchFolder scratch;
   {
     ResultsWriter results(scratch.path(), s.model, resolved_toml(anchored(s.value)), history_names(s.value), provenance(1));
@@ -157,7 +157,7 @@ Command add_view(CLI::App& program) {
           .work =
               [w] {
                 return with_case(
-                    w->c, [w](const auto& c) { return view_command(c, w->o); }, true);
+                    w->c, [w](const auto& c) { return view_command(c, w->o, w->c.threads); }, true);
               },
           .threads = &w->c.threads};
 }

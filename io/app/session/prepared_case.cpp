@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/session/prepared_case.h"
 
-#include <omp.h>
-
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,18 +12,16 @@
 
 namespace voussoir::io {
 
-cases::Model build_on_all_threads(const cases::Case& c) { return cases::build_model(c, omp_get_max_threads()); }
-
-cases::Model prepared_model(const cases::Case& c) {
-  cases::Model model = build_on_all_threads(c);
+cases::Model prepared_model(const cases::Case& c, int threads) {
+  cases::Model model = cases::build_model(c, threads);
   load_support_motions(model, c.folder);
   cases::check_followed_points(c, model);
   return model;
 }
 
-void fill_own_frequency(cases::Case& c) {
+void fill_own_frequency(cases::Case& c, int threads) {
   if (!c.damping.own_frequency || c.damping.frequency) return;
-  const cases::Model model = prepared_model(c);
+  const cases::Model model = prepared_model(c, threads);
   solver::MainMode mode = solver::main_modes(c, model)[1];
   // Beams held on walls by friction only have six modes of zero frequency each; in that case their joints count as held by weight.
   const bool held = mode.number == 0;

@@ -9,15 +9,12 @@
 /// Preparation of a case for a command: checks that need the model.
 namespace voussoir::io {
 
-/// cases::build_model on all threads of the program (use_threads).
-cases::Model build_on_all_threads(const cases::Case& c);
-
 /// The model of a case, with the motions of its supports. Refuses followed points outside the model.
-/// \throw cases::InputError, FileError
-cases::Model prepared_model(const cases::Case& c);
+/// \param threads  number of threads that build it \throw cases::InputError, FileError
+cases::Model prepared_model(const cases::Case& c, int threads = 1);
 
 /// Replaces damping.frequency = "auto" by the frequency of the mode with the largest mass in y, to four digits, so that the resolved case
 /// contains it. Reports the mode on standard error. \throw cases::InputError if no mode moves the building along y
-void fill_own_frequency(cases::Case& c);
+void fill_own_frequency(cases::Case& c, int threads);
 
 }  // namespace voussoir::io

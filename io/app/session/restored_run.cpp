@@ -56,7 +56,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->facts = std::move(checkpoint.facts);
   r->value = std::move(value);
   fill_stones(*r);
-  r->model = build_on_all_threads(r->value);
+  r->model = cases::build_model(r->value, options.threads);
   fill_supports(*r);
   options.reference_kernels = r->facts.reference_kernels;
   options.step = r->facts.step;

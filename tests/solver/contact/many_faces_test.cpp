@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +65,6 @@ std::vector<double> depths(const cases::Case& c, int steps) {
 }  // namespace
 
 TEST_CASE("boxes of 6 faces with 476 vertices within their edges meet edge across edge as plain boxes do") {
-  omp_set_num_threads(1);
   const std::vector<double> plain = depths(two_boxes(1), 400), divided = depths(two_boxes(40), 400);
   double deepest = 0.0, worst = 0.0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -85,7 +83,6 @@ TEST_CASE("stones of 510 faces meet, roll off and come to rest, and are never de
   const cases::GroundMotion still;
   solver::Options plain;
   plain.reference_kernels = true;
-  omp_set_num_threads(1);
   solver::Simulation fast(c, m, still, {}), reference(c, m, still, plain);
   double deepest = 0.0, apart = 0.0;
   int together = 0;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
@@ -18,14 +18,14 @@ using namespace voussoir::testing;
 
 namespace {
 
-/// Steps a simulation with a given number of threads, so that two can run side by side.
+/// A simulation with a given number of threads, all of which come to each job, however short.
 struct Run {
   Run(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& g, int threads_, solver::Options o = {})
-      : threads(threads_), sim(c, m, g, o) {}
-  void step(bool ledger) {
+      : threads(threads_), sim(c, m, g, o) {
     sim.set_threads(threads);
-    sim.step({ledger, ledger});
+    sim.world().team.wait_for_all(true);
   }
+  void step(bool ledger) { sim.step({ledger, ledger}); }
   int threads;
   solver::Simulation sim;
 };
@@ -87,6 +87,25 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   CHECK(s.damage().tension > 500);
   CHECK(s.world().contacts.searches > 10);
   CHECK(std::any_of(s.world().patches.patch.begin(), s.world().patches.patch.end(), [](const auto& p) { return p.touching > 0; }));
+}
+
+TEST_CASE("the bits do not depend on threads that come and go, nor on who comes too late") {
+  const cases::Case c = small_wall(4, 8);
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  solver::Options own_pace;
+  own_pace.threads = 3, own_pace.own_pace = true;
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 8, 8}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
+  runs.push_back(std::make_unique<Run>(c, m, g, 3, own_pace));
+  for (std::size_t k = 2; k < runs.size(); ++k) runs[k]->sim.world().team.wait_for_all(false);
+  std::mt19937 random(7);
+  for (int i = 0; i < 1200; ++i) {
+    for (std::size_t k = 1; k < 3; ++k) runs[k]->sim.set_threads(std::uniform_int_distribution<int>(1, 8)(random));
+    step_side_by_side(runs, 2);
+  }
+  CHECK(runs[0]->sim.damage().tension > 300);
+  CHECK(runs[0]->sim.world().contacts.searches > 5);
 }
 
 TEST_CASE("the bits of a wall in a mesh of straps do not depend on the number of threads, while they go slack, yield and break") {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +58,9 @@ Outcome run(const cases::Case& c, std::set<std::int64_t> stops = {}, const std::
   const cases::Model m = cases::build_model(c);
   Outcome result;
   for (std::size_t leg = 0;; ++leg) {
-    omp_set_num_threads(threads[leg % threads.size()]);
-    solver::Simulation sim(c, m, {}, {});
+    solver::Options o;
+    o.threads = threads[leg % threads.size()];
+    solver::Simulation sim(c, m, {}, o);
     solver::RunState plan;
     leg == 0 ? solver::choose_drive(sim, c) : solver::restore(sim, plan, result.state);
     const auto go_on = [&](const solver::RunStatus& s) {

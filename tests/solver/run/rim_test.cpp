@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -48,12 +47,11 @@ TEST_CASE("rim: the bits do not depend on the number of threads, through crackin
   CHECK(std::ranges::all_of(m.assembly.joints, [](const geometry::Joint& j) { return j.merged == (j.element_b != geometry::kBase); }));
   const cases::GroundMotion g = strong_shaking();
   solver::Simulation one(c, m, g, {}), two(c, m, g, {});
+  two.set_threads(2);
   std::ptrdiff_t most_touching = 0;
   for (int i = 0; i < 15000; ++i) {  // 0.55 s
     const bool ledger = i % 50 == 0;
-    omp_set_num_threads(1);
     one.step({ledger, ledger});
-    omp_set_num_threads(2);
     two.step({ledger, ledger});
     if (i % 20 != 0) continue;
     CAPTURE(i);
@@ -71,7 +69,6 @@ TEST_CASE("rim: fast and reference kernels, the same wall until it cracks, then 
   const cases::GroundMotion g = strong_shaking();
   solver::Options plain;
   plain.reference_kernels = true;
-  omp_set_num_threads(1);
   solver::Simulation fast(c, m, g, {}), reference(c, m, g, plain);
   int i = 0;
   for (; fast.damage().tension == 0; ++i) fast.step({}), reference.step({});

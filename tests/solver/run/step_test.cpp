@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +125,6 @@ TEST_CASE("fast and reference kernels: the same wall until it cracks, then the s
   const cases::GroundMotion g = strong_shaking();
   solver::Options plain;
   plain.reference_kernels = true;
-  omp_set_num_threads(1);
   solver::Simulation fast(c, m, g, {}), reference(c, m, g, plain);
   int i = 0;
   for (; fast.damage().tension == 0; ++i) fast.step({}), reference.step({});
@@ -159,7 +157,6 @@ TEST_CASE("internal forces cancel: a floating cluster keeps its momenta to round
   }
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion still;
-  omp_set_num_threads(1);
   solver::Simulation s(c, m, still, {});
   const auto momenta = [&](Vec3& linear, Vec3& angular) {
     linear = angular = {};
@@ -188,7 +185,6 @@ TEST_CASE("the base carries the weight of a wall at rest, at its middle") {
   c.output.history = {{"top", {0.4, 0.05, 0.55}}};
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion still;
-  omp_set_num_threads(1);
   solver::Simulation s(c, m, still, {});
   while (!s.at_rest() && !s.settled_too_long()) s.step({false, s.steps() % 100 == 0});
   CHECK(s.at_rest());
@@ -238,7 +234,6 @@ TEST_CASE("while a structure settles its rotations are damped too, and the ledge
   c.blocks[0].angular_velocity = {0.4, -0.3, 0.9};
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion still;
-  omp_set_num_threads(1);
   solver::Simulation s(c, m, still, {});
   const solver::Elements& e = s.world().elements;
   solver::set_initial_velocities(s.world());  // as it does when the shaking begins
@@ -260,7 +255,6 @@ TEST_CASE("without a ramp, or with rows further apart than it, a structure settl
     c.damping.frequency = 20.0;
     const cases::Model m = cases::build_model(c);
     const cases::GroundMotion still;
-    omp_set_num_threads(1);
     solver::Simulation s(c, m, still, {});
     while (!s.at_rest() && !s.settled_too_long()) s.step({false, s.steps() % 1000 == 0});
     CHECK(s.at_rest());
@@ -280,7 +274,6 @@ TEST_CASE("a support whose history begins away from zero stands there from the f
   h.time = {0.0, 1.0}, h.displacement = {{0.01, 0.0, 0.0}, {0.01, 0.0, 0.0}};
   m.blocks[0].support_motion = 0;
   const cases::GroundMotion still;
-  omp_set_num_threads(1);
   solver::Simulation s(c, m, still, {});
   const solver::Elements& e = s.world().elements;
   for (int i = 0; i < 3; ++i) {

@@ -3,7 +3,6 @@
 #include "solver/schedule/joint_tasks.h"
 
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -49,22 +48,22 @@ void work_for(std::size_t task, int round) {
   for (std::size_t i = 0; i < turns; ++i) sink = sink + 1.0;
 }
 
-/// One round with a team that has `given` of the threads that it was asked for.
-std::vector<Span> one_round(solver::JointTasks& tasks, std::size_t count, int asked, int given, int round) {
+/// One round by the first `come` threads of a team.
+std::vector<Span> one_round(solver::JointTasks& tasks, solver::Team& team, std::size_t count, int come, int round) {
   std::vector<Span> spans(count);
   std::atomic<int> clock{0}, done{0};
-  tasks.begin(asked);
-#pragma omp parallel num_threads(given)
-  {
+  tasks.begin(team);
+  team.run_on_all([&](int thread) {
+    if (thread >= come) return;
     const auto work = [&](std::size_t t, std::span<const std::int32_t>) {
       spans[t].begin = ++clock;
       work_for(t, round);
       spans[t].end = ++clock;
       ++done;
     };
-    tasks.run_own(work);
-    tasks.help(work);
-  }
+    tasks.run_own(thread, work);
+    tasks.help(thread, work);
+  });
   REQUIRE(done == static_cast<int>(count));
   return spans;
 }
@@ -100,9 +99,11 @@ TEST_CASE("joint tasks that share an element follow each other in one order, wit
     CHECK(count > 20);
     CHECK(pairs.size() > count);
     solver::JointTasks tasks(*w);
+    solver::Team team;
     for (int round = 0; round < 600; ++round) {
-      const int asked = std::array{1, 2, 3, 8}[static_cast<std::size_t>(round / 150)];  // borders move, twice
-      const std::vector<Span> spans = one_round(tasks, count, asked, round % 150 >= 140 ? (1 + asked) / 2 : asked, round);
+      team.set_size(std::array{1, 2, 3, 8}[static_cast<std::size_t>(round / 150)]);  // borders move, twice
+      const int come = round % 150 >= 140 ? (1 + team.size()) / 2 : team.size();
+      const std::vector<Span> spans = one_round(tasks, team, count, come, round);
       for (const Span& s : spans) REQUIRE(s.end > 0);
       for (const auto& [a, b] : pairs) REQUIRE(spans[a].end < spans[b].begin);
     }
@@ -120,15 +121,15 @@ TEST_CASE("tasks of an out-of-cache model run along the plan, those at borders o
   };
   const auto order_of = [&](solver::JointTasks& tasks, int threads) {
     std::vector<Order> orders(static_cast<std::size_t>(threads));
-    tasks.begin(threads);
-#pragma omp parallel num_threads(threads)
-    {
-      Order& mine = orders[static_cast<std::size_t>(omp_get_thread_num())];
-      tasks.run_own([&](std::size_t t, std::span<const std::int32_t> ahead) {
+    solver::Team team(threads);
+    tasks.begin(team);
+    team.run_on_all([&](int thread) {
+      Order& mine = orders[static_cast<std::size_t>(thread)];
+      tasks.run_own(thread, [&](std::size_t t, std::span<const std::int32_t> ahead) {
         mine.tasks.push_back(t);
         mine.ahead.emplace_back(ahead.begin(), ahead.end());
       });
-    }
+    });
     return orders;
   };
   const auto colour_changes = [](const solver::World& w, const std::vector<std::size_t>& tasks) {

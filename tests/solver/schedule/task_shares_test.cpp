@@ -3,13 +3,14 @@
 #include "solver/schedule/task_shares.h"
 
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <vector>
 
 using voussoir::solver::TaskShares;
+using voussoir::solver::Team;
 
 namespace {
 
@@ -21,12 +22,14 @@ std::vector<int> own(TaskShares& shares, int thread) {
 
 std::vector<int> helped(TaskShares& shares, int thread) {
   std::vector<int> tasks;
-  shares.help(thread, 8, [&](std::int32_t t) { tasks.push_back(t); });
+  shares.help(thread, Team(8), [&](std::int32_t t) { tasks.push_back(t); });
   return tasks;
 }
 
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 void work_for(double seconds) {
-  for (const double start = omp_get_wtime(); omp_get_wtime() - start < seconds;) continue;
+  for (const double start = now(); now() - start < seconds;) continue;
 }
 
 /// Where the shares of two threads meet after some hundred steps of a hundred tasks, if `step` is one of them.
@@ -75,48 +78,60 @@ TEST_CASE("every task is done once, whatever number of threads asks for it") {
   std::vector<std::atomic<int>> done(1000);
   TaskShares shares(0.1);
   for (const int threads : {1, 2, 5, 16}) {
+    Team team(threads);
     for (int step = 0; step < 200; ++step) {  // borders move
       for (auto& d : done) d = 0;
       shares.begin(threads);
       shares.deal(static_cast<std::int64_t>(done.size()));
-#pragma omp parallel num_threads(threads)
-      {
+      team.run([&](int thread) {
         const auto work = [&](std::int32_t t) { ++done[static_cast<std::size_t>(t)]; };
-        shares.take_own(omp_get_thread_num(), work);
-        shares.help(omp_get_thread_num(), omp_get_num_threads(), work);
-      }
+        shares.take_own(thread, work);
+        shares.help(thread, team, work);
+      });
       for (const auto& d : done) REQUIRE(d == 1);
     }
   }
 }
 
-TEST_CASE("a thread gives others so many times its own time before it helps, but does not wait for those that are done") {
+TEST_CASE("a thread gives others that have come so many times its own time before it helps, but waits for none that is done or absent") {
   constexpr double kOwn = 2e-3;  // s
-  const auto wait = [&](double patience, bool other_is_done) {
+  enum class Other { at_work, done, absent };
+  const auto wait = [&](double patience, Other other) {
     TaskShares shares(patience);
     shares.begin(2);
-    shares.deal(2);
-    if (other_is_done) own(shares, 0);
-    shares.take_own(1, [&](std::int32_t) { work_for(kOwn); });
-    const double start = omp_get_wtime();
-    CHECK(helped(shares, 1).size() == (other_is_done ? 0 : 1));
-    return omp_get_wtime() - start;
+    shares.deal(4);
+    double waited = 0.0;
+    std::size_t tasks = 0;
+    const auto thread_1 = [&] {
+      shares.take_own(1, [&](std::int32_t) { work_for(kOwn); });
+      const double start = now();
+      tasks = helped(shares, 1).size();
+      waited = now() - start;
+    };
+    // Its second task is still to be done while thread 1 looks on.
+    if (other == Other::at_work) shares.take_own(0, [&](std::int32_t task) { task == 0 ? thread_1() : void(); });
+    if (other == Other::done) own(shares, 0), thread_1();
+    if (other == Other::absent) thread_1();
+    CHECK(tasks == (other == Other::done ? 0 : other == Other::absent ? 2 : 1));
+    return waited;
   };
-  CHECK(wait(10.0, false) > 0.99 * 10.0 * kOwn);
-  CHECK(wait(1000.0, true) < 0.5);
-  CHECK(wait(0.0, false) < 0.5);
+  CHECK(wait(10.0, Other::at_work) > 0.99 * 10.0 * 2.0 * kOwn);
+  CHECK(wait(1000.0, Other::done) < 0.5);
+  CHECK(wait(1000.0, Other::absent) < 0.5);
+  CHECK(wait(0.0, Other::at_work) < 0.5);
 }
 
-TEST_CASE("a thread does not wait for one that the system has not given") {
-  TaskShares shares(1000.0);
+TEST_CASE("tasks of another thread are taken one by one, up to the one that is wanted") {
+  TaskShares shares(0.1);
   shares.begin(2);
-  shares.deal(2);
-  shares.take_own(0, [](std::int32_t) { work_for(2e-3); });
-  const double start = omp_get_wtime();
-  int done = 0;
-  shares.help(0, 1, [&](std::int32_t) { ++done; });
-  CHECK(done == 1);
-  CHECK(omp_get_wtime() - start < 0.5);
+  shares.deal(std::vector<std::int32_t>{3, 8});
+  std::vector<int> tasks;
+  const auto take = [&](std::int32_t last) { return shares.take_one(1, last, [&](std::int32_t t) { tasks.push_back(t); }); };
+  CHECK(take(4));
+  CHECK(take(4));
+  CHECK_FALSE(take(4));
+  CHECK(tasks == std::vector<int>{3, 4});
+  CHECK(own(shares, 1) == std::vector<int>{5, 6, 7});
 }
 
 TEST_CASE("a share without a task grows until it has one") {
@@ -142,7 +157,7 @@ TEST_CASE("a share counts as it would be without help") {
   // Thread 0 does its first task; meanwhile the other, with as long tasks of its own, has done all others.
   const double border = border_after(1, [](TaskShares& shares) {
     shares.take_own(1, [](std::int32_t) { work_for(2e-5); });
-    shares.take_own(0, [&](std::int32_t) { shares.help(1, 2, [](std::int32_t) {}), work_for(2e-5); });
+    shares.take_own(0, [&](std::int32_t) { shares.help(1, Team(2), [](std::int32_t) {}), work_for(2e-5); });
   });
   CHECK(std::abs(border - 0.5) < 0.04);
   // It comes too late for any.

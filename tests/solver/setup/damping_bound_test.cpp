@@ -63,11 +63,15 @@ TEST_CASE("the largest dashpots of faces are, bit by bit, those of the plain loo
       const std::vector<solver::FaceClass> classes = random_classes(count, kind);
       const Dashpots expected = plain(classes, 0.7);
       INFO(count << " classes, kind " << static_cast<int>(kind));
-      for (const int threads : {1, 2, 3}) CHECK(solver::worst_dashpots(classes, 0.7, threads) == expected);
+      for (const int threads : {1, 2, 3}) {
+        solver::Team team(threads);
+        CHECK(solver::worst_dashpots(classes, 0.7, team) == expected);
+      }
     }
   }
-  CHECK(solver::worst_dashpots(random_classes(20, Kind::any), 0.0, 1).front() == std::array{0.0, 0.0});
-  CHECK(solver::worst_dashpots({}, 1.0, 2).empty());
+  solver::Team team(2);
+  CHECK(solver::worst_dashpots(random_classes(20, Kind::any), 0.0, team).front() == std::array{0.0, 0.0});
+  CHECK(solver::worst_dashpots({}, 1.0, team).empty());
 }
 
 TEST_CASE("the bounds of damping rates are the same bit by bit, however many threads set up the model") {

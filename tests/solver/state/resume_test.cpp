@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cstring>
@@ -85,7 +84,7 @@ Outcome run_with_stops(const cases::Case& c, std::set<std::int64_t> stops, const
   RowHash out;
   solver::SavedState saved;
   for (std::size_t leg = 0;; ++leg) {
-    omp_set_num_threads(threads[leg % threads.size()]);
+    o.threads = threads[leg % threads.size()];
     solver::Simulation sim(c, m, g, o);
     solver::RunState plan;
     if (leg > 0) solver::restore(sim, plan, saved);

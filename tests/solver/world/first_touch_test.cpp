@@ -3,7 +3,6 @@
 #include "solver/world/first_touch.h"
 
 #include <doctest/doctest.h>
-#include <omp.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -23,15 +22,19 @@ constexpr int kThreads = 3;
 constexpr std::size_t kPages = 3000;
 constexpr std::size_t kPage = 4096;
 
+Team& team() {
+  static Team one(kThreads);
+  return one;
+}
+
 /// How many pages each thread of the team has been given by the system so far.
 std::array<long, kThreads> pages_given() {
   std::array<long, kThreads> given{};
-#pragma omp parallel num_threads(kThreads)
-  {
+  team().run_on_all([&](int thread) {
     rusage use{};
     getrusage(RUSAGE_THREAD, &use);
-    given[static_cast<std::size_t>(omp_get_thread_num())] = use.ru_minflt;
-  }
+    given[static_cast<std::size_t>(thread)] = use.ru_minflt;
+  });
   return given;
 }
 
@@ -58,7 +61,7 @@ Shares touched(std::span<const std::int64_t> borders, std::size_t fresh = kPages
   REQUIRE(memory != MAP_FAILED);
   madvise(memory, kPages * kPage, MADV_NOHUGEPAGE);
   for (std::size_t page = fresh; page < kPages; ++page) static_cast<volatile char*>(memory)[page * kPage] = 0;
-  const Shares s = shares_of([&] { touch_in_shares(memory, kPage, kThreads, borders); });
+  const Shares s = shares_of([&] { touch_in_shares(memory, kPage, team(), borders); });
   munmap(memory, kPages * kPage);
   return s;
 }
@@ -82,17 +85,17 @@ TEST_SUITE("first touch") {
   TEST_CASE("room for an array is touched in shares, and what is in it stays") {
     Array<std::int32_t> v(1000);
     std::iota(v.begin(), v.end(), 0);
-    reserve_in_shares(v, 400'000, kThreads);
+    reserve_in_shares(v, 400'000, team());
     CHECK(v.size() == 1000);
     CHECK(v.capacity() == 600'000);
     bool kept = true;
     for (std::int32_t i = 0; i < 1000; ++i) kept = kept && v[static_cast<std::size_t>(i)] == i;
     CHECK(kept);
     const std::int32_t* before = v.data();
-    reserve_in_shares(v, 600'000, kThreads);
+    reserve_in_shares(v, 600'000, team());
     CHECK(v.data() == before);
     std::vector<double> w(7, 2.0);
-    assign_in_shares(w, 100'000, 1.5, kThreads);
+    assign_in_shares(w, 100'000, 1.5, team());
     CHECK(w.size() == 100'000);
     CHECK(std::accumulate(w.begin(), w.end(), 0.0) == 150'000.0);
   }

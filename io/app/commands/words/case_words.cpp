@@ -73,7 +73,7 @@ int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& u
   try {
     if (!raw_stones) {
       load_stones(c.value);
-      fill_own_frequency(c.value);
+      fill_own_frequency(c.value, w.threads);
     }
     return use(c);
   } catch (const cases::InputError& e) {

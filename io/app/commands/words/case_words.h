@@ -21,7 +21,7 @@ struct CaseWords {
   std::vector<std::string> set;                                // --set key=value
   std::vector<std::string> motion;                             // --motion axis=file
   std::string direction, record, scale, duration, dt, frames;  // short names of keys of the case
-  int threads = 0;                                             // -j; 0: the default of OpenMP
+  int threads = 0;                                             // -j; once the program has begun to work, never 0
 };
 
 /// Adds CASE, --set and -j.

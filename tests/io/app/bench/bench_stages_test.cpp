@@ -3,7 +3,6 @@
 #include "io/app/bench/bench_stages.h"
 
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <array>
 #include <fstream>

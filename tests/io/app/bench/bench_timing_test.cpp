@@ -3,7 +3,6 @@
 #include "io/app/bench/bench_timing.h"
 
 #include <doctest/doctest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +38,7 @@ TEST_CASE("every team is timed as often, and more threads than cores are never q
   const cases::Case c = testing::small_wall(4, 4);
   const cases::Model model = cases::build_model(c);
   solver::Simulation sim(c, model, {}, {});
-  const std::array counts{1, 2, 2 * omp_get_num_procs()};
+  const std::array counts{1, 2, 2 * solver::processors()};
   const int threads_before = sim.threads();
   for (const int steps : {3, 27}) {
     const std::int64_t steps_before = sim.steps();
