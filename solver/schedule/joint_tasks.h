@@ -94,6 +94,7 @@ class JointTasks {
   void wait_for(std::int32_t task, Work& work) {
     const auto t = static_cast<std::size_t>(task);
     const Flag& step = done_[flag_[t]];
+    if (step.load(std::memory_order_acquire) == step_) return;
     BackOff back_off(team_->patience());
     for (int turn = 0; step.load(std::memory_order_acquire) != step_; ++turn) {
       if (turn < kTurns) {

@@ -7,12 +7,7 @@
 
 namespace voussoir::solver {
 
-bool BackOff::spin_or_yield() {
-  if (left_.spins > 0) {
-    --left_.spins;
-    pause_briefly();
-    return true;
-  }
+bool BackOff::yield() {
   if (left_.yields <= 0) return false;
   --left_.yields;
   std::this_thread::yield();

@@ -28,30 +28,36 @@ class BackOff {
  public:
   explicit BackOff(Patience patience = {}) : left_(patience) {}
   /// Waits a little, without sleeping. \return false, at once, if it is time to sleep
-  bool spin_or_yield();
+  bool spin_or_yield() {
+    if (left_.spins <= 0) return yield();
+    --left_.spins;
+    pause_briefly();
+    return true;
+  }
   /// Waits a little, however long it has been: for what nobody announces. Sleeps for a tenth of a millisecond at most.
   void wait();
 
  private:
+  bool yield();
   Patience left_;
 };
 
 /// A counter that threads wait on. What a thread did before it raised a signal is seen by those that have seen the counter grow.
 class Signal {
  public:
-  [[nodiscard]] std::uint32_t value() const { return value_.load(std::memory_order_seq_cst); }
-
   /// Wakes who waits. It costs no call of the system where nobody sleeps.
   void raise();
 
   /// Returns once `done()` holds. Whoever makes it hold raises the signal afterwards.
   template <class Done>
   void wait_until(Done done, Patience patience) {
-    BackOff back_off(patience);
+    for (BackOff back_off(patience); back_off.spin_or_yield();) {
+      if (done()) return;  // without a look at the counter: whoever raises it has its line of memory to itself
+    }
     for (;;) {
-      const std::uint32_t before = value();
+      const std::uint32_t before = value_.load(std::memory_order_seq_cst);
       if (done()) return;
-      if (!back_off.spin_or_yield()) sleep_while(before);
+      sleep_while(before);
     }
   }
 

@@ -90,13 +90,18 @@ void Team::call(int thread) noexcept {
   }
 }
 
-/// \param last_job  the last that this thread has been in
+/// Whether there is a job that is another than this one, done or not.
+bool Team::has_news(std::uint64_t last_job) const {
+  return number_of(door_.load(std::memory_order_seq_cst)) != last_job || ends_.load(std::memory_order_seq_cst);
+}
+
+/// \param last_job  the last that this thread has been in, or come too late for
 bool Team::enter(std::uint64_t& last_job) {
   std::uint64_t door = door_.load(std::memory_order_seq_cst);
   do {
-    if (number_of(door) == last_job || is_shut(door)) return false;
+    last_job = number_of(door);
+    if (is_shut(door)) return false;
   } while (!door_.compare_exchange_weak(door, door + kOne, std::memory_order_seq_cst));
-  last_job = number_of(door);
   return true;
 }
 
@@ -108,16 +113,14 @@ void Team::leave() {
 /// What a hired thread does until the team ends.
 void Team::serve(int thread) {
   place_thread(thread);
-  std::uint32_t known = 0;
+  const auto is_called = [&] { return thread < called_for_.load(std::memory_order_seq_cst) || ends_.load(std::memory_order_seq_cst); };
   std::uint64_t last_job = 0;
   for (;;) {
-    given_.wait_until([&] { return given_.value() != known; }, patience());
-    known = given_.value();
+    given_.wait_until([&] { return has_news(last_job); }, patience());
     // Those that are not called for sleep elsewhere, or each job would wake them.
-    const auto called = [&] { return thread < called_for_.load(std::memory_order_seq_cst) || ends_.load(std::memory_order_seq_cst); };
-    if (!called()) wanted_.wait_until(called, kNoCoreToSpare);
+    if (!is_called()) wanted_.wait_until(is_called, kNoCoreToSpare);
     if (ends_.load(std::memory_order_seq_cst)) return;
-    if (!enter(last_job)) continue;
+    if (!has_news(last_job) || !enter(last_job)) continue;
     // A job that has begun since may call for fewer.
     if (thread < called_for_.load(std::memory_order_relaxed)) {
       if (all_) came_.fetch_add(1, std::memory_order_seq_cst), left_.raise();

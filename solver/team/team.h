@@ -123,6 +123,7 @@ class Team {
   void shut_door(int others);
   void call(int thread) noexcept;
   void serve(int thread);
+  [[nodiscard]] bool has_news(std::uint64_t last_job) const;
   bool enter(std::uint64_t& last_job);
   void leave();
   void hire(int threads);
@@ -131,20 +132,22 @@ class Team {
   // Of the thread that gives jobs; who is in a job may read them.
   int size_ = 1;
   bool all_must_come_ = false;
-  Job job_;
-  bool all_ = false;        // must come to it
   std::uint64_t jobs_ = 0;  // so far
   std::vector<Part> parts_;
   std::vector<std::thread> hired_;  // threads 1, 2, ...
-  std::exception_ptr error_;        // of the call that broke the job
 
-  alignas(128) Signal given_;                        // raised with each job
+  // What threads look at while they spin, and the job behind it, on lines that nothing else is on.
+  alignas(128) std::atomic<std::uint64_t> door_{0};  // number of the job, kShut, how many hired threads are in it
   std::atomic<int> called_for_{1};                   // threads, by the last job
   std::atomic<bool> ends_{false};                    // hired threads are to end
-  alignas(128) std::atomic<std::uint64_t> door_{0};  // number of the job, kShut, how many hired threads are in it
-  std::atomic<int> came_{0};                         // hired threads that have entered it
-  std::atomic<bool> broken_{false};
-  alignas(128) Signal left_;    // raised by the last to leave a job whose door is shut, and by each that enters one in which all must come
+  bool all_ = false;                                 // must come to this job
+  Job job_;
+  std::atomic<int> came_{0};  // hired threads, to a job to which all must come
+
+  alignas(128) std::atomic<bool> broken_{false};
+  std::exception_ptr error_;    // of the call that broke the job
+  alignas(128) Signal given_;   // raised with each job
+  alignas(128) Signal left_;    // raised by the last to leave a job whose door is shut, and by each that comes where all must
   alignas(128) Signal wanted_;  // raised when more threads are called for than by the job before
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/run/simulation.h"
+#include "solver/bench/machine.h"
 #include "tests/solver/small_wall.h"
 
 using namespace voussoir;
