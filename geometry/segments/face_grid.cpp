@@ -12,6 +12,8 @@ namespace voussoir::geometry {
 
 namespace {
 
+constexpr double kEqualAreas = 1e-9;  // relative: pieces that differ by less are as large
+
 /// Grid line before column (or row) i of n, on the raster of the corners, so that an edge on a line is on it exactly. The outermost cells
 /// are unbounded, so parts that stick out by round-off are not lost.
 double line(std::int32_t i, std::int32_t n, double step, double quantum) {
@@ -158,25 +160,37 @@ void merge_small(const FaceGrid& g, std::vector<Piece>& pieces) {
   const auto is_small = [&](const Piece& p) { return p.area < least; };
   if (std::none_of(pieces.begin(), pieces.end(), is_small)) return;
 
-  const auto find = [&](std::int32_t column, std::int32_t row) -> Piece* {
-    if (column < 0 || column >= g.columns || row < 0 || row >= g.rows) return nullptr;
+  // Neighbours are compared as they were cut, and of equal ones the nearest has the piece: what has been added before decides nothing, so a
+  // row of slivers goes to the cells beside it one by one, in whichever order cells are numbered.
+  const std::vector<Piece> as_cut = pieces;
+  const auto find = [&](std::int32_t column, std::int32_t row) -> std::ptrdiff_t {
+    if (column < 0 || column >= g.columns || row < 0 || row >= g.rows) return -1;
     const std::int32_t cell = row * g.columns + column;
     const auto at = std::lower_bound(pieces.begin(), pieces.end(), cell, [](const Piece& p, std::int32_t c) { return p.cell < c; });
-    return at != pieces.end() && at->cell == cell && at->area > 0.0 ? &*at : nullptr;
+    return at != pieces.end() && at->cell == cell && at->area > 0.0 ? at - pieces.begin() : -1;
   };
-  for (Piece& piece : pieces) {
-    if (!is_small(piece)) continue;
-    const std::int32_t column = piece.cell % g.columns, row = piece.cell / g.columns;
-    Piece* largest = nullptr;
+  const auto distance2 = [](const Piece& a, const Piece& b) {
+    const double s = a.centroid.s - b.centroid.s, t = a.centroid.t - b.centroid.t;
+    return s * s + t * t;
+  };
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!is_small(pieces[i])) continue;
+    const std::int32_t column = pieces[i].cell % g.columns, row = pieces[i].cell / g.columns;
+    std::ptrdiff_t best = -1;
     for (std::int32_t k = 0; k < 9; ++k) {
-      Piece* other = find(column + k % 3 - 1, row + k / 3 - 1);
-      if (other != nullptr && other != &piece && (largest == nullptr || other->area > largest->area)) largest = other;
+      const std::ptrdiff_t other = find(column + k % 3 - 1, row + k / 3 - 1);
+      if (other < 0 || other == static_cast<std::ptrdiff_t>(i)) continue;
+      const auto at = [&](std::ptrdiff_t n) -> const Piece& { return as_cut[static_cast<std::size_t>(n)]; };
+      const bool larger = best < 0 || at(other).area > (1.0 + kEqualAreas) * at(best).area;
+      const bool alike = !larger && at(other).area >= (1.0 - kEqualAreas) * at(best).area;
+      if (larger || (alike && distance2(at(other), as_cut[i]) < distance2(at(best), as_cut[i]))) best = other;
     }
-    if (largest == nullptr) continue;
-    const double sum = largest->area + piece.area, share = piece.area / sum;
-    largest->centroid.s += share * (piece.centroid.s - largest->centroid.s);
-    largest->centroid.t += share * (piece.centroid.t - largest->centroid.t);
-    largest->area = sum;
+    if (best < 0) continue;
+    Piece &piece = pieces[i], &largest = pieces[static_cast<std::size_t>(best)];
+    const double sum = largest.area + piece.area, share = piece.area / sum;
+    largest.centroid.s += share * (piece.centroid.s - largest.centroid.s);
+    largest.centroid.t += share * (piece.centroid.t - largest.centroid.t);
+    largest.area = sum;
     piece.area = 0.0;
   }
   std::erase_if(pieces, [](const Piece& p) { return p.area == 0.0; });

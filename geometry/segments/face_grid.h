@@ -56,7 +56,7 @@ class Cutter {
   Polygon strip_, piece_, scratch_;
 };
 
-/// Adds every piece under 1 % of a cell to its largest neighbour (of eight); a piece without a neighbour stays.
+/// Adds every piece under 1 % of a cell to its largest neighbour (of eight; of equal ones the nearest); a piece without a neighbour stays.
 void merge_small(const FaceGrid& grid, std::vector<Piece>& pieces);
 
 /// Share of a cell below which a piece is not made a segment.

@@ -212,6 +212,19 @@ TEST_SUITE("face_grid") {
     CHECK(alone.size() == 1);
   }
 
+  TEST_CASE("slivers beside a row of equal cells go to the cell beside each, whichever end the row begins at") {
+    const FaceGrid g = make_face_grid(make_box({0, 0, 0}, {0.4, 0.3, 0.1}), 5, 0.1);
+    std::vector<Piece> pieces = cut(g, {{0.0995, 0}, {0.4, 0}, {0.4, 0.3}, {0.0995, 0.3}});
+    REQUIRE(pieces.size() == 12);
+    merge_small(g, pieces);
+    REQUIRE(pieces.size() == 9);
+    for (const Piece& p : pieces) {
+      const std::int32_t column = p.cell % 4, row = p.cell / 4;
+      CHECK(p.area == relative(column == 1 ? 0.1005 * 0.1 : 0.01, 1e-10));
+      CHECK(near(p.centroid.t, (row + 0.5) * 0.1, 1e-12));
+    }
+  }
+
   TEST_CASE("too many cells are refused") {
     const Polyhedron p = make_box({0, 0, 0}, {10, 10, 1});
     const Complaint c = complaint([&] { make_face_grid(p, 5, 1e-4, 3); });
