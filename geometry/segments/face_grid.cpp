@@ -160,26 +160,27 @@ void merge_small(const FaceGrid& g, std::vector<Piece>& pieces) {
   const auto is_small = [&](const Piece& p) { return p.area < least; };
   if (std::none_of(pieces.begin(), pieces.end(), is_small)) return;
 
-  // Neighbours are compared as they were cut, and of equal ones the nearest has the piece: what has been added before decides nothing, so a
-  // row of slivers goes to the cells beside it one by one, in whichever order cells are numbered.
+  // Neighbours are looked at as they were cut, and of equal ones the nearest has the piece: what has been added before decides nothing, so
+  // a row of slivers goes to the cells beside it one by one, in whichever order cells are numbered. A strip of slivers alone stays as it
+  // is.
   const std::vector<Piece> as_cut = pieces;
   const auto find = [&](std::int32_t column, std::int32_t row) -> std::ptrdiff_t {
     if (column < 0 || column >= g.columns || row < 0 || row >= g.rows) return -1;
     const std::int32_t cell = row * g.columns + column;
-    const auto at = std::lower_bound(pieces.begin(), pieces.end(), cell, [](const Piece& p, std::int32_t c) { return p.cell < c; });
-    return at != pieces.end() && at->cell == cell && at->area > 0.0 ? at - pieces.begin() : -1;
+    const auto at = std::lower_bound(as_cut.begin(), as_cut.end(), cell, [](const Piece& p, std::int32_t c) { return p.cell < c; });
+    return at != as_cut.end() && at->cell == cell && !is_small(*at) ? at - as_cut.begin() : -1;
   };
   const auto distance2 = [](const Piece& a, const Piece& b) {
     const double s = a.centroid.s - b.centroid.s, t = a.centroid.t - b.centroid.t;
     return s * s + t * t;
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (!is_small(pieces[i])) continue;
-    const std::int32_t column = pieces[i].cell % g.columns, row = pieces[i].cell / g.columns;
+    if (!is_small(as_cut[i])) continue;
+    const std::int32_t column = as_cut[i].cell % g.columns, row = as_cut[i].cell / g.columns;
     std::ptrdiff_t best = -1;
     for (std::int32_t k = 0; k < 9; ++k) {
       const std::ptrdiff_t other = find(column + k % 3 - 1, row + k / 3 - 1);
-      if (other < 0 || other == static_cast<std::ptrdiff_t>(i)) continue;
+      if (other < 0) continue;
       const auto at = [&](std::ptrdiff_t n) -> const Piece& { return as_cut[static_cast<std::size_t>(n)]; };
       const bool larger = best < 0 || at(other).area > (1.0 + kEqualAreas) * at(best).area;
       const bool alike = !larger && at(other).area >= (1.0 - kEqualAreas) * at(best).area;

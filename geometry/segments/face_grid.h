@@ -56,7 +56,8 @@ class Cutter {
   Polygon strip_, piece_, scratch_;
 };
 
-/// Adds every piece under 1 % of a cell to its largest neighbour (of eight; of equal ones the nearest); a piece without a neighbour stays.
+/// Adds every piece under 1 % of a cell to the largest of its eight neighbours that are no such pieces, of equal ones to the nearest.
+/// Without any it stays.
 void merge_small(const FaceGrid& grid, std::vector<Piece>& pieces);
 
 /// Share of a cell below which a piece is not made a segment.

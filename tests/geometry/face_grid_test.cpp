@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "fixtures.h"
 #include "geometry/polygon.h"
 
@@ -162,7 +165,14 @@ TEST_SUITE("face_grid") {
       merge_small(g, merged);
       CHECK(area_of(merged) == relative(r.area, 1e-10));
       CHECK(near(centroid_of(merged).s, r.centroid.s, 1e-12));
-      for (const Piece& p : merged) CHECK((p.area >= kSmallPiece * g.cell_area() || merged.size() == 1));
+      const auto has_neighbour = [&](const Piece& p) {  // that is no sliver
+        return std::ranges::any_of(merged, [&](const Piece& q) {
+          const bool beside =
+              std::abs(q.cell % g.columns - p.cell % g.columns) < 2 && std::abs(q.cell / g.columns - p.cell / g.columns) < 2;
+          return beside && q.area >= kSmallPiece * g.cell_area();
+        });
+      };
+      for (const Piece& p : merged) CHECK((p.area >= kSmallPiece * g.cell_area() || !has_neighbour(p)));
     }
   }
 
@@ -223,6 +233,14 @@ TEST_SUITE("face_grid") {
       CHECK(p.area == relative(column == 1 ? 0.1005 * 0.1 : 0.01, 1e-10));
       CHECK(near(p.centroid.t, (row + 0.5) * 0.1, 1e-12));
     }
+  }
+
+  TEST_CASE("a strip that is a sliver all along keeps its pieces") {
+    const FaceGrid g = make_face_grid(make_box({0, 0, 0}, {0.4, 0.3, 0.1}), 5, 0.1);
+    std::vector<Piece> pieces = cut(g, {{0.13, 0}, {0.1304, 0}, {0.1304, 0.3}, {0.13, 0.3}});
+    merge_small(g, pieces);
+    REQUIRE(pieces.size() == 3);
+    for (const Piece& p : pieces) CHECK(p.area == relative(0.0004 * 0.1, 1e-10));
   }
 
   TEST_CASE("too many cells are refused") {
