@@ -195,7 +195,8 @@ void append_difference(const Polygon& a, const Polygon& b, std::vector<Polygon>&
     return;
   }
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const Point2 p = b[i], n = outward(p, b[(i + 1) % b.size()]);
+    const Point2 p = b[i], next = b[(i + 1) % b.size()], n = outward(p, next);
+    if (length(next - p) <= kSame) continue;  // between corners that coincide there is no edge: all would lie beyond it
     const double offset = n.s * p.s + n.t * p.t;
     Polygon beyond = rest;
     clip(beyond, {-n.s, -n.t}, -offset, scratch);

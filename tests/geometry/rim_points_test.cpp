@@ -187,6 +187,16 @@ TEST_SUITE("rim points") {
     }
   }
 
+  TEST_CASE("a polygon with a corner twice takes away what it covers, and no part is there twice") {
+    const Polygon a = to_polygon({{0.0, 0.0}, {0.2, 0.1}});
+    const Polygon b{{0.1, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {0.2, 0.1}, {0.1, 0.1}, {0.1, 0.1 - 1e-13}};
+    std::vector<Polygon> parts;
+    append_difference(a, b, parts);
+    double sum = 0.0;
+    for (const Polygon& p : parts) sum += region(p).area;
+    CHECK(sum == relative(0.01, 1e-10));
+  }
+
   TEST_CASE("edges moved in; of a strip too narrow for it, half is left") {
     const Polygon in = moved_in(to_polygon({{0.0, 0.0}, {0.2, 0.1}}), 0.01);
     const Rectangle box = bounds(in);
