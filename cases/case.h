@@ -253,6 +253,9 @@ struct Case {
   std::vector<Tie> ties;    // key: tie
   std::optional<Base> base;
   std::string folder;  // folder of the case file; relative paths in the case start here (not a key)
+  /// Not a key: the point of the file's axes [m] that all coordinates here are relative to; none: not chosen, they are those of the file
+  /// (cases/solids/origin.h).
+  std::optional<Vec3> origin;
 
   /// Time of shaking, or of a quasi-static analysis, at which the run ends at the latest [s].
   [[nodiscard]] double end() const noexcept { return is_assessment(analysis) ? analysis.longest : time.duration; }

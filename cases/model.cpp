@@ -16,6 +16,7 @@
 #include "cases/scatter.h"
 #include "cases/solids/ground.h"
 #include "cases/solids/halves.h"
+#include "cases/solids/origin.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
 
@@ -109,7 +110,8 @@ std::string what_to_do(const geometry::ModelError& error) {
   const int later = std::max(error.subject(), error.other());
   const bool of_file =
       later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
-  throw InputError(key_of(model, later), with_names(model, error) + (of_file ? what_to_do(error) : ""));
+  throw InputError(key_of(model, later),
+                   with_names(model, error) + (of_file ? what_to_do(error) : "") + origin_note(model.origin, error.what()));
 }
 
 /// Approximate number of segments on the faces of a block: that of its bounding box.
@@ -164,6 +166,7 @@ namespace {
 /// The model with materials, laws and blocks, not yet assembled.
 Model model_of_blocks(const Case& c) {
   Model model;
+  model.origin = c.origin.value_or(Vec3{});
   name_materials_and_laws(c, model);
   if (!c.house && c.blocks.empty() && c.stones.empty())
     throw InputError("", "describes nothing to simulate; give [house], [[block]] or [[stones]], or some of them");

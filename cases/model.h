@@ -100,6 +100,7 @@ struct TieBill {
 };
 
 struct Model {
+  Vec3 origin;  // m, in the axes of the case file: all coordinates of the model are relative to it (Case::origin)
   std::vector<Block> blocks;
   std::vector<NamedMaterial> materials;
   std::vector<NamedLaw> laws;                   // laws[0] is "dry"

@@ -35,6 +35,9 @@ struct End {
   Vec3 inwards;  // unit vector towards the other end
 };
 
+/// A place, in the axes of the file.
+std::string place_text(const Model& model, Vec3 p) { return point_text(model.origin + p); }
+
 [[noreturn]] void refuse_point(const Case& c, const Model& model, const End& end) {
   double least = kNever;
   std::size_t nearest = 0;
@@ -42,8 +45,8 @@ struct End {
     const double d = distance_outside(model.assembly, i, end.point);
     if (d < least) least = d, nearest = i;
   }
-  const std::string base = c.base ? ", nor on the base (z = " + text(c.base->z) + " m)" : "";
-  throw InputError(end.key, point_text(end.point) + " m lies in no element" + base + "; the nearest, " +
+  const std::string base = c.base ? ", nor on the base (z = " + text(model.origin.z + c.base->z) + " m)" : "";
+  throw InputError(end.key, place_text(model, end.point) + " m lies in no element" + base + "; the nearest, " +
                                 describe(model.blocks[nearest], nearest) + ", is " + text(std::round(least * 1e3) / 1e3) + " m away");
 }
 
@@ -115,12 +118,13 @@ std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std
     }
   }
   if (holds.empty())
-    throw InputError(end.key,
-                     point_text(end.point) + " m lies on no face that looks away from the other end, so its plate has nothing to press on");
+    throw InputError(end.key, place_text(model, end.point) +
+                                  " m lies on no face that looks away from the other end, so its plate has nothing to press on");
   for (TieHold& h : holds) h.share /= area;
   if (area < kCovered * plate[0] * plate[1])
     throw InputError(end.key, "only " + text(std::round(100.0 * area / (plate[0] * plate[1]))) + " % of the plate at " +
-                                  point_text(end.point) + " m lies on faces of the model; wanted " + text(100.0 * kCovered) + " % or more");
+                                  place_text(model, end.point) + " m lies on faces of the model; wanted " + text(100.0 * kCovered) +
+                                  " % or more");
   return holds;
 }
 
@@ -224,7 +228,7 @@ void add_deck(const PlannedDeck& planned, const std::string& name, std::size_t n
     tie.name = bill.name + " " + std::to_string(++bill.ties);
     for (std::size_t k = 0; k < 2; ++k) {
       const std::int32_t element = element_at(model, bar.ends[k]);
-      if (element < 0) throw std::logic_error("a bar of the " + name + " ends at " + point_text(bar.ends[k]) + " m, in no element");
+      if (element < 0) throw std::logic_error("a bar of the " + name + " ends at " + place_text(model, bar.ends[k]) + " m, in no element");
       tie.ends[k] = {{element, 1.0, bar.ends[k]}};
     }
     tie.length = norm(bar.ends[1] - bar.ends[0]);

@@ -52,13 +52,13 @@ class Expected:
         start = read("/model/element/position0", "<f8").reshape(-1, 3)
         vertex = read("/model/vertex", "<f8").reshape(-1, 3)
         n, frames = len(start), len(self.times)
-        position = last_row("/frames/position", frames, n, 3)
+        moved = last_row("/frames/displacement", frames, n, 3)
         self.broken = last_row("/frames/broken", frames, n)[self.element]
-        self.displacement = (position - start)[self.element]
+        self.displacement = moved[self.element]
         first = read("/model/element/first_vertex", "<i4")
         owner = np.repeat(np.arange(n), np.diff(np.append(first, len(vertex))))
         q = last_row("/frames/quaternion", frames, n, 4)
-        self.points = position[owner] + turned(q[owner], vertex - start[owner])
+        self.points = (start + moved)[owner] + turned(q[owner], vertex - start[owner])
 
 
 def check(reader, expected):

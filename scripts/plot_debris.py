@@ -17,7 +17,7 @@ from matplotlib.patches import Rectangle
 
 import run_file
 from render import FACES
-from voussoir.results import rotation_matrices
+from voussoir.results import displacement_of, rotation_matrices
 
 STANDS, MASONRY, ROOF = "#d9d9d9", "#c08a3e", "#8a5f38"
 ROOF_TAGS = ("roof beam", "vault ring", "lintel", "column")  # and "left ring beam", ...
@@ -31,7 +31,8 @@ class Plan:
         times = run_file.frame_times(file)
         frame = len(times) - 1 if time is None else int(np.argmin(abs(times - time)))
         self.title = f"{run.label}, {times[frame]:.2f} s"
-        self.start, self.now = file["model/element/position0"][:], file["frames/position"][frame].astype(float)
+        self.start = file["model/element/position0"][:]
+        self.now = self.start + displacement_of(file, frame)
         sunk = self.start[:, 2] - self.now[:, 2]
         height = self.start[:, 2] - run.base()
         fallen = sunk > np.where(height > 0.0, np.minimum(0.5 * height, 1.0), 1.0)  # as solver/run/collapse.h has it

@@ -14,7 +14,7 @@ from matplotlib.collections import PolyCollection
 
 import run_file
 from run_file import plt
-from voussoir.results import rotation_matrices
+from voussoir.results import displacement_of, rotation_matrices
 
 # Faces of VTK's tetrahedron (10), hexahedron (12) and wedge (13), outward.
 FACES = {
@@ -29,7 +29,7 @@ class Run:
     def __init__(self, folder):
         f = run_file.open_results(folder)
         self.time = run_file.frame_times(f)
-        self.frames = f["frames"]
+        self.file, self.frames = f, f["frames"]
         self.reference = f["model/vertex"][:]
         self.cells, self.kinds = f["model/cells"][:], f["model/cell_type"][:]
         self.element = f["model/cell_element"][:]
@@ -38,9 +38,13 @@ class Run:
         names = [n.decode() for n in f["model/material/name"][:]]
         self.wood = np.array(["wood" in n for n in names])[material]
 
+    def position(self, frame):
+        """Of all centroids in a frame, m, relative to the run's origin."""
+        return self.start + displacement_of(self.file, frame)
+
     def polygons(self, frame):
         """Corners of all faces (list of k×3), colour of each."""
-        x, q = self.frames["position"][frame], self.frames["quaternion"][frame]
+        x, q = self.position(frame), self.frames["quaternion"][frame]
         broken = self.frames["broken"][frame]
         turn = rotation_matrices(q)
         polygons, colours = [], []
@@ -103,8 +107,8 @@ def main():
     figure, grid = plt.subplots(rows, columns, figsize=(5.0 * columns, 3.3 * rows), squeeze=False)
     for axes in grid.flat:
         axes.set_axis_off()
-    first = run.frames["position"][0] @ axis.T
-    everything = np.concatenate([run.frames["position"][int(np.argmin(abs(run.time - t)))] for t in times]) @ axis.T
+    first = run.position(0) @ axis.T
+    everything = np.concatenate([run.position(int(np.argmin(abs(run.time - t)))) for t in times]) @ axis.T
     for axes, t in zip(grid.flat, times):
         draw(axes, run, int(np.argmin(abs(run.time - t))), axis)
         axes.set_xlim(*window(everything[:, 0], first[:, 0]))

@@ -61,8 +61,8 @@ class Run(voussoir.Run):
             self.file  # now, so that a wrong name is told before anything is drawn
 
     def base(self):
-        """Height of the base, m; 0 without one."""
-        return float(self.case.get("base", {}).get("z", 0.0))
+        """Height of the base, m, relative to the run's origin; 0 without one."""
+        return float(self.case["base"].get("z", 0.0) - self.origin[2]) if "base" in self.case else 0.0
 
 
 def parser(documentation, output, over_time=False):

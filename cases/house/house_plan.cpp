@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTicksPerMetre = 1e9;
 constexpr double kLongest = 1e4;       // m; far above any house, far below the overflow of a Tick
+constexpr double kFarOff = 1e7;        // m, from the origin of the axes: as kFarthest of cases/solids/origin.h
 constexpr double kMostElements = 2e7;  // limit, so that a mistyped brick size does not exhaust the memory
 
 /// Refuses a brick format in which two widths and the joint between them are not one length.
@@ -165,8 +166,8 @@ void plan_copies(const House& house, HousePlan& plan) {
   plan.quarter_turns = ((static_cast<int>(quarters) % 4) + 4) % 4;
   double count = 1.0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (!std::isfinite(house.origin[axis]) || std::abs(house.origin[axis]) > 1e6) {
-      throw InputError("house.origin", text(house.origin[axis]) + " m is out of range; allowed: -1e6 to 1e6");
+    if (!std::isfinite(house.origin[axis]) || std::abs(house.origin[axis]) > kFarOff) {
+      throw InputError("house.origin", text(house.origin[axis]) + " m is out of range; allowed: -1e7 to 1e7");
     }
     if (house.copies[axis] < 1) throw InputError("house.copies", std::to_string(house.copies[axis]) + " copies; at least 1");
     count *= house.copies[axis];

@@ -7,12 +7,12 @@
 
 #include "cases/blocks.h"
 #include "cases/names.h"
+#include "cases/solids/origin.h"
 
 namespace voussoir::cases {
 namespace {
 
 constexpr double kStiffer = 1e3;    // ratio to the stiffest material: makes ground rigid for anything that falls on it
-constexpr double kFarthest = 1e6;   // m, greatest coordinate
 constexpr double kRoundOff = 1e-9;  // m
 
 std::string key_of(std::size_t part, const char* field = "") { return indexed_key("base.part", part, field); }
@@ -74,6 +74,15 @@ Rectangle under_wall(const House& house, std::size_t index, const BasePart& part
   return s.along_x ? Rectangle{along, s.across} : Rectangle{s.across, along};
 }
 
+/// A rectangle in axes of the case as it stands in the case file.
+Rectangle in_file(const Case& c, Rectangle r) {
+  const Vec3 origin = c.origin.value_or(Vec3{});
+  for (double& v : r.x) v += origin.x;
+  for (double& v : r.y) v += origin.y;
+  return r;
+}
+
+/// \param r  as it stands in the case file
 void check_rectangle(std::size_t index, const Rectangle& r) {
   for (const auto& [name, side] : {std::pair{"x", r.x}, std::pair{"y", r.y}}) {
     if (!(std::abs(side[0]) <= kFarthest && std::abs(side[1]) <= kFarthest && side[0] < side[1]))
@@ -94,22 +103,23 @@ Rectangle place_of(const Case& c, std::size_t index) {
   if (rectangle) {
     if (!part.x || !part.y) throw InputError(key_of(index, part.x ? "y" : "x"), "is missing; a rectangle needs both");
     if (part.from || part.to) throw InputError(key_of(index, part.from ? "from" : "to"), "goes with wall; x and y say where the part ends");
-    check_rectangle(index, {*part.x, *part.y});
+    check_rectangle(index, in_file(c, {*part.x, *part.y}));
     return {*part.x, *part.y};
   }
   if (!c.house) throw InputError(key_of(index, "wall"), quoted(part.wall) + ", but the case has no [house]; give x and y");
   return turned(*c.house, under_wall(*c.house, index, part), 1);
 }
 
-void check_apart(const std::vector<Rectangle>& all) {
+void check_apart(const Case& c, const std::vector<Rectangle>& all) {
   const auto overlap = [](std::array<double, 2> a, std::array<double, 2> b) {
     return std::min(a[1], b[1]) - std::max(a[0], b[0]) > kRoundOff;
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(all[i].x, all[j].x) && overlap(all[i].y, all[j].y))
-        throw InputError(key_of(i), "x " + from_to(all[i].x) + ", y " + from_to(all[i].y) + " overlaps " + key_of(j) + ", x " +
-                                        from_to(all[j].x) + ", y " + from_to(all[j].y));
+      if (!overlap(all[i].x, all[j].x) || !overlap(all[i].y, all[j].y)) continue;
+      const Rectangle a = in_file(c, all[i]), b = in_file(c, all[j]);
+      throw InputError(key_of(i), "x " + from_to(a.x) + ", y " + from_to(a.y) + " overlaps " + key_of(j) + ", x " + from_to(b.x) + ", y " +
+                                      from_to(b.y));
     }
   }
 }
@@ -125,7 +135,7 @@ std::vector<Rectangle> places_of(const Case& c) {
       throw InputError(key_of(i, "motion"), "give exactly one of: velocity, file");
     all.push_back(place_of(c, i));
   }
-  check_apart(all);
+  check_apart(c, all);
   return all;
 }
 

@@ -17,12 +17,18 @@ const pictures = others[0] ?? mkdtempSync(join(tmpdir(), "report-"));
 const scratch = mkdtempSync(join(tmpdir(), "report-"));
 const faults = [];
 
-/** Positions of a frame as the run has them, float32. */
-function frameOf(frame, elements) {
+/** Numbers of a dataset of the run, as an array of the kind. */
+function numbers(kind, dataset, ...rows) {
   const out = join(scratch, "frame");
-  execFileSync("h5dump", ["-d", "/frames/position", "-s", `${frame},0,0`, "-c", `1,${elements},3`, "-b", "LE", "-o", out, run_file]);
+  execFileSync("h5dump", ["-d", dataset, ...rows, "-b", "LE", "-o", out, run_file]);
   const bytes = readFileSync(out);
-  return new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+  return new kind(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+}
+
+/** Positions in a frame, relative to the run's origin, as those of the page are. */
+function frameOf(frame, elements) {
+  const start = numbers(Float64Array, "/model/element/position0");
+  return numbers(Float32Array, "/frames/displacement", "-s", `${frame},0,0`, "-c", `1,${elements},3`).map((u, i) => u + start[i]);
 }
 
 const browser = await chromium.launch({

@@ -31,7 +31,7 @@ def picture(folder, width):
     if not path.exists() or path.stat().st_mtime < (folder / "run.h5").stat().st_mtime:
         run = render.Run(str(folder))
         axis = render.view(AZIMUTH, ELEVATION)
-        first = run.frames["position"][0] @ axis.T
+        first = run.position(0) @ axis.T
         low, high = first.min(axis=0) - ASIDE, first.max(axis=0) + ASIDE
         size = high - low
         figure = plt.figure(figsize=(width / 100, width / 100 * size[1] / size[0]))

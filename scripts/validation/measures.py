@@ -127,8 +127,8 @@ class RunOfWall:
     def frame(self, index):
         """Displaced corners of all faces that look at the front, with the number of the element."""
         m = self.file["model"]
-        position, q = self.file["frames/position"][index], self.file["frames/quaternion"][index]
-        x0 = m["element/position0"][:]
+        q, x0 = self.file["frames/quaternion"][index], m["element/position0"][:]
+        position = x0 + results.displacement_of(self.file, index)
         vertex, first, corners = m["vertex"][:], m["face/first_corner"][:], m["face/corners"][:]
         element, normal = m["face/element"][:], m["face/normal"][:]
         ends = np.append(first[1:], len(corners))
@@ -143,7 +143,7 @@ class RunOfWall:
         """Share of the top's displacement in a frame due to sliding of courses over each other; the rest is due to their rotation."""
         m = self.file["model"]
         x0 = m["element/position0"][:]
-        position, q = self.file["frames/position"][index], self.file["frames/quaternion"][index]
+        position, q = x0 + results.displacement_of(self.file, index), self.file["frames/quaternion"][index]
         turn = 2.0 * np.arctan2(q[:, 2], q[:, 0])
         levels = np.unique(np.round(x0[:, 2], 6))
         step = self.wall.height / round(self.wall.height / self.wall.unit[1])

@@ -8,6 +8,8 @@ matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "voussoir", 
 import matplotlib.pyplot as plt
 import numpy as np
 
+from measures import results
+
 MEASURED = ["#7a7a7a", "#b0a08a", "#8aa0b0", "#a0b08a"]
 COMPUTED = "#c1272d"
 
@@ -45,7 +47,7 @@ def curves(path, wall, measured, computed, levels, peaks):
 def wall_as_it_stands(path, run, index, factor):
     """The front of the wall in a frame, with displacements enlarged by a factor."""
     x0 = run.file["model/element/position0"][:]
-    position = run.file["frames/position"][index]
+    position = x0 + results.displacement_of(run.file, index)
     figure, axes = plt.subplots(figsize=(3.2, 3.2 * min(2.0, 1.15 * run.wall.height / run.wall.length)), layout="constrained")
     for element, corners in run.frame(index):
         shift = (factor - 1.0) * (position[element] - x0[element])

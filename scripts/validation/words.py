@@ -147,7 +147,7 @@ class Compared:
         frames = self.run.rows_of("frames")
         x0 = self.run.file["model/element/position0"][:]
         beam = int(np.argmax(x0[:, 2]))
-        tops = np.abs(self.run.file["frames/position"][:frames, beam, 0] - x0[beam, 0])
+        tops = np.abs(measures.results.displacement_of(self.run.file, slice(frames))[:, beam, 0])
         self.frame = int(np.argmax(tops))
         return self.run.slip_share(self.frame)
 

@@ -96,10 +96,11 @@ struct CrackRow {
   double first_time = 0;                                 // s, when it reached that limit
 };
 
-/// A snapshot of all n elements: centroid position (n×3, m), orientation (n×4: w, x, y, z), broken fraction of the element's bonds (n).
+/// A snapshot of all n elements: displacement of the centroid from the start (n×3, m), orientation (n×4: w, x, y, z), broken
+/// fraction of the element's bonds (n).
 struct FrameView {
   double time = 0;  // s
-  std::span<const float> position, quaternion, broken;
+  std::span<const float> displacement, quaternion, broken;
 };
 
 /// Damage by the building's own weight: segment sides as in DamageRow, at the start of the shaking or so far.

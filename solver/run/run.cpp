@@ -40,18 +40,17 @@ class Reporter {
     const World& w = sim_.world();
     const Elements& e = w.elements;
     const auto n = static_cast<std::size_t>(e.count);
-    position_.resize(3 * n), quaternion_.resize(4 * n), broken_.resize(n);
+    displacement_.resize(3 * n), quaternion_.resize(4 * n), broken_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const auto put = [i](std::vector<float>& to, std::initializer_list<double> v) {
         std::size_t k = v.size() * i;
         for (const double x : v) to[k++] = static_cast<float>(x);
       };
-      const Vec3 x = e.body[i].ref + Vec3{e.ux[i], e.uy[i], e.uz[i]};
-      put(position_, {x.x, x.y, x.z});
+      put(displacement_, {e.ux[i], e.uy[i], e.uz[i]});
       put(quaternion_, {e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
       broken_[i] = e.bonds_at_start[i] > 0 ? 1.0F - static_cast<float>(e.bonds[i]) / static_cast<float>(e.bonds_at_start[i]) : 0.0F;
     }
-    out_.frame({sim_.time(), position_, quaternion_, broken_});
+    out_.frame({sim_.time(), displacement_, quaternion_, broken_});
   }
 
   void samples(double time) {
@@ -94,7 +93,7 @@ class Reporter {
   Recorder& out_;
   std::vector<TieSample> ties_;
   std::vector<CrackRow> cracks_;
-  std::vector<float> position_, quaternion_, broken_;
+  std::vector<float> displacement_, quaternion_, broken_;
 };
 
 FallenMass fallen_mass(const World& w) {

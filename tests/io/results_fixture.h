@@ -100,10 +100,10 @@ inline void record(solver::Recorder& r, std::uint64_t i) {
   const solver::CrackRow crack{t, 0, k, -1, {x, 0, 1}, {0, 0, 1}, 0.5 * x, solver::FailureMode::tension, solver::FailureMode::shear, t - 1};
   r.cracks(std::array{crack, crack});
   const auto f = static_cast<float>(i);
-  const std::array<float, 6> position{f, 1, 2, 3, 4, -f};
+  const std::array<float, 6> displacement{f, 1, 2, 3, 4, -f};
   const std::array<float, 8> quaternion{1, 0, 0, f, 0, 1, 0, -f};
   const std::array<float, 2> broken{f, 0.5F};
-  r.frame({t, position, quaternion, broken});
+  r.frame({t, displacement, quaternion, broken});
 }
 
 /// Checks every number of a run.h5 and that all tables agree; returns the rows.
@@ -118,10 +118,10 @@ inline std::uint64_t check_rows(const std::string& run) {
   const auto from = file.read<std::int32_t>("/cracks/element_a"), other = file.read<std::int32_t>("/cracks/element_b");
   const auto mode = file.read<std::uint8_t>("/cracks/mode"), first_mode = file.read<std::uint8_t>("/cracks/first_mode");
   const auto crack_time = file.read<double>("/cracks/time"), first_time = file.read<double>("/cracks/first_time");
-  const auto position = file.read<float>("/frames/position"), quaternion = file.read<float>("/frames/quaternion");
+  const auto moved = file.read<float>("/frames/displacement"), quaternion = file.read<float>("/frames/quaternion");
   REQUIRE(corner.size() == 3 * n);
   // A part may end within a time: later tables lag by one row, never lead.
-  const std::uint64_t frames = position.size() / 6;
+  const std::uint64_t frames = moved.size() / 6;
   REQUIRE(frames <= n);
   REQUIRE(n <= frames + 1);
   REQUIRE(from.size() <= 2 * n);
@@ -132,7 +132,7 @@ inline std::uint64_t check_rows(const std::string& run) {
     const auto x = static_cast<double>(i);
     same = same && kinetic[i] == x && residual[i] == 1e-6 * x && shear[3 * i] == x && shear[3 * i + 2] == 20;
     same = same && bonded[i] == 1000 - std::int64_t(i) && compression[i] == 4 * std::int64_t(i);
-    same = same && position[6 * i] == float(i) && position[6 * i + 5] == -float(i) && quaternion[8 * i + 3] == float(i);
+    same = same && moved[6 * i] == float(i) && moved[6 * i + 5] == -float(i) && quaternion[8 * i + 3] == float(i);
   }
   for (std::uint64_t i = 0; i < from.size(); ++i)
     same = same && from[i] == std::int32_t(i / 2) && other[i] == -1 && mode[i] == 1 && first_mode[i] == 2 &&

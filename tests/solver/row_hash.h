@@ -36,7 +36,7 @@ class RowHash final : public solver::Recorder {
   }
   void frame(const solver::FrameView& f) override {
     add(5, &f.time, sizeof f.time);
-    for (const auto& part : {f.position, f.quaternion, f.broken}) add(5, part.data(), part.size_bytes());
+    for (const auto& part : {f.displacement, f.quaternion, f.broken}) add(5, part.data(), part.size_bytes());
     ++rows[5];
     last_frame = f.time;
   }

@@ -14,6 +14,7 @@
 
 #include "cases/census.h"
 #include "cases/names.h"
+#include "cases/solids/origin.h"
 #include "io/app/bench/bench_rows.h"
 #include "io/app/bench/bench_stages.h"
 #include "io/app/bench/bench_table.h"

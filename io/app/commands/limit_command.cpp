@@ -100,7 +100,7 @@ LiveLoad live_load(const LimitCommandOptions& o, const cases::Case& c) {
   live.direction = direction_of(!o.direction.empty() ? o.direction : is_force ? "-z" : "x");
   if (is_force) live.kind = LiveLoad::Kind::force;
   if (o.force) live.force = *o.force;
-  if (!o.at.empty()) live.at = points_of(o.at, "--at").front();
+  if (!o.at.empty()) live.at = points_of(o.at, "--at").front() - c.origin.value_or(Vec3{});
   const bool given = is_force || !o.direction.empty() || !o.on.empty();
   if (!given && std::ranges::any_of(c.loads, &cases::Load::grows)) live.kind = LiveLoad::Kind::loads;
   return live;
@@ -109,9 +109,11 @@ LiveLoad live_load(const LimitCommandOptions& o, const cases::Case& c) {
 std::string words_of(const LiveLoad& live, const LimitCommandOptions& o) {
   std::string on, at;
   for (const std::string& name : live.on) on += (on.empty() ? " on " : ", ") + name;
-  if (live.at)
-    at =
-        (on.empty() ? " at (" : ", at (") + cases::text(live.at->x) + ", " + cases::text(live.at->y) + ", " + cases::text(live.at->z) + ")";
+  if (live.at) {
+    at = on.empty() ? " at (" : ", at (";
+    for (std::size_t i = 0; i < 3; ++i) at += (i > 0 ? ", " : "") + cases::text(o.at[i]);
+    at += ")";
+  }
   const std::string along = !o.direction.empty() ? o.direction : live.kind == LiveLoad::Kind::force ? "-z" : "x";
   if (live.kind == LiveLoad::Kind::loads) return "multiplier x the loads of the case that grow";
   if (live.kind == LiveLoad::Kind::force)
@@ -161,7 +163,8 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
     if (on_terminal) std::fputc('\n', stderr);
     return tell(asked, o, model, found, nullptr);
   }
-  const std::vector<Vec3> corners = points_of(o.path, "--path");
+  std::vector<Vec3> corners = points_of(o.path, "--path");
+  for (Vec3& corner : corners) corner -= model.origin;
   const solver::LoadPath path = solver::limit_along_path(c.value, model, asked.options, corners, o.positions);
   if (on_terminal) std::fputc('\n', stderr);
   if (!path.weakest)

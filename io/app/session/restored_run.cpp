@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cases/solids/origin.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
@@ -55,6 +56,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->path = path;
   r->facts = std::move(checkpoint.facts);
   r->value = std::move(value);
+  cases::move_origin(r->value, r->facts.origin);
   fill_stones(*r);
   r->model = cases::build_model(r->value, options.threads);
   fill_supports(*r);

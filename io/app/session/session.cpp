@@ -187,6 +187,7 @@ CheckpointFacts facts_of(const solver::Simulation& sim, const std::string& toml,
   f.case_toml = toml;
   f.motion = motion;
   f.supports = sim.world().model.support_motions;
+  f.origin = sim.world().model.origin;
   f.stones = sim.world().model.stones;
   f.step = sim.dt();
   f.reference_kernels = reference_kernels;

@@ -70,7 +70,8 @@ cases::Case anchored(cases::Case value);
 cases::Case without_folders(cases::Case value);
 
 /// Every key with its value, defaults included, each with unit, allowed values and a sentence as comment; keys without a value appear as
-/// comments. Reading the text gives an equal case, bit for bit (except `folder`, which is no key).
+/// comments. Coordinates are those of the file, whatever the origin of the case. Reading the text gives an equal case, bit for bit (except
+/// `folder` and `origin`, which are no keys).
 std::string resolved_toml(const cases::Case& value);
 
 /// The reference of all keys of the case file by table, as plain text: name, unit, default, allowed values, a sentence.

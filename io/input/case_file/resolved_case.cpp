@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include "cases/solids/origin.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/case_file/case_paths.h"
 #include "io/input/case_file/case_tables.h"
@@ -29,7 +30,7 @@ cases::Case without_folders(cases::Case value) {
 std::string resolved_toml(const cases::Case& value) {
   Lines lines;
   lines.out = std::string(kResolvedHead) + " \"none\": the key has no value.\n\n";
-  write_table(case_table(), value, lines, "");
+  write_table(case_table(), cases::as_in_file(value), lines, "");
   return std::move(lines.out);
 }
 

@@ -158,17 +158,7 @@ class Raw {
 
   RawStone stone_of(FileSolid part) const {
     place(part.mesh);
-    RawStone out{std::move(part.name), std::move(part.groups), {}, part.support, 0};
-    const double size = geometry::diagonal(part.mesh);
-    const Mesh joined = geometry::welded(part.mesh, 1e-7 * size);
-    if (const auto fault = geometry::fault_of(joined)) {
-      out.fault = *fault;
-      out.mesh = joined;
-      return out;
-    }
-    out.mesh = geometry::with_merged_faces(joined, kFlat * size, kStraight);
-    out.merged = joined.faces.size() - out.mesh.faces.size();
-    return out;
+    return {std::move(part.name), std::move(part.groups), std::move(part.mesh), part.support, 0};
   }
 
   /// Converts from the file's unit and axes to metres and the model's axes.
@@ -191,6 +181,18 @@ class Raw {
 };
 
 }  // namespace
+
+void close_up(RawStone& stone) {
+  const double size = geometry::diagonal(stone.mesh);
+  Mesh joined = geometry::welded(stone.mesh, 1e-7 * size);
+  if (const auto fault = geometry::fault_of(joined)) {
+    stone.fault = *fault;
+    stone.mesh = std::move(joined);
+    return;
+  }
+  stone.mesh = geometry::with_merged_faces(joined, kFlat * size, kStraight);
+  stone.merged = joined.faces.size() - stone.mesh.faces.size();
+}
 
 std::string counted(std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 

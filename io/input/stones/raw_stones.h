@@ -8,19 +8,24 @@
 /// From files to closed solids in metres, by name. Internal to io/input/stones/.
 namespace voussoir::io {
 
-/// A closed solid, oriented outward, with exactly coplanar faces merged; or a faulty one.
+/// What a file holds as one stone: once it is closed up, a closed solid, oriented outward, with exactly coplanar faces merged; or a faulty
+/// one.
 struct RawStone {
   std::string name;
   std::vector<std::string> groups;
-  geometry::Mesh mesh;  // global axes, m
+  geometry::Mesh mesh;  // m, in the axes of the case
   bool support = false;
   std::size_t merged = 0;  // number of faces merged into coplanar ones
   std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
 };
 
-/// All stones of one table, in file order. \param key  of the table \param notes  descriptions of skipped content are appended
+/// All stones of one table, in file order, not closed up yet. \param key  of the table \param notes  descriptions of skipped content are
+/// appended
 std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
                                  std::vector<std::string>& notes);
+
+/// Joins corners, and faces in one plane; says in RawStone::fault why it cannot be done.
+void close_up(RawStone& stone);
 
 /// "12 stones", "1 stone".
 std::string counted(std::size_t n, const std::string& what);

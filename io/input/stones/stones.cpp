@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/solids/origin.h"
 #include "geometry/message.h"
 #include "geometry/prism.h"
 #include "geometry/solids/flatten.h"
@@ -82,14 +83,18 @@ class Import {
 
  private:
   void read() {
+    std::vector<Item> read;
     for (std::size_t t = 0; t < case_.stones.size(); ++t) {
       cases::StonesSpec& spec = case_.stones[t];
       if (!spec.stones.empty()) continue;
-      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) {
-        const std::string fault = std::move(raw.fault);
-        items_.push_back({t, std::move(raw)});
-        if (!fault.empty()) set_aside(items_.size() - 1, fault);
-      }
+      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) read.push_back({t, std::move(raw)});
+    }
+    to_origin(read);
+    for (Item& item : read) {
+      close_up(item.raw);
+      const std::string fault = std::move(item.raw.fault);
+      items_.push_back(std::move(item));
+      if (!fault.empty()) set_aside(items_.size() - 1, fault);
     }
     if (items_.empty()) return;
     for (Item& item : items_) {
@@ -107,12 +112,41 @@ class Import {
     for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
   }
 
+  /// Makes the coordinates of the case and of what was read relative to the origin of the model.
+  void to_origin(std::vector<Item>& read) {
+    if (!case_.origin) {
+      cases::check_reach(case_);
+      std::vector<geometry::Box3> boxes;
+      for (const Item& item : read) {
+        boxes.push_back(geometry::box_of(item.raw.mesh));
+        check_reach(item, boxes.back());
+      }
+      cases::move_origin(case_, cases::suitable_origin(case_, boxes));
+    }
+    if (*case_.origin == Vec3{}) return;
+    for (Item& item : read) {
+      for (Vec3& v : item.raw.mesh.vertices) v = v - *case_.origin;
+    }
+  }
+
+  void check_reach(const Item& item, const geometry::Box3& box) const {
+    for (const Vec3 v : {box.low, box.high}) {
+      if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= cases::kFarthest) continue;
+      throw cases::InputError(table_key(item.table) + ".file", stone_words(spec_of(item), item.raw.name) + " reaches to " +
+                                                                   geometry::place_text(v) +
+                                                                   " m, too far from the origin of the axes; "
+                                                                   "allowed: -1e7 to 1e7 m; stones.place moves the stones of a file");
+    }
+  }
+
   [[nodiscard]] const cases::StonesSpec& spec_of(const Item& item) const { return case_.stones[item.table]; }
 
   /// Records a refused stone and excludes it from further steps.
   void set_aside(std::size_t i, const std::string& message) {
     Item& item = items_[i];
-    faults_.push_back({item.table, item.raw.name, stone_words(spec_of(item), item.raw.name) + " " + message, std::move(item.raw.mesh)});
+    faults_.push_back({item.table, item.raw.name,
+                       stone_words(spec_of(item), item.raw.name) + " " + message + cases::origin_note(*case_.origin, message),
+                       std::move(item.raw.mesh)});
     items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(i));
     if (i < flattened_.size()) flattened_.erase(flattened_.begin() + static_cast<std::ptrdiff_t>(i));
   }

@@ -7,11 +7,12 @@
 
 #include "cases/case.h"
 
-/// Loads the stones of a case from files.
+/// Loads the stones of a case from files, and chooses the origin of its model.
 namespace voussoir::io {
 
 /// Reads the files of all [[stones]] of the case and fills in StonesSpec::stones and notes: turned, placed, repaired, made to touch each
-/// other and the base, cut into convex pieces where necessary. Skips tables that already have stones.
+/// other and the base, cut into convex pieces where necessary. Skips tables that already have stones. Moves a case whose origin is not
+/// chosen yet to the one that suits it (cases/solids/origin.h), also one without stones.
 /// \throw NamedFileError for a file that cannot be read; cases::InputError with the key at fault, naming the stone, its place and the
 /// remedy
 void load_stones(cases::Case& c);

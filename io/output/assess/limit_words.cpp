@@ -76,7 +76,7 @@ std::string motion(const solver::MechanismPart& part, const cases::Model& model,
   if (!turns(part, model, c)) return "slides along " + vector(part.motion.v / norm(part.motion.v));
   const Vec3 w = part.motion.w, along = w / norm(w);
   const double screw = std::abs(dot(part.motion.v, along));
-  return "turns about " + vector(along) + " through " + vector(axis_point(part)) +
+  return "turns about " + vector(along) + " through " + vector(model.origin + axis_point(part)) +
          (screw > kTurns * norm(part.motion.v) ? ", and moves along it" : "");
 }
 
@@ -129,7 +129,7 @@ Json state_json(const solver::LimitState& s, const cases::Model& model, const so
   for (const solver::MechanismPart& p : m.parts) {
     const std::vector<std::int32_t> elements = elements_of(p, c);
     out["parts"].push_back({{"mass", p.mass},
-                            {"centre", json_of(p.centre)},
+                            {"centre", json_of(model.origin + p.centre)},
                             {"velocity", json_of(p.motion.v)},
                             {"rotation", json_of(p.motion.w)},
                             {"what", what(elements, model)},
@@ -167,8 +167,9 @@ void print_path(std::string& out, const solver::LoadPath& path, bool coulomb, co
   out += "place                              associated   Coulomb   acts on\n";
   for (std::size_t k = 0; k < path.positions.size(); ++k) {
     const solver::LoadPosition& p = path.positions[k];
-    const Vec3 at = p.place.element < 0 ? p.from : p.place.at;
-    out += printed("(%9.4g, %9.4g, %9.4g)  ", at.x, at.y, at.z);
+    const Vec3 at = model.origin + (p.place.element < 0 ? p.from : p.place.at);
+    const int digits = model.origin == Vec3{} ? 4 : 11;  // far off, four tell no place
+    out += printed("(%9.*g, %9.*g, %9.*g)  ", digits, at.x, digits, at.y, digits, at.z);
     if (p.place.element < 0) {
       out += "meets nothing that can move\n";
     } else if (!p.found) {
@@ -187,7 +188,7 @@ Json path_json(const solver::LoadPath& path, bool coulomb, const cases::Model& m
   for (const solver::LoadPosition& p : path.positions) {
     const bool meets = p.place.element >= 0;
     const Json second = coulomb && p.found && p.found->coulomb_proven() ? Json(p.found->coulomb.multiplier) : Json();
-    all.push_back({{"at", json_of(meets ? p.place.at : p.from)},
+    all.push_back({{"at", json_of(model.origin + (meets ? p.place.at : p.from))},
                    {"block", meets ? Json(loaded_block(p, model)) : Json()},
                    {"associated", p.found ? Json(p.found->associated.multiplier) : Json()},
                    {"coulomb", second}});

@@ -247,7 +247,7 @@ class Drawing {
     for (const auto& [element, name] : named_) label(svg, frame, element);
     draw_thicknesses(svg, case_, z, [&](Vec3 p) { return frame.at(p); });
     draw_axes(svg, {corner.s + scale_ * (box_.high.x - box_.low.x) - 30.0, corner.t + height + kWords + 2.0}, kPlan.right, kPlan.up);
-    svg.text({corner.s, corner.t + height + kWords}, "plan at z = " + metres_text(z) + " m; front below", 13.0);
+    svg.text({corner.s, corner.t + height + kWords}, "plan at z = " + metres_text(model_.origin.z + z) + " m; front below", 13.0);
   }
 
   static Vec3 end_of(const cases::TieBar& t, std::size_t end) {

@@ -16,6 +16,7 @@
 
 #include "io/input/document/case_tree.h"
 #include "io/input/files/errors.h"
+#include "io/output/replay/frame_reader.h"
 
 namespace voussoir::io {
 namespace {
@@ -268,8 +269,8 @@ std::string part_of(const std::string& tag) {
 
 Building building_of(const Hdf5File& run) {
   Building b;
-  b.base = case_number(run, "base", "z");
   b.has_base = has_table(run, "base");
+  b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : 0.0;
   b.mass = run.read<double>("/model/element/mass");
   const std::size_t n = b.mass.size();
   const Elements elements{run.read_strings("/model/element/tag"), run.read<std::int32_t>("/model/element/house"),

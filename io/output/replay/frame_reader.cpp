@@ -11,15 +11,26 @@
 namespace voussoir::io {
 namespace {
 
-constexpr std::uint64_t kBlock = 8U << 20;  // bytes of one dataset in memory
+constexpr const char* kPosition = "position";  // of layouts before 5
+constexpr std::uint64_t kBlock = 8U << 20;     // bytes of one dataset in memory
 
 }  // namespace
 
+Vec3 origin_of_run(const Hdf5File& run) {
+  if (!run.exists("/model/origin")) return {};
+  const auto at = run.read<double>("/model/origin");
+  if (at.size() != 3) throw FileError(run.path(), "/model/origin is no point");
+  return {at[0], at[1], at[2]};
+}
+
 FrameReader::FrameReader(const Hdf5File& run, std::uint64_t every)
-    : run_(run), every_(every), start_(run.read<double>("/model/element/position0")) {
+    : run_(run),
+      every_(every),
+      moved_(run.exists("/frames/displacement") ? "displacement" : kPosition),
+      start_(run.read<double>("/model/element/position0")) {
   const std::vector<double> all = run.read<double>("/frames/time");
   const std::uint64_t n = elements(), rows = all.size();
-  if (start_.size() != 3 * n || run.shape("/frames/position") != Shape{rows, n, 3} ||
+  if (start_.size() != 3 * n || run.shape(std::string("/frames/") + moved_) != Shape{rows, n, 3} ||
       run.shape("/frames/quaternion") != Shape{rows, n, 4} || run.shape("/frames/broken") != Shape{rows, n})
     throw FileError(run.path(), "/frames does not fit /model/element");
   last_row_ = rows - std::min<std::uint64_t>(rows, 1);
@@ -27,10 +38,22 @@ FrameReader::FrameReader(const Hdf5File& run, std::uint64_t every)
   if (rows > 0 && last_row_ % every_ != 0) times_.push_back(all[last_row_]);
 }
 
+bool FrameReader::holds_positions() const noexcept { return moved_ == kPosition; }
+
 std::vector<double> FrameReader::displacement(std::uint64_t frame) const {
-  std::vector<double> u = row("position", frame, 3);
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] -= start_[i];
+  std::vector<double> u = row(moved_, frame, 3);
+  if (holds_positions()) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] -= start_[i];
+  }
   return u;
+}
+
+std::vector<double> FrameReader::position(std::uint64_t frame) const {
+  std::vector<double> x = row(moved_, frame, 3);
+  if (!holds_positions()) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += start_[i];
+  }
+  return x;
 }
 
 std::vector<double> FrameReader::row(const char* name, std::uint64_t frame, std::uint64_t width) const {

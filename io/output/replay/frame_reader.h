@@ -7,9 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "geometry/vec3.h"
 #include "io/input/files/hdf5_file.h"
 
 namespace voussoir::io {
+
+/// The origin that the coordinates of a run are relative to [m], in the axes of its case file; zero for runs that do not state one. \throw
+/// FileError
+Vec3 origin_of_run(const Hdf5File& run);
 
 /// Reads /frames of a run, one frame after the other, and refuses values that are NaN. For use by one thread.
 class FrameReader {
@@ -24,8 +29,11 @@ class FrameReader {
   /// Centroids in the reference configuration [m], three values per element.
   [[nodiscard]] const std::vector<double>& start() const noexcept { return start_; }
 
-  /// Displacements of the centroids from the reference configuration [m], three values per element. \throw FileError
+  /// Displacements of the centroids from the reference configuration [m], three values per element. Layouts before 5 held positions.
+  /// \throw FileError
   [[nodiscard]] std::vector<double> displacement(std::uint64_t frame) const;
+  /// Positions of the centroids relative to the run's origin [m], three values per element. \throw FileError
+  [[nodiscard]] std::vector<double> position(std::uint64_t frame) const;
   /// Values of /frames/NAME, `width` per element. \throw FileError for NaN
   [[nodiscard]] std::vector<double> row(const char* name, std::uint64_t frame, std::uint64_t width) const;
 
@@ -35,10 +43,12 @@ class FrameReader {
     std::uint64_t first = 0, frames = 0;
     std::vector<double> values;
   };
+  [[nodiscard]] bool holds_positions() const noexcept;
   void read_block(const std::string& dataset, std::uint64_t frame, std::uint64_t row, Block& block) const;
 
   const Hdf5File& run_;
   std::uint64_t every_, last_row_;  // in frames of the run
+  const char* moved_;               // name of the dataset that says where the centroids are
   std::vector<double> start_, times_;
   mutable std::map<std::string, Block> blocks_;  // by dataset name
 };

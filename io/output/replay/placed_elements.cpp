@@ -34,7 +34,7 @@ std::vector<Pose> first_poses(const FrameReader& frames) {
 }
 
 std::vector<Pose> poses_of(const FrameReader& frames, std::uint64_t frame) {
-  const std::vector<double> x = frames.row("position", frame, 3), q = frames.row("quaternion", frame, 4);
+  const std::vector<double> x = frames.position(frame), q = frames.row("quaternion", frame, 4);
   std::vector<Pose> poses(frames.elements());
   for (std::size_t e = 0; e < poses.size(); ++e)
     poses[e] = {vector_at(x, e), rotation({q[4 * e], q[4 * e + 1], q[4 * e + 2], q[4 * e + 3]})};

@@ -75,7 +75,7 @@ void append(std::vector<float>& to, Vec3 v) {
 
 /// Positions of all vertices in a frame.
 std::vector<float> vertices_at(const FrameReader& frames, std::uint64_t frame, const Still& still) {
-  const std::vector<double> position = frames.row("position", frame, 3), q = frames.row("quaternion", frame, 4);
+  const std::vector<double> position = frames.position(frame), q = frames.row("quaternion", frame, 4);
   std::vector<float> points;
   points.reserve(still.vertex.size());
   for (std::size_t e = 0; e < frames.elements(); ++e) {
@@ -104,9 +104,12 @@ std::string time_element(double t) { return geometry::printed("<Time Value=\"%.9
 /// Writes arrays into paraview.h5 and their description into run.xdmf.
 class ParaviewWriter {
  public:
-  ParaviewWriter(Hdf5File& file, const FrameReader& frames, const Still& still) : file_(file), frames_(frames), still_(still) {}
+  /// \param origin  of the run: what points are relative to, since single precision keeps no coordinate far from zero
+  ParaviewWriter(Hdf5File& file, const FrameReader& frames, const Still& still, Vec3 origin)
+      : file_(file), frames_(frames), still_(still), origin_(origin) {}
 
   void write_still() {
+    file_.write_dataset("/origin", Hdf5Type::f64, {3}, &origin_, {}, {"m", "in the axes of the case file: what points are relative to"});
     const std::string cells = write("/cells", still_.topology, 1, {"1", "type and corners of each cell, in XDMF's numbers"});
     const std::string element = write("/element", still_.element, 1, {"1", "element of the cell"});
     const std::string material = write("/material", still_.material, 1, {"1", "row of /model/material of run.h5"});
@@ -123,7 +126,7 @@ class ParaviewWriter {
       broken.push_back(static_cast<float>(fraction[static_cast<std::size_t>(e)]));
     }
     const std::string group = "/frames/" + std::to_string(frame) + "/";
-    const std::string points = write(group + "points", vertices_at(frames_, frame, still_), 3, {"m", "vertices"});
+    const std::string points = write(group + "points", vertices_at(frames_, frame, still_), 3, {"m", "vertices, relative to /origin"});
     const std::string share = write(group + "broken", broken, 1, {"1", "fraction of the element's bonds that are broken"});
     const std::string way =
         write(group + "displacement", displacement, 3, {"m", "of the element's centroid from the reference configuration"});
@@ -135,7 +138,8 @@ class ParaviewWriter {
   [[nodiscard]] std::string xdmf() const {
     return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
            "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
-           grids_ + "</Grid>\n</Domain>\n</Xdmf>\n";
+           geometry::printed("<Information Name=\"origin\" Value=\"%.17g %.17g %.17g\"/>\n", origin_.x, origin_.y, origin_.z) + grids_ +
+           "</Grid>\n</Domain>\n</Xdmf>\n";
   }
 
  private:
@@ -151,6 +155,7 @@ class ParaviewWriter {
   Hdf5File& file_;
   const FrameReader& frames_;
   const Still& still_;
+  Vec3 origin_;
   std::string topology_, still_arrays_, grids_;  // pieces of XDMF
 };
 
@@ -165,7 +170,7 @@ void write_paraview(const std::string& folder, bool overwrite) {
   const Still still = read_still(run, frames.elements());
   std::string text;
   const auto fill = [&](Hdf5File& file) {
-    ParaviewWriter out(file, frames, still);
+    ParaviewWriter out(file, frames, still, origin_of_run(run));
     out.write_still();
     for (std::uint64_t f = 0; f < frames.frames(); ++f) out.write_frame(f);
     text = out.xdmf();

@@ -323,7 +323,9 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();
   facts["every"] = frames.every();
-  facts["base"] = c && !c->value.base ? Json(nullptr) : Json(c ? c->value.base->z : 0.0);
+  const Vec3 origin = origin_of_run(file);
+  facts["base"] = c && !c->value.base ? Json(nullptr) : Json(c ? c->value.base->z - origin.z : 0.0);
+  if (!(origin == Vec3{})) facts["origin"] = {origin.x, origin.y, origin.z};
   facts["materials"] = file.read_strings("/model/material/name");
   facts["quantum"] = quantum;
   out.part = number_parts(file, facts);

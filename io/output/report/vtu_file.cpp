@@ -29,7 +29,7 @@ void write_points(std::string& out, const cases::Model& model) {
   out += "<Points>\n";
   array(out, "Float64", "points", 3, [&](std::string& o) {
     for (const cases::Block& b : model.blocks) {
-      for (const Vec3 v : b.shape.vertices) append(o, v, "%.17g");
+      for (const Vec3 v : b.shape.vertices) append(o, model.origin + v, "%.17g");
     }
   });
   out += "</Points>\n";

@@ -4,15 +4,19 @@
 
 #include <string>
 
+#include "cases/solids/origin.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/motion/motion_files.h"
+#include "io/output/replay/frame_reader.h"
 
 namespace voussoir::io {
 
 cases::Case case_of_run(const Hdf5File& run) {
   try {
-    return read_case({run.path() + ", /case", run.attribute_text("/case", "toml")}).value;
+    cases::Case c = read_case({run.path() + ", /case", run.attribute_text("/case", "toml")}).value;
+    cases::move_origin(c, origin_of_run(run));
+    return c;
   } catch (const cases::InputError& e) {
     throw FileError(run.path(), std::string("its case cannot be read: ") + e.what());
   }

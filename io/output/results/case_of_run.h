@@ -8,7 +8,7 @@
 
 namespace voussoir::io {
 
-/// The case of a run, from its results. \throw FileError
+/// The case of a run, from its results, with coordinates relative to the run's origin. \throw FileError
 cases::Case case_of_run(const Hdf5File& run);
 
 /// The acceleration of the base as applied: /motion of the run; for runs without /motion, from the case's records. \throw FileError

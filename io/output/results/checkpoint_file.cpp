@@ -46,6 +46,7 @@ void write_facts(Hdf5File& file, const CheckpointFacts& facts) {
     file.set_attribute("/", std::string("rows_") + table_name(static_cast<RowTable>(t)), static_cast<std::int64_t>(facts.rows[t]));
   }
   file.write_strings("/case/toml", {&facts.case_toml, 1}, {"1", "the resolved case"});
+  file.write_dataset("/case/origin", Hdf5Type::f64, {3}, &facts.origin, {}, {"m", "of the model, in the axes of the case"});
 }
 
 void write_motion(Hdf5File& file, const cases::GroundMotion& motion) {
@@ -146,6 +147,7 @@ class Reader {
     for (std::size_t t = 0; t < kRowTables; ++t)
       f.rows[t] = static_cast<std::uint64_t>(file_.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
     f.case_toml = toml();
+    f.origin = origin();
     f.motion = motion();
     f.supports = supports();
     if (file_.exists("/stones")) f.stones = stones();
@@ -205,6 +207,14 @@ class Reader {
     std::optional<StoneTables> tables = unpacked_stones(packed);
     if (!tables) fault("/stones does not fit together");
     return *std::move(tables);
+  }
+
+  /// Checkpoints of programs that had none hold no origin: theirs was zero.
+  [[nodiscard]] Vec3 origin() {
+    if (!file_.exists("/case/origin")) return {};
+    const std::vector<double> at = numbers("/case/origin", 1);
+    if (at.size() != 3) fault("/case/origin is no point");
+    return {at[0], at[1], at[2]};
   }
 
   [[nodiscard]] std::string toml() {

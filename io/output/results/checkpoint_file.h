@@ -27,6 +27,7 @@ struct CheckpointFacts {
   std::string case_toml;                        // resolved
   cases::GroundMotion motion;                   // as used: rotated, scaled, at its intensity
   std::vector<cases::SupportHistory> supports;  // of the model, in order
+  Vec3 origin;                                  // m, of the model and of the stones, in the axes of the case
   StoneTables stones;                           // from the files named in the case
   double step = 0.0;                            // s, Δt
   bool reference_kernels = false;

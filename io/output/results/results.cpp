@@ -221,11 +221,11 @@ void ResultsWriter::cracks(std::span<const solver::CrackRow> rows) {
 }
 
 void ResultsWriter::frame(const solver::FrameView& frame) {
-  if (frame.position.size() != 3 * elements_ || frame.quaternion.size() != 4 * elements_ || frame.broken.size() != elements_)
+  if (frame.displacement.size() != 3 * elements_ || frame.quaternion.size() != 4 * elements_ || frame.broken.size() != elements_)
     throw std::logic_error("a frame has another number of elements than the model");
   RowBuffer& to = table(RowTable::frames);
   if (!to.begin(frame.time)) return;
-  to.put(1, frame.position.data(), frame.position.size_bytes());
+  to.put(1, frame.displacement.data(), frame.displacement.size_bytes());
   to.put(2, frame.quaternion.data(), frame.quaternion.size_bytes());
   to.put(3, frame.broken.data(), frame.broken.size_bytes());
   write_if_due();

@@ -221,6 +221,9 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
   if (model.blocks.size() != model.assembly.elements.size() || model.joint_law.size() != model.assembly.joints.size())
     throw std::invalid_argument("the model's assembly does not belong to its blocks");
   std::vector<StaticDataset> out;
+  StaticDataset origin = dataset("/model/origin", each_vector(std::vector{model.origin}, std::identity{}), 1, "m",
+                                 "in the axes of the case file: what all coordinates in this file are relative to");
+  out.push_back(std::move(origin));
   add_elements(model, out);
   add_shapes(model, out);
   add_faces(model, out);

@@ -110,12 +110,12 @@ TableSpec assessment_columns() {
 
 TableSpec frames_columns(std::uint64_t n) {
   return {scalar("/frames/time", "s", "time of the frames; zero is the start of shaking"),
-          {"/frames/position", f32, {n, 3}, {"m", "centroids of all elements, in axes that move with the base"}, {}},
+          {"/frames/displacement", f32, {n, 3}, {"m", "centroids of all elements from position0, in axes that move with the base"}, {}},
           {"/frames/quaternion",
            f32,
            {n, 4},
            "1",
-           "w, x, y, z: rotation of all elements from the reference, x = position + R(q) (X - position0)",
+           "w, x, y, z: rotation of all elements from the reference, x = position0 + displacement + R(q) (X - position0)",
            {}},
           {"/frames/broken", f32, {n}, {"1", "broken fraction of each element's bonds"}, {}}};
 }

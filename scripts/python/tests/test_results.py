@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Results as arrays."""
 
+import shutil
 import tempfile
 
+import h5py
 import numpy as np
 
 import voussoir
@@ -53,6 +55,30 @@ class Results(InAFolder):
         self.assertGreater(abs(placed - first).max(), 0.0)
         with self.assertRaises(IndexError):
             frames[len(frames)]
+
+    def test_far_off_points_have_the_coordinates_of_the_case(self):
+        at = np.array([650001.0, 4820000.0, 312.0])
+        run = blocks(at=at).run(self.folder / "far", until=0.06, threads=1, progress=False)
+        self.assertEqual(run.origin.tolist(), at.tolist())
+        self.assertEqual(self.run_.origin.tolist(), [0.0, 0.0, 0.0])
+        for far, near in ((run.elements.position0, self.run_.elements.position0), (run.joints.centre, self.run_.joints.centre),
+                          (run.frames[-1].position, self.run_.frames[-1].position), (run.frames[-1].vertices(), self.run_.frames[-1].vertices())):
+            self.assertLess(abs(np.asarray(far) - at - near).max(), 1e-6)
+        self.assertEqual((run.elements.position0.unit, run.elements.position0.name), ("m", "position0"))
+        self.assertLess(abs(run.history("upper").displacement - self.run_.history("upper").displacement).max(), 1e-9)
+        self.assertAlmostEqual(run.case["base"]["z"], 312.0)
+        self.assertEqual(run.case["block"][0]["box"][1][0], at[0] + 0.2)
+
+    def test_frames_of_files_before_schema_5(self):
+        shutil.copy(f"{self.scratch.name}/pair/run.h5", self.folder / "run.h5")
+        with h5py.File(self.folder / "run.h5", "r+") as file:
+            position = file["model/element/position0"][:] + file["frames/displacement"][:]
+            del file["frames/displacement"], file["model/origin"]
+            file["frames/position"] = position.astype("f4")
+        old, new = voussoir.Run(self.folder).frames[-1], self.run_.frames[-1]
+        self.assertLess(abs(np.asarray(old.displacement) - new.displacement).max(), 1e-7)
+        self.assertLess(abs(np.asarray(old.position) - new.position).max(), 1e-7)
+        self.assertLess(abs(old.vertices() - new.vertices()).max(), 1e-7)
 
     def test_rotations(self):
         axis, angle = np.array([2.0, -3.0, 6.0]) / 7.0, 0.7

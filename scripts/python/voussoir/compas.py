@@ -84,15 +84,15 @@ def solution(run: Results, time: float | None = None) -> dict[str, Any]:
     """
     frame = run.frames[-1] if time is None else run.frames.at(time)
     names, start = [_stone(tag) for tag in run.elements.tag], np.asarray(run.elements.position0, dtype=float)
-    position, turn = np.asarray(frame.position, dtype=float), rotation_matrices(frame.quaternion)
+    moved, turn = np.asarray(frame.displacement, dtype=float), rotation_matrices(frame.quaternion)
     blocks: dict[str, Any] = {}
     for k, name in enumerate(names):
         if name in blocks:
             continue  # a further piece of a stone that is not convex
         matrix = np.eye(4)
         matrix[:3, :3] = turn[k]
-        matrix[:3, 3] = position[k] - turn[k] @ start[k]
-        blocks[name] = {"translation": (position[k] - start[k]).tolist(),
+        matrix[:3, 3] = moved[k] + start[k] - turn[k] @ start[k]
+        blocks[name] = {"translation": moved[k].tolist(),
                         "transformation": {"dtype": "compas.geometry/Transformation", "data": {"matrix": matrix.tolist()}}}
     contacts = []
     if "cuts" in run.file and "contact-0" in run.file["cuts"]:

@@ -64,8 +64,35 @@ def array_of(dataset: h5py.Dataset, rows: Any = ()) -> Array:
     return Array(values, str(attributes.get("unit", "")), dataset.name.rsplit("/", 1)[-1], str(attributes.get("description", "")))
 
 
+def origin_of(file: h5py.File) -> NDArray[Any]:
+    """What the coordinates in run.h5 are relative to, m, in the axes of the case file; zero in runs that do not say."""
+    found: NDArray[Any] = file["model/origin"][:] if "model/origin" in file else np.zeros(3)
+    return found
+
+
+def displacement_of(file: h5py.File, rows: Any = slice(None)) -> NDArray[Any]:
+    """Of the centroids from position0 in frames of run.h5, m: one row, or a slice of them. Files of layouts before 5 held positions."""
+    if "frames/displacement" in file:
+        moved: NDArray[Any] = file["frames/displacement"][rows].astype(float)
+        return moved
+    moved = file["frames/position"][rows] - file["model/element/position0"][:]
+    return moved
+
+
+def _shifted(points: Array, by: NDArray[Any]) -> Array:
+    """The array with its unit, name and description, moved."""
+    return Array(np.asarray(points) + by, points.unit, points.name, points.description)
+
+
+# Datasets of points, which Table gives in the axes of the case file.
+_POINTS = {"/model/element/position0", "/model/joint/centre", "/cracks/position"}
+
+
 class Table(Mapping[str, Array]):
-    """A group of run.h5: `table["kinetic"]` or `table.kinetic` reads a column, `list(table)` names them, `table.unit("kinetic")` reads nothing."""
+    """A group of run.h5: `table["kinetic"]` or `table.kinetic` reads a column, `list(table)` names them, `table.unit("kinetic")` reads nothing.
+
+    Points have the coordinates of the case file.
+    """
 
     def __init__(self, group: h5py.Group) -> None:
         self._group = group
@@ -77,7 +104,9 @@ class Table(Mapping[str, Array]):
         return found
 
     def __getitem__(self, name: str) -> Array:
-        return array_of(self._dataset(name))
+        dataset = self._dataset(name)
+        values = array_of(dataset)
+        return _shifted(values, origin_of(dataset.file)) if dataset.name in _POINTS else values
 
     def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
@@ -123,7 +152,8 @@ class History(Table):
 
 
 class Frame:
-    """All elements at one time. `position` n x 3 m, `quaternion` n x 4 (w, x, y, z), `broken` n: share of bonds, 0 to 1."""
+    """All elements at one time. `displacement` n x 3 m, from the start; `position` n x 3 m, in the axes of the case file; `quaternion`
+    n x 4 (w, x, y, z); `broken` n: share of bonds, 0 to 1."""
 
     def __init__(self, results: "Results", row: int) -> None:
         self._results, self._group, self.row = results, results.file["frames"], row
@@ -133,8 +163,12 @@ class Frame:
         return float(self._group["time"][self.row])
 
     @property
+    def displacement(self) -> Array:
+        return Array(displacement_of(self._results.file, self.row), "m", "displacement", "centroids of all elements from position0")
+
+    @property
     def position(self) -> Array:
-        return array_of(self._group["position"], self.row)
+        return Array(np.asarray(self._results.elements.position0) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
 
     @property
     def quaternion(self) -> Array:
@@ -145,15 +179,14 @@ class Frame:
         return array_of(self._group["broken"], self.row)
 
     def vertices(self) -> NDArray[Any]:
-        """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex."""
+        """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex and the axes of the case file."""
         model = self._results.file["model"]
         first = model["element/first_vertex"][:]
-        corners = model["vertex"][:]
+        corners, start = model["vertex"][:], model["element/position0"][:]
         owner = np.searchsorted(first, np.arange(len(corners)), side="right") - 1
-        position, rotation = np.asarray(self.position, float), rotation_matrices(self.quaternion)
-        arms = corners - model["element/position0"][:][owner]
-        placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], arms)
-        return placed
+        position, rotation = start + np.asarray(self.displacement), rotation_matrices(self.quaternion)
+        placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], corners - start[owner])
+        return placed + self._results.origin
 
 
 def rotation_matrices(quaternions: NDArray[Any]) -> NDArray[Any]:
@@ -209,6 +242,11 @@ class Results:
         if self._file is None:
             self._file = open_results(self._path)
         return self._file
+
+    @property
+    def origin(self) -> NDArray[Any]:
+        """m, in the axes of the case file: what coordinates in the file itself are relative to. What has a name here has it added."""
+        return origin_of(self.file)
 
     def refresh(self) -> None:
         """Makes rows available that an unfinished run has written since."""

@@ -80,6 +80,7 @@ function provenance({ facts, frames }) {
     p.wall_clock !== undefined && ["Wall-clock", `${count(Math.round(p.wall_clock))} s`],
     p.threads !== undefined && ["Threads", count(p.threads)],
     facts.every > 1 && ["Frames in this page", `one of ${count(facts.every)}`],
+    facts.origin && ["Coordinates in this page from", `${facts.origin.join(", ")} m of the case's axes`],
     ["Positions in this page within", `${((1000 * facts.quantum) / 2).toFixed(3)} mm`],
   ].filter(Boolean);
 }

@@ -49,13 +49,13 @@ class Hut {
       : model_(cases::build_model(read_case({"hut.toml", text}).value)), results_(folder_.path(), model_, text, kNames, {}, by_hand()) {}
 
   void frame(double time, const Move& move) {
-    std::vector<float> position, quaternion;
+    std::vector<float> displacement, quaternion;
     for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
-      const Vec3 x = move(e, centroid(e));
-      for (const double v : {x.x, x.y, x.z}) position.push_back(static_cast<float>(v));
+      const Vec3 u = move(e, centroid(e)) - centroid(e);
+      for (const double v : {u.x, u.y, u.z}) displacement.push_back(static_cast<float>(v));
       for (const float q : {1.0F, 0.0F, 0.0F, 0.0F}) quaternion.push_back(q);
     }
-    results_.frame({time, position, quaternion, std::vector<float>(model_.blocks.size())});
+    results_.frame({time, displacement, quaternion, std::vector<float>(model_.blocks.size())});
   }
   void crack_whole_joint(double time, std::size_t joint) {
     const geometry::Joint& j = model_.assembly.joints[joint];

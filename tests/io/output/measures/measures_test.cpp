@@ -37,10 +37,11 @@ cases::Model wall_and_beam() {
 void put_frame(ResultsWriter& results, double time, Vec3 brick, Vec3 beam) {
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
   const std::array<float, 2> whole{};
-  std::array<float, 6> at{};
+  std::array<float, 6> moved{};
   std::size_t i = 0;
-  for (const double x : {brick.x, brick.y, brick.z, beam.x, beam.y, beam.z}) at[i++] = static_cast<float>(x);
-  results.frame({time, at, upright, whole});
+  for (const Vec3 u : {brick - Vec3{0.05, 0.05, 0.05}, beam - Vec3{0.15, 0.05, kHeight}})
+    for (const double x : {u.x, u.y, u.z}) moved[i++] = static_cast<float>(x);
+  results.frame({time, moved, upright, whole});
 }
 
 TEST_CASE("an element has fallen by half its first height, or by 1 m") {

@@ -32,11 +32,12 @@ struct Frames {
   void add(Vec3 a, Vec3 b, double degrees = 0.0) {
     const double half = 0.5 * degrees * std::acos(-1.0) / 180.0;
     const std::array<float, 8> turned{1, 0, 0, 0, static_cast<float>(std::cos(half)), 0, 0, static_cast<float>(std::sin(half))};
-    std::array<float, 6> at{};
+    std::array<float, 6> moved{};
     std::size_t i = 0;
-    for (const double x : {a.x, a.y, a.z, b.x, b.y, b.z}) at[i++] = static_cast<float>(x);
+    for (const Vec3 u : {a - Vec3{0.05, 0.05, 0.05}, b - Vec3{0.15, 0.05, 0.05}})
+      for (const double x : {u.x, u.y, u.z}) moved[i++] = static_cast<float>(x);
     const std::array<float, 2> whole{};
-    results.frame({0.1 * count++, at, turned, whole});
+    results.frame({0.1 * count++, moved, turned, whole});
   }
   Measures measures() {
     results.finish();
@@ -86,6 +87,18 @@ TEST_CASE("interpenetration: the base is a body, where there is one") {
     CHECK((m.peak_penetration_time < 0) == !base);
     CHECK(m.touching_pairs == (base ? 1 : 0));
   }
+}
+
+TEST_CASE("interpenetration: the depths are the same wherever the model stands, and whatever height its base has there") {
+  cases::Model far = two_bricks();
+  far.origin = {650001, 4820000, 312};
+  Frames here(kOnBase), there("title = \"two cubes\"\n[base]\nz = 312.0\n", far);
+  for (Frames* f : {&here, &there}) f->add({0.05, 0.05, 0.046}, {0.05 + 0.1, 0.05, 0.05}, 45.0);
+  const Measures a = here.measures(), b = there.measures();
+  CHECK(a.penetration > 0.004);
+  CHECK(b.penetration == a.penetration);
+  CHECK(b.base_penetration == a.base_penetration);
+  CHECK(b.peak_penetration_pair == a.peak_penetration_pair);
 }
 
 TEST_CASE("interpenetration: pairs touch up to a gap of 0.1 mm, between their nearest points") {

@@ -17,10 +17,9 @@ void write_run(const TempFolder& folder) {
   ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
   const std::array<float, 2> whole{0, 0}, damaged{0.25F, 1};
-  results.frame({-0.5, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, whole});
+  results.frame({-0.5, std::array<float, 6>{}, upright, whole});
   const float r = std::sqrt(0.5F);
-  results.frame(
-      {0.02, std::array<float, 6>{1.05F, 2.05F, 3.05F, 0.15F, 0.05F, 0.05F}, std::array<float, 8>{1, 0, 0, 0, r, 0, 0, r}, damaged});
+  results.frame({0.02, std::array<float, 6>{1, 2, 3, 0, 0, 0}, std::array<float, 8>{1, 0, 0, 0, r, 0, 0, r}, damaged});
   results.finish();
 }
 
@@ -58,6 +57,21 @@ TEST_CASE("every frame has its vertices turned and moved with their elements") {
   CHECK(u[0] == doctest::Approx(1));
   CHECK(u[2] == doctest::Approx(3));
   CHECK(u[3] == doctest::Approx(0));
+}
+
+TEST_CASE("files for ParaView count from the origin of the run, and say so") {
+  const TempFolder folder;
+  cases::Model m = two_cubes();
+  m.origin = {650001, 4820000, 312};
+  ResultsWriter results(folder.path(), m, kCase, kNames, {}, by_hand());
+  results.frame({0.0, std::array<float, 6>{1, 0, 0, 0, 0, 0}, std::array<float, 8>{1, 0, 0, 0, 1, 0, 0, 0}, std::array<float, 2>{}});
+  results.finish();
+  write_paraview(folder.path(), false);
+  const Hdf5File file = Hdf5File::open(folder.file("paraview.h5"));
+  CHECK(file.read<double>("/origin") == std::vector<double>{650001, 4820000, 312});
+  CHECK(file.read<float>("/frames/0/points")[0] == 1.0F);
+  const std::string xdmf = read_text_file(folder.file("run.xdmf"), 1U << 20U);
+  CHECK(count(xdmf, "<Information Name=\"origin\" Value=\"650001 4820000 312\"/>") == 1);
 }
 
 TEST_CASE("run.xdmf has a grid for every frame, and refers to its neighbour by name alone") {

@@ -107,14 +107,13 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   CHECK(element(page, "facts").find("two cubes") != std::string::npos);
 
   const std::vector<unsigned char> frames = unpacked(page, "frames", 15 * 2 * rows);
-  // In frame f the fixture has the first cube at x = f and the second at z = -f; the largest displacement is that of the second along x or
-  // y, from (0.15, 0.05, 0.05) to (3, 4, -f), or of the last frames' f.
-  const double largest = std::max(4 - 0.05, (rows - 1) + 0.05);
+  // In frame f the fixture has moved the first cube by x = f and the second by (3, 4, -f).
+  const double largest = std::max(4.0, double(rows - 1));
   const double quantum = largest / 32767;
   const auto x = component(frames, 0, rows), z = component(frames, 2, rows), w = component(frames, 3, rows);
   for (std::size_t f = 0; f < rows; ++f) {
-    CHECK(std::abs(quantum * x[f][0] - (double(f) - 0.05)) <= 0.5001 * quantum);
-    CHECK(std::abs(quantum * z[f][1] - (-double(f) - 0.05)) <= 0.5001 * quantum);
+    CHECK(std::abs(quantum * x[f][0] - double(f)) <= 0.5001 * quantum);
+    CHECK(std::abs(quantum * z[f][1] - -double(f)) <= 0.5001 * quantum);
     CHECK(w[f][0] == 2048);  // of steps of 16/32767
     CHECK(w[f][1] == 0);
   }
@@ -207,8 +206,8 @@ TEST_CASE("a crack is an edge on the surface, and its level says how wide it is"
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
   const std::array<float, 2> broken{};
   const auto frame = [&](double time, float apart) {
-    const std::array<float, 6> position{0.05F, 0.05F, 0.05F, 0.15F + apart, 0.05F, 0.05F};
-    writer.frame({time, position, upright, broken});
+    const std::array<float, 6> displacement{0, 0, 0, apart, 0, 0};
+    writer.frame({time, displacement, upright, broken});
   };
   frame(0.0, 0.002F);  // not open yet: no spring is broken
   frame(2.0, 0.002F);
@@ -271,7 +270,7 @@ TEST_CASE("two elements move as one until their joint is open by a millimetre, a
   for (geometry::Element& e : m.assembly.elements) e.mass.volume = 1e-3;
   ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
-  writer.frame({0.0, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, std::array<float, 2>{}});
+  writer.frame({0.0, std::array<float, 6>{}, upright, std::array<float, 2>{}});
   writer.cracks(
       std::vector<solver::CrackRow>{{1.0, 0, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0}});
   writer.finish();
@@ -311,7 +310,7 @@ TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
   for (int i = 0; i < 3; ++i) m.assembly.joints[static_cast<std::size_t>(i)].frame.centre.y = 0.05 + 0.2 * (i - 1);
   ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
-  writer.frame({0.0, std::array<float, 6>{0.05F, 0.05F, 0.05F, 0.15F, 0.05F, 0.05F}, upright, std::array<float, 2>{}});
+  writer.frame({0.0, std::array<float, 6>{}, upright, std::array<float, 2>{}});
   std::vector<solver::CrackRow> cracks;
   for (std::int32_t j = 0; j < 3; ++j)
     cracks.push_back({1.0, j, 0, 1, {}, {}, 0.01, solver::FailureMode::tension, solver::FailureMode::tension, 1.0});
@@ -376,13 +375,13 @@ TEST_CASE("a folder without a run and a frame without numbers are refused, and n
   CHECK_THROWS_AS(report_command(page_of(folder)), FileError);
   {
     ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, by_hand());
-    const std::array<float, 6> position{std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0};
+    const std::array<float, 6> displacement{std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0};
     const std::array<float, 8> quaternion{1, 0, 0, 0, 1, 0, 0, 0};
     const std::array<float, 2> broken{};
-    results.frame({0.0, position, quaternion, broken});
+    results.frame({0.0, displacement, quaternion, broken});
     results.finish();
   }
-  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("/frames/position: row 0"), FileError);
+  CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("/frames/displacement: row 0"), FileError);
   CHECK_FALSE(std::filesystem::exists(folder.file("report.html")));
 }
 

@@ -39,6 +39,7 @@ struct Cracked {
   [[nodiscard]] CheckpointFacts facts() const {
     CheckpointFacts f = facts_of(sim, "title = \"wall\"\n# ä\n", g, true);
     f.supports = {{{0.0, 0.5}, {Vec3{0, 0, 0}, Vec3{0.1, 0.2, 0.3}}, true, "gone.csv", ""}};
+    f.origin = {650001, -4820000, 312};
     f.time = 0.25;
     f.rows = {1, 2, 3, 4, 5, 6};
     return f;
@@ -72,6 +73,7 @@ TEST_CASE("a checkpoint is read as it was written, and HDF5's tools find the fil
   CHECK(g.supports[0].time == f.supports[0].time);
   CHECK(g.supports[0].displacement[1].z == 0.3);
   CHECK(g.supports[0].open_ended);
+  CHECK(g.origin == f.origin);
   CHECK(g.step == w.sim.dt());
   CHECK(g.reference_kernels);
   CHECK(g.program == f.program);

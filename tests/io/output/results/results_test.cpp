@@ -30,6 +30,7 @@ std::vector<Promise> promises() {
                          {"/model/element/kind", "1", {2}},
                          {"/model/element/mass", "kg", {2}},
                          {"/model/element/inertia", "kg m2", {2, 3}},
+                         {"/model/origin", "m", {3}},
                          {"/model/element/position0", "m", {2, 3}},
                          {"/model/vertex", "m", {16, 3}},
                          {"/model/cells", "1", {2, 8}},
@@ -67,7 +68,7 @@ std::vector<Promise> promises() {
                          {"/cracks/first_mode", "1", {kAnyRows}},
                          {"/cracks/first_time", "s", {kAnyRows}},
                          {"/frames/time", "s", {kAnyRows}},
-                         {"/frames/position", "m", {kAnyRows, 2, 3}},
+                         {"/frames/displacement", "m", {kAnyRows, 2, 3}},
                          {"/frames/quaternion", "1", {kAnyRows, 2, 4}},
                          {"/frames/broken", "1", {kAnyRows, 2}}};
   for (const char* e : {"/energy/kinetic", "/energy/strain", "/energy/contact", "/energy/gravity", "/energy/input", "/energy/dashpot",
@@ -201,7 +202,7 @@ TEST_CASE("a part that is lost reads as not-a-number, not as zero") {
   fs::remove(dir.file("parts/0000.h5"));
   const Hdf5File file = Hdf5File::open(dir.file("run.h5"));
   CHECK(std::isnan(file.read<double>("/history/top/displacement").at(0)));
-  CHECK(std::isnan(file.read<float>("/frames/position").at(0)));
+  CHECK(std::isnan(file.read<float>("/frames/displacement").at(0)));
   CHECK(file.read<std::int64_t>("/damage/bonded").at(0) == -1);
 }
 
