@@ -10,6 +10,7 @@ import sys
 import numpy
 
 from data import Block, Case, Load, Tie
+from relations import points_moved
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts/limit_check"))
 import plane_kinds
@@ -157,6 +158,14 @@ def load_slowly(rng, case):
         case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)], "pace": 0.1, "longest": 1.0}
 
 
+def on_raster(case):
+    """All points on a raster so fine that a point moved by 10,000 km is still a double without rounding."""
+    def nearest(p):
+        return numpy.round(p * 2.0**29) / 2.0**29
+    points_moved(case, nearest)
+    case.ground = [tuple(float(nearest(v)) for v in strip) for strip in case.ground]
+
+
 def make(seed, number):
     rng = random.Random(f"relations {seed}:{number}")
     if rng.random() < 0.12:
@@ -182,4 +191,5 @@ def make(seed, number):
     angle = math.radians(rng.uniform(0.0, 360.0))
     case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])
     load_slowly(rng, case)
+    on_raster(case)
     return case

@@ -108,15 +108,19 @@ def read(case, folder):
 
 
 def of_model(case, f):
-    m = f["model/element"]
-    out = {"element position": Value(m["position0"][:] - case.pivot, VECTOR, LENGTH, element=0, floor=size_of(f))}
+    m, origin = f["model/element"], origin_of(f)
+    out = {"element position": Value(m["position0"][:] + (origin - case.pivot), VECTOR, LENGTH, element=0, floor=size_of(f))}
     out |= {"element mass": Value(m["mass"][:], SCALAR, MASS, element=0), "element inertia": Value(m["inertia"][:], SCALAR, INERTIA, element=0)}
     out["element segment size"] = Value(m["segment_size"][:], SCALAR, LENGTH, element=0)
     j = f["model/joint"]
     out |= {"joint area": Value(j["area"][:], SCALAR, AREA, joint=0)}
-    out["joint centre"] = Value(j["centre"][:] - case.pivot, VECTOR, LENGTH, joint=0, floor=size_of(f))
+    out["joint centre"] = Value(j["centre"][:] + (origin - case.pivot), VECTOR, LENGTH, joint=0, floor=size_of(f))
     out["joint sides"] = Value(numpy.stack([j["element_a"][:], j["element_b"][:]], axis=1), COUNT, joint=0)
     return out
+
+
+def origin_of(f):
+    return f["model/origin"][:].reshape(3)
 
 
 def size_of(f):
@@ -126,7 +130,7 @@ def size_of(f):
 def of_tables(case, f):
     weight = float(f["model/element/mass"][:][f["model/element/fixed"][:] == 0].sum()) * 9.8
     # Displacements are measured by the largest at the last frame, loads by the weight.
-    x = f["frames/displacement"][:] if "displacement" in f["frames"] else f["frames/position"][:].astype(float) - f["model/element/position0"][:]
+    x = f["frames/displacement"][:].astype(float)
     moved = max(float(numpy.abs(x).max()), 1e-12)
     # How fine single precision is beside the size of the model; frames have no more digits.
     out = {"frames: settled": Value(x[0], VECTOR, LENGTH, element=0), "frames: last": Value(x[-1], VECTOR, LENGTH, element=0)}
@@ -143,7 +147,7 @@ def of_tables(case, f):
         out[f"energy: {k}"] = Value(f["energy"][k][:], SCALAR, ENERGY, group="energy")
     force, moment = f["forces/base_shear"][:], f["forces/base_moment"][:]
     out["base shear"] = Value(force, VECTOR, FORCE, floor=weight)
-    out["base moment"] = Value(moment - numpy.cross(numpy.broadcast_to(case.pivot, force.shape), force), AXIAL, MOMENT, floor=weight * size_of(f))
+    out["base moment"] = Value(moment + numpy.cross(numpy.broadcast_to(origin_of(f) - case.pivot, force.shape), force), AXIAL, MOMENT, floor=weight * size_of(f))
     for name, _, _ in case.cuts:
         out[f"cut {name}: force"] = Value(f["cuts"][name]["force"][:], VECTOR, FORCE, floor=weight)
         out[f"cut {name}: moment"] = Value(f["cuts"][name]["moment"][:], AXIAL, MOMENT, floor=weight * size_of(f))

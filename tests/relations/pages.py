@@ -24,9 +24,11 @@ def unpacked(text, kind):
 
 
 def places(elements, case):
-    centroids = unpacked(elements["centroids"], "<f4").astype(float).reshape(-1, 3) - case.pivot
-    size = float(numpy.ptp(unpacked(elements["vertices"], "<f4").reshape(-1, 3), axis=0).max())
-    return Value(centroids, VECTOR, LENGTH, element=0, floor=size)
+    """Centroids in the axes of the case. A page has them in single precision, relative to an origin that is up to 100 m away: 6 micrometres."""
+    origin = numpy.array(json.loads(elements["facts"]).get("origin") or (0.0, 0.0, 0.0))
+    centroids = unpacked(elements["centroids"], "<f4").astype(float).reshape(-1, 3) + (origin - case.pivot)
+    farthest = float(numpy.abs(unpacked(elements["vertices"], "<f4")).max())
+    return Value(centroids, VECTOR, LENGTH, element=0, floor=max(farthest, 3.0))
 
 
 def view(voussoir, case, path, more):

@@ -10,17 +10,16 @@
 
 #include "tests/io/shell.h"
 
-using namespace voussoir;
-
 namespace {
 
 /// By thread of a program that computes with two, the first of them first: the processors that it may use.
 std::vector<std::string> processors_of_threads(const std::string& environment) {
-  const std::string command = "env " + environment + " " + shell::kProgram + R"sh( bench arch -j 2 --batches 100 >/dev/null 2>&1 & p=$!
-      for i in $(seq 600); do [ "$(ls /proc/$p/task | wc -l)" -ge 2 ] && break;
-  sleep 0.1;
-  done;
-  sleep 0.5 grep - h Cpus_allowed_list / proc / $p / task/*/status; kill $p; wait $p)sh";
+  const std::string command = "env " + environment + " " + shell::kProgram +
+                              " bench arch -j 2 --batches 100 >/dev/null 2>&1 & p=$!\n"
+                              "for i in $(seq 600); do [ $(ls /proc/$p/task | wc -l) -ge 2 ] && break; sleep 0.1; done\n"
+                              "sleep 0.5\n"
+                              "grep -h Cpus_allowed_list /proc/$p/task/*/status\n"
+                              "kill $p; wait $p";
   std::istringstream said(shell::run(command).text);
   std::vector<std::string> lists;
   for (std::string line; std::getline(said, line);) lists.push_back(line);

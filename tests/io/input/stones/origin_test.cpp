@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/run/run.h"
+#include "solver/state/field_table.h"
 #include "tests/io/input/stones/written_files.h"
 #include "tests/solver/row_hash.h"
 
@@ -63,7 +64,7 @@ std::vector<std::uint64_t> bits_of(cases::Case c, double duration) {
   solver::Simulation sim(c, model, {}, options);
   solver::RunState plan;
   voussoir::testing::RowHash rows;
-  solver::run(sim, plan, c, duration, rows, {});
+  solver::run(sim, plan, c, duration, rows, [](const solver::RunStatus&) { return true; });
   const auto hashes = rows.values();
   std::vector<std::uint64_t> all(hashes.begin(), hashes.end());
   CHECK(rows.rows[5] > 0);  // frames

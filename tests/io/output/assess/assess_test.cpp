@@ -72,13 +72,13 @@ class Shifted {
     return joints;
   }
   void frame(double time, Vec3 shift) {
-    std::vector<float> position, quaternion, broken(model_.blocks.size());
+    std::vector<float> displacement, quaternion, broken(model_.blocks.size());
     for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
-      const Vec3 x = model_.assembly.elements[e].mass.centroid + (above(static_cast<std::int32_t>(e)) ? shift : Vec3{});
-      for (const double v : {x.x, x.y, x.z}) position.push_back(static_cast<float>(v));
+      const Vec3 u = above(static_cast<std::int32_t>(e)) ? shift : Vec3{};
+      for (const double v : {u.x, u.y, u.z}) displacement.push_back(static_cast<float>(v));
       quaternion.insert(quaternion.end(), {1, 0, 0, 0});
     }
-    results_->frame({time, position, quaternion, broken});
+    results_->frame({time, displacement, quaternion, broken});
   }
   Hdf5File done() {
     results_->finish();
