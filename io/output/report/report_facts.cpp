@@ -319,6 +319,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
               {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
                "slipped", "first_tension", "first_shear", "first_compression", "settling_tension", "settling_shear", "settling_compression",
                "settling_slipped", "peak_base_shear", "peak_speed", "worst_residual"});
+  facts["summary"].update(texts(file, "/summary", {"failure"}));
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();

@@ -37,6 +37,7 @@ function penetration(m) {
 function keys({ facts }) {
   const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
   return [
+    s.failure !== undefined && ["Run lost", seconds(s.end_time ?? last ?? 0), `${s.failure}; figures are those up to there`],
     ...capacityKeys(facts.capacity),
     g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
     ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `so far, at ${seconds(last ?? 0)}`],
@@ -71,7 +72,7 @@ function provenance({ facts, frames }) {
   const s = facts.summary, p = facts.provenance;
   return [
     ["Elements", count(frames.n)],
-    ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : "not finished"],
+    ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : s.failure !== undefined ? "lost" : "not finished; voussoir resume goes on"],
     s.worst_residual !== undefined && ["Energy residual, worst", s.worst_residual.toExponential(1)],
     p.version && ["Voussoir", p.version],
     p.compiler && ["Compiler", p.compiler],

@@ -73,9 +73,11 @@ TEST_CASE("what threads share out is told with the number of the thread, and all
   Team team(4);
   team.wait_for_all(true);
   std::vector<int> ranges(4);
+  std::atomic<int> came{0};
   team.share_out(400, 1, [&](std::int64_t, std::int64_t, int thread) {
-    ++ranges[static_cast<std::size_t>(thread)];
-    if (ranges[static_cast<std::size_t>(thread)] == 1) sleep_for_ms(20);  // the others come meanwhile
+    if (++ranges[static_cast<std::size_t>(thread)] > 1) return;
+    ++came;
+    while (came < 4) sleep_for_ms(1);  // however late the others come, there is a range left for each
   });
   CHECK(std::accumulate(ranges.begin(), ranges.end(), 0) == 400);
   for (const int n : ranges) CHECK(n > 0);

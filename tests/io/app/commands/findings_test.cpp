@@ -82,6 +82,8 @@ TEST_CASE("the summary of a run that was lost says so, when and why, and has its
   CHECK(has(summary, "figures are those up to there"));
   CHECK(summary.text.find("not finished") == std::string::npos);
   CHECK(has(voussoir("summary --format json " + folder.path("lost")), "\"failure\": \""));
+  CHECK(voussoir("report " + folder.path("lost") + " -o " + folder.path("lost.html")).code == 0);
+  CHECK(shell::text_of(folder.path("lost.html")).find("\"failure\":\"") != std::string::npos);
 }
 
 TEST_CASE("check counts findings, lists them as JSON, and says that there are no faults only without them") {
