@@ -11,6 +11,7 @@
 #include "cases/names.h"
 #include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
+#include "geometry/nth.h"
 #include "geometry/prism.h"
 
 namespace voussoir::cases {
@@ -67,8 +68,8 @@ double shortest_edge(const Polyhedron& shape) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& face : shape.faces) {
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const Vec3 a = shape.vertices[static_cast<std::size_t>(face[i])];
-      const Vec3 b = shape.vertices[static_cast<std::size_t>(face[(i + 1) % face.size()])];
+      const Vec3 a = nth(shape.vertices, face[i]);
+      const Vec3 b = nth(shape.vertices, face[(i + 1) % face.size()]);
       shortest = std::min(shortest, norm(b - a));
     }
   }

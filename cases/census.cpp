@@ -11,6 +11,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/nth.h"
 #include "geometry/prism.h"
 
 namespace voussoir::cases {
@@ -20,7 +21,7 @@ constexpr double kLess = 1.0 - 1e-9;  // share of a bound: round-off must not ma
 
 /// The group of a block: "roof beam 12" and "roof beam 3" are in one group.
 std::string group_name(const Model& model, const Block& block) {
-  if (block.house < 0) return "blocks of " + model.materials[static_cast<std::size_t>(block.material)].name;
+  if (block.house < 0) return "blocks of " + nth(model.materials, block.material).name;
   if (block.tag.find(", storey ") != std::string::npos) return block.tag;
   const std::size_t last = block.tag.find_last_not_of("0123456789");
   const bool numbered = last != std::string::npos && last + 1 < block.tag.size() && block.tag[last] == ' ';
@@ -44,7 +45,7 @@ void count_blocks(const Model& model, Census& result) {
     if (added) result.groups.push_back({name});
     CensusGroup& group = result.groups[at->second];
     const double volume = model.assembly.elements[i].mass.volume;
-    const double mass = volume * model.materials[static_cast<std::size_t>(block.material)].value.density;
+    const double mass = volume * nth(model.materials, block.material).value.density;
     ++(block.whole ? group.whole : group.cut);
     group.volume += volume;
     group.mass += mass;
@@ -141,10 +142,10 @@ Census census(const Model& model) {
 
 StepBound step_bound(const Model& model, std::size_t block) {
   const geometry::Element& element = model.assembly.elements[block];
-  const Material& material = model.materials[static_cast<std::size_t>(model.blocks[block].material)].value;
+  const Material& material = nth(model.materials, model.blocks[block].material).value;
   StepBound least{std::numeric_limits<double>::infinity(), -1};
   for (std::int32_t f = 0; f < element.face_count; ++f) {
-    const double bound = step_bound(material, model.assembly.faces[static_cast<std::size_t>(element.first_face + f)].distance);
+    const double bound = step_bound(material, nth(model.assembly.faces, element.first_face + f).distance);
     if (bound < least.step * kLess) least = {bound, f};
   }
   return least;

@@ -19,6 +19,7 @@
 #include "cases/solids/origin.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -66,8 +67,8 @@ void add_house(const Case& c, Model& model) {
 /// The key at fault when geometry refuses an element: that of a free block, else of the house.
 std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
-  if (model.blocks[static_cast<std::size_t>(element)].house >= 0) return "house";
-  const Block& block = model.blocks[static_cast<std::size_t>(element)];
+  if (nth(model.blocks, element).house >= 0) return "house";
+  const Block& block = nth(model.blocks, element);
   if (block.ground >= 0) return indexed_key("base.part", static_cast<std::size_t>(block.ground), "");
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
@@ -108,8 +109,7 @@ std::string what_to_do(const geometry::ModelError& error) {
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
   // The later of two blocks in the case is at fault.
   const int later = std::max(error.subject(), error.other());
-  const bool of_file =
-      later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && model.blocks[static_cast<std::size_t>(later)].set >= 0;
+  const bool of_file = later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && nth(model.blocks, later).set >= 0;
   throw InputError(key_of(model, later),
                    with_names(model, error) + (of_file ? what_to_do(error) : "") + origin_note(model.origin, error.what()));
 }
@@ -130,7 +130,7 @@ void check_segments(const Case& c, const Model& model) {
     if (n > most) most = n, finest = static_cast<int>(i);
   }
   if (all <= kMostSegments) return;
-  const Block& block = model.blocks[static_cast<std::size_t>(finest)];
+  const Block& block = nth(model.blocks, finest);
   const std::string size = text(block.segment_size) + " m" + (c.segment_size ? "" : " (a quarter of its shortest edge)");
   throw InputError(c.segment_size ? "segments.size" : key_of(model, finest),
                    "makes about " + text(std::round(all)) + " segments on the faces of the model (allowed: " + text(kMostSegments) + "); " +
@@ -152,7 +152,7 @@ void assemble(const Case& c, int threads, Model& model) {
 void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
   model.joint_law.reserve(model.assembly.joints.size());
   for (const geometry::Joint& joint : model.assembly.joints) {
-    const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
+    const Block& a = nth(model.blocks, joint.element_a);
     const Block* b = beyond(model, joint);
     const std::int32_t law = stones.law(a, b).value_or(rules.law(a, b));
     model.joint_law.push_back(b == nullptr ? law : stones.on_bed(law, a, joint.face_a, *b, joint.face_b));

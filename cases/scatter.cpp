@@ -8,6 +8,7 @@
 
 #include "cases/names.h"
 #include "cases/random.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -94,18 +95,18 @@ std::vector<double> strength_factors(const Scatter& s, const Model& model) {
   takes_part[0] = false;  // "dry"
   for (std::size_t i = 0; i < s.laws.size(); ++i) {
     const std::int32_t law = find_law(model.laws, s.laws[i], indexed_key("scatter.laws", i, ""));
-    takes_part[static_cast<std::size_t>(law)] = law != 0;
+    nth(takes_part, law) = law != 0;
   }
   for (std::size_t i = 0; i < model.laws.size(); ++i) {
     const NamedLaw& law = model.laws[i];
-    if (law.made_from >= 0) takes_part[i] = takes_part[static_cast<std::size_t>(law.made_from)];
+    if (law.made_from >= 0) takes_part[i] = nth(takes_part, law.made_from);
     if (law.never_breaks) takes_part[i] = false;
   }
   std::vector<double> factors;
   factors.reserve(model.assembly.joints.size());
   for (std::size_t i = 0; i < model.assembly.joints.size(); ++i) {
     const geometry::Joint& j = model.assembly.joints[i];
-    const bool scattered = takes_part[static_cast<std::size_t>(model.joint_law[i])];
+    const bool scattered = nth(takes_part, model.joint_law[i]);
     factors.push_back(scattered ? strength_factor(s, {j.element_a, j.face_a, j.element_b, j.face_b}) : 1.0);
   }
   return factors;

@@ -16,6 +16,7 @@
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
+#include "geometry/nth.h"
 #include "geometry/polygon.h"
 
 namespace voussoir::cases {
@@ -80,11 +81,10 @@ std::vector<TieHold> covered(const Model& model, const End& end, const std::arra
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
     for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
-      const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
+      const geometry::Face& face = nth(a.faces, a.elements[i].first_face + f);
       if (dot(face.normal, n) < 1.0 - 1e-6 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
       geometry::Polygon corners;
-      for (const std::int32_t v : model.blocks[i].shape.faces[static_cast<std::size_t>(f)])
-        corners.push_back(in_plane(model.blocks[i].shape.vertices[static_cast<std::size_t>(v)]));
+      for (const std::int32_t v : nth(model.blocks[i].shape.faces, f)) corners.push_back(in_plane(nth(model.blocks[i].shape.vertices, v)));
       const geometry::Region region = geometry::region(geometry::intersection(shape, corners));
       if (region.area < 1e-6 * plate[0] * plate[1]) continue;
       holds.push_back({static_cast<std::int32_t>(i), region.area, end.point + region.centroid.s * across + region.centroid.t * up});
@@ -109,7 +109,7 @@ std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (distance_outside(a, i, end.point) > plate[0] + plate[1]) continue;
     for (std::int32_t f = 0; f < a.elements[i].face_count; ++f) {
-      const geometry::Face& face = a.faces[static_cast<std::size_t>(a.elements[i].first_face + f)];
+      const geometry::Face& face = nth(a.faces, a.elements[i].first_face + f);
       if (-dot(face.normal, end.inwards) < 0.5 - 1e-9 || std::abs(dot(face.normal, end.point) - face.offset) > kNear) continue;
       if (std::ranges::any_of(seen, [&](Vec3 n) { return dot(n, face.normal) > 1.0 - 1e-6; })) continue;
       seen.push_back(face.normal);
@@ -287,13 +287,11 @@ void add_mesh(const Case& c, std::size_t index, double foot, Model& model) {
   TieBill bill;
   bill.name = mesh.name;
   bill.area = planned.cell * static_cast<double>(std::ranges::count_if(element, [](std::int32_t e) { return e >= 0; }));
-  const auto apart = [&](std::array<std::int32_t, 2> nodes) {
-    return norm(planned.nodes[static_cast<std::size_t>(nodes[1])] - planned.nodes[static_cast<std::size_t>(nodes[0])]);
-  };
+  const auto apart = [&](std::array<std::int32_t, 2> nodes) { return norm(nth(planned.nodes, nodes[1]) - nth(planned.nodes, nodes[0])); };
   const std::size_t before = model.ties.size();
   for (const PlannedMesh::Strap& s : planned.straps) add_bar(planned, element, s.nodes, strap_of(mesh, s.width, apart(s.nodes)), model);
   for (const auto& nodes : planned.connectors) {
-    if (element[static_cast<std::size_t>(nodes[0])] < 0 || element[static_cast<std::size_t>(nodes[1])] < 0) continue;
+    if (nth(element, nodes[0]) < 0 || nth(element, nodes[1]) < 0) continue;
     add_bar(planned, element, nodes, connector_of(*mesh.connectors, apart(nodes)), model);
     bill.length += apart(nodes), bill.anchors += 2;
   }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -125,21 +127,21 @@ void UniformGrid::fill() {
 /// Adds a box to the buckets of its cells. \return false if a bucket has no room
 bool UniformGrid::add(std::int32_t index) {
   bool room = true;
-  for_each_cell(cells_[static_cast<std::size_t>(index)], [&](Cell c) {
+  for_each_cell(nth(cells_, index), [&](Cell c) {
     const std::uint32_t b = bucket_of(c);
     const auto first = items_.begin() + start_[b], last = items_.begin() + end_[b];
     if (std::find(first, last, index) != last) return;  // two cells of one box may share a bucket
     if (end_[b] == start_[b + 1]) {
       room = false;
     } else {
-      items_[static_cast<std::size_t>(end_[b]++)] = index;
+      nth(items_, end_[b]++) = index;
     }
   });
   return room;
 }
 
 void UniformGrid::take_out(std::int32_t index) {
-  for_each_cell(cells_[static_cast<std::size_t>(index)], [&](Cell c) {
+  for_each_cell(nth(cells_, index), [&](Cell c) {
     const std::uint32_t b = bucket_of(c);
     const auto first = items_.begin() + start_[b], last = items_.begin() + end_[b];
     const auto at = std::find(first, last, index);
@@ -177,10 +179,10 @@ void UniformGrid::refill() {
 void UniformGrid::query_cell(Cell cell, Cell query_low, const Box3& query, std::vector<std::int32_t>& out) const {
   const std::uint32_t bucket = bucket_of(cell);
   for (std::int32_t k = start_[bucket]; k < end_[bucket]; ++k) {
-    const std::int32_t item = items_[static_cast<std::size_t>(k)];
-    if (!intersect(query, boxes_[static_cast<std::size_t>(item)])) continue;
+    const std::int32_t item = nth(items_, k);
+    if (!intersect(query, nth(boxes_, item))) continue;
     // A box is reported only from the first cell that it shares with the query: no duplicates, and no marks shared between threads.
-    const Cell low = cells_[static_cast<std::size_t>(item)].low;
+    const Cell low = nth(cells_, item).low;
     const Cell first{std::max(low.x, query_low.x), std::max(low.y, query_low.y), std::max(low.z, query_low.z)};
     if (first == cell) out.push_back(item);
   }
@@ -198,7 +200,7 @@ void UniformGrid::query(const Box3& query, std::vector<std::int32_t>& out) const
   }
   for_each_cell(cells, [&](Cell c) { query_cell(c, cells.low, query, out); });
   for (const std::int32_t i : large_) {
-    if (intersect(query, boxes_[static_cast<std::size_t>(i)])) out.push_back(i);
+    if (intersect(query, nth(boxes_, i))) out.push_back(i);
   }
   std::sort(out.begin() + old_size, out.end());
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -21,7 +23,7 @@ struct Moments {
 Moments moments(const Polyhedron& p, Vec3 origin) {
   Moments m;
   for (const auto& loop : p.faces) {
-    const auto at = [&](std::size_t i) { return p.vertices[static_cast<std::size_t>(loop[i])] - origin; };
+    const auto at = [&](std::size_t i) { return nth(p.vertices, loop[i]) - origin; };
     const Vec3 a = at(0);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       const Vec3 b = at(i), c = at(i + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/nth.h"
 #include "geometry/segments/touching.h"
 
 namespace voussoir::geometry {
@@ -25,11 +26,11 @@ Interval project(const Polyhedron& p, Vec3 axis, Vec3 origin) {
 
 /// Least depth of `other` behind a face of `element` [m]. Stops at the first depth of at most `enough`.
 double depth_behind_faces(const Scene& scene, std::int32_t element, std::int32_t other, double enough) {
-  const Element& e = scene.elements[static_cast<std::size_t>(element)];
-  const Polyhedron& shape = *scene.parts[static_cast<std::size_t>(other)].shape;
+  const Element& e = nth(scene.elements, element);
+  const Polyhedron& shape = *nth(scene.parts, other).shape;
   double least = std::numeric_limits<double>::infinity();
   for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
-    const FaceGrid& g = scene.grids[static_cast<std::size_t>(f)];
+    const FaceGrid& g = nth(scene.grids, f);
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec3& v : shape.vertices) lowest = std::min(lowest, dot(v - g.origin, g.normal));
     least = std::min(least, -lowest);
@@ -43,8 +44,8 @@ std::vector<Vec3> edge_directions(const Polyhedron& p) {
   std::vector<Vec3> out;
   for (const auto& loop : p.faces) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec3 from = p.vertices[static_cast<std::size_t>(loop[i])];
-      const Vec3 to = p.vertices[static_cast<std::size_t>(loop[(i + 1) % loop.size()])];
+      const Vec3 from = nth(p.vertices, loop[i]);
+      const Vec3 to = nth(p.vertices, loop[(i + 1) % loop.size()]);
       const Vec3 e = normalised(to - from);
       const auto parallel = [&](Vec3 o) { return norm(cross(o, e)) < 1e-9; };
       if (std::none_of(out.begin(), out.end(), parallel)) out.push_back(e);
@@ -61,8 +62,8 @@ double penetration(const Scene& scene, std::int32_t a, std::int32_t b, double en
   least = std::min(least, depth_behind_faces(scene, b, a, enough));
   if (least <= enough) return least;
 
-  const Polyhedron& shape_a = *scene.parts[static_cast<std::size_t>(a)].shape;
-  const Polyhedron& shape_b = *scene.parts[static_cast<std::size_t>(b)].shape;
+  const Polyhedron& shape_a = *nth(scene.parts, a).shape;
+  const Polyhedron& shape_b = *nth(scene.parts, b).shape;
   const Vec3 origin = shape_a.vertices.front();
   const std::vector<Vec3> edges_b = edge_directions(shape_b);
   for (const Vec3& ea : edge_directions(shape_a)) {

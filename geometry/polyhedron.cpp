@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 
 namespace voussoir::geometry {
 
@@ -127,8 +128,8 @@ Polyhedron mirrored(const Polyhedron& p, Vec3 n, Vec3 at) {
 }
 
 FacePlane face_plane(const Polyhedron& p, int face) {
-  const auto& loop = p.faces[static_cast<std::size_t>(face)];
-  const auto at = [&](std::size_t i) { return p.vertices[static_cast<std::size_t>(loop[i])]; };
+  const auto& loop = nth(p.faces, face);
+  const auto at = [&](std::size_t i) { return nth(p.vertices, loop[i]); };
   const Vec3 first = at(0);
   Vec3 doubled;  // Σ of the fan's cross products: twice the area times the normal
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) doubled += cross(at(i) - first, at(i + 1) - first);

@@ -8,6 +8,8 @@
 #include <optional>
 #include <tuple>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -34,7 +36,7 @@ std::optional<Loop> tops(const Polyhedron& p, std::size_t bottom) {
     if (below != 2 || loop.size() != 4) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
       if (!in_ring(loop[i]) || in_ring(loop[(i + 1) % 4])) continue;  // the edge that leaves the bottom upwards
-      top[static_cast<std::size_t>(std::find(ring.begin(), ring.end(), loop[i]) - ring.begin())] = loop[(i + 1) % 4];
+      nth(top, std::find(ring.begin(), ring.end(), loop[i]) - ring.begin()) = loop[(i + 1) % 4];
     }
   }
   if (ends != 1 || std::find(top.begin(), top.end(), -1) != top.end()) return std::nullopt;
@@ -43,7 +45,7 @@ std::optional<Loop> tops(const Polyhedron& p, std::size_t bottom) {
 
 Vec3 middle(const Polyhedron& p, const Loop& loop) {
   Vec3 sum;
-  for (const std::int32_t v : loop) sum += p.vertices[static_cast<std::size_t>(v)];
+  for (const std::int32_t v : loop) sum += nth(p.vertices, v);
   return sum / static_cast<double>(loop.size());
 }
 
@@ -96,7 +98,7 @@ Polyhedron in_prism_order(const Polyhedron& p) {
   std::reverse(ring.begin(), ring.end());
   std::reverse(top.begin(), top.end());
   const auto place = [&](std::int32_t v) {
-    const Vec3 x = p.vertices[static_cast<std::size_t>(v)];
+    const Vec3 x = nth(p.vertices, v);
     return std::tuple(x.z, x.y, x.x);
   };
   const auto first = std::min_element(ring.begin(), ring.end(), [&](auto a, auto b) { return place(a) < place(b); }) - ring.begin();
@@ -104,7 +106,7 @@ Polyhedron in_prism_order(const Polyhedron& p) {
   std::rotate(top.begin(), top.begin() + first, top.end());
   Polyhedron out;
   for (const Loop* loop : {&ring, &top}) {
-    for (const std::int32_t v : *loop) out.vertices.push_back(p.vertices[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : *loop) out.vertices.push_back(nth(p.vertices, v));
   }
   out.faces = prism_faces(static_cast<std::int32_t>(ring.size()));
   return out;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -112,10 +114,8 @@ double between_segments(Vec3 p, Vec3 u, Vec3 q, Vec3 v) {
 }
 
 double between_edges(const ConvexBody& a, const ConvexBody& b) {
-  const auto from = [](const ConvexBody& c, const auto& e) { return c.vertices[static_cast<std::size_t>(e[0])]; };
-  const auto along = [](const ConvexBody& c, const auto& e) {
-    return c.vertices[static_cast<std::size_t>(e[1])] - c.vertices[static_cast<std::size_t>(e[0])];
-  };
+  const auto from = [](const ConvexBody& c, const auto& e) { return nth(c.vertices, e[0]); };
+  const auto along = [](const ConvexBody& c, const auto& e) { return nth(c.vertices, e[1]) - nth(c.vertices, e[0]); };
   double least = std::numeric_limits<double>::infinity();
   for (const auto& ea : a.edges) {
     for (const auto& eb : b.edges) least = std::min(least, between_segments(from(a, ea), along(a, ea), from(b, eb), along(b, eb)));

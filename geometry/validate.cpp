@@ -4,6 +4,7 @@
 
 #include "geometry/mass.h"
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/polyhedron.h"
 
 namespace voussoir::geometry {
@@ -51,7 +52,7 @@ void check_loops(const Polyhedron& p, int subject) {
           loop.begin() + static_cast<std::ptrdiff_t>(i)) {
         fail(subject, name + " uses vertex " + std::to_string(loop[i]) + " twice");
       }
-      used[static_cast<std::size_t>(loop[i])] = true;
+      nth(used, loop[i]) = true;
     }
   }
   const auto unused = std::find(used.begin(), used.end(), false);
@@ -85,7 +86,7 @@ void check_planes(const Polyhedron& p, double size, double allowed, int subject)
       fail(subject, "face " + std::to_string(f) + " has no area: " + figure(plane.area) + " m2");
     }
     for (const std::int32_t i : p.faces[f]) {
-      const double gap = std::abs(dot(p.vertices[static_cast<std::size_t>(i)] - plane.centroid, plane.normal));
+      const double gap = std::abs(dot(nth(p.vertices, i) - plane.centroid, plane.normal));
       if (gap <= allowed) continue;
       fail(subject, "a face is not plane: vertex " + std::to_string(i) + " lies " + figure(gap) + " m off face " + std::to_string(f) +
                         " (allowed " + figure(allowed) + " m)");

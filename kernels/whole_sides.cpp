@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/nth.h"
 #include "kernels/prefetch.h"
 #include "kernels/side_lanes.h"
 
@@ -219,7 +220,7 @@ template <int axis>
     const SideBlock& block = run.blocks[number];
     if (block.axis != axis) return true;
     lanes = 0;
-    if (i < run.prefetch.size()) prefetch_constants<axis>(*run.blocks[static_cast<std::size_t>(run.prefetch[i])].whole);
+    if (i < run.prefetch.size()) prefetch_constants<axis>(*nth(run.blocks, run.prefetch[i]).whole);
     for (int at = 0; at < kLanes; at += kWidth) {
       const unsigned live = run.live_lanes[number] >> at & kGroup;
       if (live == 0) continue;
@@ -235,7 +236,7 @@ template <int axis>
 std::size_t advance_whole(const WholeRun& run, const Rows& rows, unsigned& lanes) noexcept {
   std::size_t i = 0;
   for (bool certain = true; certain && i < run.numbers.size();) {
-    switch (run.blocks[static_cast<std::size_t>(run.numbers[i])].axis) {
+    switch (nth(run.blocks, run.numbers[i]).axis) {
       case 0:
         certain = advance_along<0>(run, i, rows, lanes);
         break;

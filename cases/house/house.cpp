@@ -9,6 +9,7 @@
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/house/roofs/house_vault.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -69,7 +70,7 @@ std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const
     throw InputError("house.roof.surcharge", text(roof.surcharge) + " kg/m2, but there is no roof to carry it; allowed: 0");
   const char* key = is_of_timber(roof) ? "house.wood.material" : "house.material";
   const std::int32_t bare = find_material(materials, bare_roof_material(house), key);
-  NamedMaterial loaded{surcharged_name(house), materials[static_cast<std::size_t>(bare)].value, bare};
+  NamedMaterial loaded{surcharged_name(house), nth(materials, bare).value, bare};
   loaded.value.density += roof.kind == RoofKind::pitched ? rafter_surcharge(house, plan_house(house)) : surcharge_density(house);
   return loaded;
 }
@@ -81,7 +82,7 @@ std::optional<NamedMaterial> loaded_floor(const House& house, std::size_t index,
   if (!(floor.load > 0.0 && floor.load < 1e5))
     throw InputError(indexed_key("house.floor", index, "load"), text(floor.load) + " kg/m2 is out of range; allowed: 0 to 100000");
   const std::int32_t bare = find_material(materials, house.wood.material, "house.wood.material");
-  NamedMaterial loaded{floor_name(house, index), materials[static_cast<std::size_t>(bare)].value, bare};
+  NamedMaterial loaded{floor_name(house, index), nth(materials, bare).value, bare};
   loaded.value.density += floor.load * floor.spacing / (floor.beam[0] * floor.beam[1]);
   return loaded;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -69,7 +70,7 @@ void plan_inner_walls(const House& house, int storey, HousePlan& plan) {
     wall.length = plan.outer[wall.along_x ? 0 : 1];
     wall.thickness = multiple_of(inner.thickness, plan.brick_width, indexed_key("house.inner_wall", i, "thickness"), "brick widths");
     wall.corner = plan.wall(wall.along_x ? Side::left : Side::front, storey).thickness;
-    wall.height = plan.storeys[static_cast<std::size_t>(storey)];
+    wall.height = nth(plan.storeys, storey);
     check_place(house, i, wall, plan);
     plan.walls.push_back(wall);
   }

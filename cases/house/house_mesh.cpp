@@ -7,6 +7,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/house/house_ties.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -29,7 +30,7 @@ struct Places {
 struct Sheet {
   int columns = 0, rows = 0;
   std::vector<std::int32_t> nodes;
-  [[nodiscard]] std::int32_t at(int column, int row) const { return nodes[static_cast<std::size_t>(row * columns + column)]; }
+  [[nodiscard]] std::int32_t at(int column, int row) const { return nth(nodes, row * columns + column); }
 };
 
 /// Builds the mesh of one house, in axes of the house.

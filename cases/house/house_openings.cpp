@@ -13,6 +13,7 @@
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/ground.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -32,8 +33,7 @@ WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
   }
   std::string allowed = "front, rear, left, right";
   for (const WallPlan& wall : plan.walls) {
-    if (wall.inner >= 0 && wall.storey == opening.storey - 1)
-      allowed += ", " + house.inner_walls[static_cast<std::size_t>(wall.inner)].name;
+    if (wall.inner >= 0 && wall.storey == opening.storey - 1) allowed += ", " + nth(house.inner_walls, wall.inner).name;
   }
   throw InputError(
       opening_key(index, "wall"),
@@ -195,8 +195,7 @@ std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
     for (int course = 0; course < plan.course_count(); ++course) {
       for (const Wythe& wythe : wythes(plan, wall, course)) {
         for (const Interval piece : free_spans(plan, wall, course, wythe.depth)) {
-          if (piece.length() < plan.shortest_piece())
-            return ShortPiece{piece, &wall, hole_beside(wall, piece, plan.courses[static_cast<std::size_t>(course)])};
+          if (piece.length() < plan.shortest_piece()) return ShortPiece{piece, &wall, hole_beside(wall, piece, nth(plan.courses, course))};
         }
       }
     }

@@ -9,6 +9,7 @@
 #include "cases/house/house_openings.h"
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -127,7 +128,7 @@ void choose_walls(const House& house, HousePlan& plan) {
     built[side] = true;
   }
   if (house.walls.empty()) throw InputError("house.walls", "names no wall; allowed: front, right, rear, left");
-  const auto has = [&](Side side) { return built[static_cast<std::size_t>(side)]; };
+  const auto has = [&](Side side) { return nth(built, side); };
   for (WallPlan& wall : plan.walls) {
     wall.built = !wall.outer() || has(wall.side);
     wall.meets = wall.along_x ? std::array{has(Side::left), has(Side::right)} : std::array{has(Side::front), has(Side::rear)};
@@ -249,13 +250,13 @@ const WallPlan& HousePlan::wall(Side side, int storey) const noexcept {
 
 const WallPlan& HousePlan::wall_at(Side side, Tick height) const noexcept {
   int storey = 0;
-  while (storey + 1 < static_cast<int>(storeys.size()) && height >= storeys[static_cast<std::size_t>(storey)].high) ++storey;
+  while (storey + 1 < static_cast<int>(storeys.size()) && height >= nth(storeys, storey).high) ++storey;
   return wall(side, storey);
 }
 
 std::string wall_name(const House& house, const WallPlan& wall) {
   if (wall.pier >= 0) return name(wall.side) + std::string(" pier");
-  return (wall.inner < 0 ? name(wall.side) : house.inner_walls[static_cast<std::size_t>(wall.inner)].name) + std::string(" wall");
+  return (wall.inner < 0 ? name(wall.side) : nth(house.inner_walls, wall.inner).name) + std::string(" wall");
 }
 
 std::string wall_tag(const House& house, const WallPlan& wall, const char* what) {
@@ -267,7 +268,7 @@ std::string wall_tag(const House& house, const WallPlan& wall, const char* what)
 
 std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, int course, Interval depth) {
   std::vector<Interval> gaps;
-  const Interval height = plan.courses[static_cast<std::size_t>(course)];
+  const Interval height = nth(plan.courses, course);
   if (!wall.built || !height.overlaps(wall.height)) return gaps;
   if (wall.along_x != (course % 2 == 0)) {
     for (const Crossing& other : wall.crossings)

@@ -7,11 +7,12 @@
 #include <string>
 #include <tuple>
 
-#include "cases/house/walls/arches.h"
 #include "cases/house/house_parts.h"
+#include "cases/house/walls/arches.h"
 #include "cases/house/walls/prism.h"
 #include "cases/house/walls/rubble.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -125,7 +126,7 @@ std::vector<Interval> through_stones(const House& house, const HousePlan& plan, 
 void fill_behind_beams(const HousePlan& plan, const WallPlan& wall, int course, const Wythe& wythe, std::vector<LaidBrick>& bricks) {
   for (const Hole& hole : wall.holes) {
     const bool cut = hole.floor >= 0 && hole.depth.overlaps(wythe.depth) && hole.depth.low > wythe.depth.low;
-    if (!cut || !hole.height.overlaps(plan.courses[static_cast<std::size_t>(course)])) continue;
+    if (!cut || !hole.height.overlaps(nth(plan.courses, course))) continue;
     const Interval depth{wythe.depth.low, hole.depth.low};
     for (const Interval along : divide(hole.along, {depth, plan.brick_length, 0}, plan.brick_length))
       bricks.push_back({along, depth, false});
@@ -169,7 +170,7 @@ void add_stones(const House& house, const HousePlan& plan, const WallPlan& wall,
 /// Adds the blocks of one course. \param rubble  null: bricks
 void build_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course, const RubbleWalls* rubble,
                   HouseParts& parts) {
-  const Interval height = plan.courses[static_cast<std::size_t>(course)];
+  const Interval height = nth(plan.courses, course);
   if (rubble != nullptr) add_stones(house, plan, wall, rubble->stones(wall, course), parts);
   std::vector<Laid> laid;
   if (rubble == nullptr) {
@@ -266,7 +267,7 @@ std::vector<Interval> divide(Interval span, const Wythe& wythe, Tick brick_lengt
 }
 
 std::vector<LaidBrick> lay_course(const House& house, const HousePlan& plan, const WallPlan& wall, int course) {
-  const bool full_height = plan.courses[static_cast<std::size_t>(course)].length() == plan.brick_height;
+  const bool full_height = nth(plan.courses, course).length() == plan.brick_height;
   const std::vector<Interval> stones = through_stones(house, plan, wall, course);
   std::vector<LaidBrick> bricks;
   for (const Wythe& wythe : wythes(plan, wall, course)) {

@@ -7,6 +7,7 @@
 #include "cases/names.h"
 #include "cases/solids/outside.h"
 #include "cases/solids/stone_blocks.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -31,9 +32,7 @@ std::int32_t part_at(const Model& model, const std::vector<std::int32_t>& parts,
 
 /// Divides a load on a whole among its parts; the total force and moment are as given.
 void share_out(const Model& model, const Load& load, const std::vector<std::int32_t>& parts, std::vector<LoadShare>& out) {
-  const auto mass = [&](std::int32_t e) -> const geometry::MassProperties& {
-    return model.assembly.elements[static_cast<std::size_t>(e)].mass;
-  };
+  const auto mass = [&](std::int32_t e) -> const geometry::MassProperties& { return nth(model.assembly.elements, e).mass; };
   if (load.at || parts.size() == 1) {
     const std::int32_t e = load.at ? part_at(model, parts, *load.at) : parts.front();
     out.push_back({e, 1.0, load.at.value_or(mass(e).centroid)});
@@ -70,7 +69,7 @@ std::vector<LoadShare> load_shares(const Model& model, const Load& load, std::si
   if (wholes.empty()) throw InputError(key, "= " + quoted(load.block) + " is the name of no block");
   std::vector<LoadShare> shares;
   for (std::vector<std::int32_t>& parts : wholes) {
-    std::erase_if(parts, [&](std::int32_t e) { return model.blocks[static_cast<std::size_t>(e)].fixed; });
+    std::erase_if(parts, [&](std::int32_t e) { return nth(model.blocks, e).fixed; });
     if (!parts.empty()) share_out(model, load, parts, shares);
   }
   if (shares.empty()) throw InputError(key, quoted(load.block) + " is fixed, a load cannot move it");

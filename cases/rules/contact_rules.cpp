@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 
@@ -43,11 +44,11 @@ std::vector<double> contact_friction(const Contact& contact, std::span<const Nam
 }
 
 double friction_without_bond(const Model& model, std::size_t joint) {
-  const JointLaw& law = model.laws[static_cast<std::size_t>(model.joint_law[joint])].value;
+  const JointLaw& law = nth(model.laws, model.joint_law[joint]).value;
   if (law.residual_friction) return *law.residual_friction;
   const std::size_t base = model.materials.size();
   const auto material = [&](std::int32_t element) {
-    return element == geometry::kBase ? base : static_cast<std::size_t>(model.blocks[static_cast<std::size_t>(element)].material);
+    return element == geometry::kBase ? base : static_cast<std::size_t>(nth(model.blocks, element).material);
   };
   const geometry::Joint& j = model.assembly.joints[joint];
   return model.contact_friction[material(j.element_a) * (base + 1) + material(j.element_b)];

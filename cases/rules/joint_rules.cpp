@@ -8,6 +8,7 @@
 #include "cases/house/house.h"
 #include "cases/names.h"
 #include "cases/solids/ground.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -40,11 +41,11 @@ JointRules::JointRules(const Case& c, const Model& model) {
   for (const NamedMaterial& m : model.materials) made_from_.push_back(m.made_from);
   if (c.house) {
     masonry_ = find_law(model.laws, c.house->joint, "house.joint");
-    check_mortar(*c.house, model.laws[static_cast<std::size_t>(masonry_)]);
+    check_mortar(*c.house, nth(model.laws, masonry_));
     collar_ = masonry_;
     if (c.house->leaves && c.house->leaves->joint) {
       collar_ = find_law(model.laws, *c.house->leaves->joint, "house.leaves.joint");
-      if (const NamedLaw& law = model.laws[static_cast<std::size_t>(collar_)]; law.value.thickness > 0.0) check_mortar(*c.house, law);
+      if (const NamedLaw& law = nth(model.laws, collar_); law.value.thickness > 0.0) check_mortar(*c.house, law);
     }
     // Keys of parts that the house lacks may name laws that the case lacks.
     if (has_timber(*c.house)) {
@@ -85,7 +86,7 @@ JointRules::JointRules(const Case& c, const Model& model) {
 }
 
 std::int32_t JointRules::rule_material(const Block& block) const noexcept {
-  const std::int32_t made_from = made_from_[static_cast<std::size_t>(block.material)];
+  const std::int32_t made_from = nth(made_from_, block.material);
   return made_from < 0 ? block.material : made_from;
 }
 
@@ -97,7 +98,7 @@ std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noex
   if (a.member < 0 && b.member < 0) return are_leaves(a, b) ? collar_ : masonry_;
   if (a.member < 0 || b.member < 0) {
     const std::int32_t floor = std::max(a.floor, b.floor);
-    return floor < 0 ? between_members_ : floors_[static_cast<std::size_t>(floor)];
+    return floor < 0 ? between_members_ : nth(floors_, floor);
   }
   if (a.member == b.member) return within_member_;
   if (a.kind == PartKind::beam && b.kind == PartKind::beam) return is_edge_beam(a) || is_edge_beam(b) ? edge_beams_ : between_beams_;
@@ -116,7 +117,7 @@ bool JointRules::are_halves(const Block& a, const Block* b) noexcept {
 bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a.house >= 0 && (b == nullptr || a.house == b->house); }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
-  if (are_halves(a, b)) return inside_[static_cast<std::size_t>(a.material)];
+  if (are_halves(a, b)) return nth(inside_, a.material);
   // Columns are fixed to the ground (paper 3.3).
   if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
   for (std::size_t i = 0; i < between_.size(); ++i) {
@@ -130,7 +131,7 @@ namespace {
 /// Whether a table of stones determines the law of two blocks, see StoneLaws.
 bool is_of_stones(const Case& c, const Block& a, const Block* b) {
   if (b == nullptr || a.set < 0) return false;
-  return a.stone == b->stone || (a.set == b->set && c.stones[static_cast<std::size_t>(a.set)].joint);
+  return a.stone == b->stone || (a.set == b->set && nth(c.stones, a.set).joint);
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   const std::size_t n = c.joints.between.size();
   std::vector<bool> used(n), taken(n);  // taken: faces that fit touch, but a rule with precedence gives their law
   for (const geometry::Joint& joint : model.assembly.joints) {
-    const Block& a = model.blocks[static_cast<std::size_t>(joint.element_a)];
+    const Block& a = nth(model.blocks, joint.element_a);
     const Block* b = beyond(model, joint);
     bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {

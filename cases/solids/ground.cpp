@@ -8,6 +8,7 @@
 #include "cases/blocks.h"
 #include "cases/names.h"
 #include "cases/solids/origin.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -187,7 +188,7 @@ void add_ground(const Case& c, Model& model) {
 
 const Block* beyond(const Model& model, const geometry::Joint& joint) noexcept {
   if (joint.element_b == geometry::kBase) return nullptr;
-  const Block& other = model.blocks[static_cast<std::size_t>(joint.element_b)];
+  const Block& other = nth(model.blocks, joint.element_b);
   return other.ground < 0 ? &other : nullptr;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/assembly.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 
@@ -15,7 +16,7 @@ inline double distance_outside(const geometry::Assembly& a, std::size_t element,
   double most = -std::numeric_limits<double>::infinity();
   const geometry::Element& e = a.elements[element];
   for (std::int32_t f = 0; f < e.face_count; ++f) {
-    const geometry::Face& face = a.faces[static_cast<std::size_t>(e.first_face + f)];
+    const geometry::Face& face = nth(a.faces, e.first_face + f);
     most = std::max(most, dot(face.normal, point) - face.offset);
   }
   return most;

@@ -9,6 +9,7 @@
 
 #include "cases/blocks.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -149,28 +150,28 @@ StoneLaws::StoneLaws(const Case& c, Model& model, std::int32_t default_law) {
     if (!c.stones[k].gap) continue;
     bed_[k].assign(given, -1);
     const std::int32_t law = of_set_[k] >= 0 ? of_set_[k] : default_law;
-    const NamedLaw& own = model.laws[static_cast<std::size_t>(law)];
+    const NamedLaw& own = nth(model.laws, law);
     if (!(own.value.young > 0.0)) {
       throw InputError(indexed_key("stones", k, "gap"), "is a bed of mortar of " + millimetres(*c.stones[k].gap) + " mm, but the law " +
                                                             quoted(own.name) + " between these stones has no young (Pa, of the mortar)");
     }
     NamedLaw bed{own.name + ", bed of " + millimetres(*c.stones[k].gap) + " mm", own.value, law};
     bed.value.thickness = *c.stones[k].gap;
-    bed_[k][static_cast<std::size_t>(law)] = static_cast<std::int32_t>(model.laws.size());
+    nth(bed_[k], law) = static_cast<std::int32_t>(model.laws.size());
     model.laws.push_back(std::move(bed));
   }
 }
 
 std::optional<std::int32_t> StoneLaws::law(const Block& a, const Block* b) const noexcept {
   if (b == nullptr || a.set < 0) return std::nullopt;
-  if (a.stone == b->stone) return of_material_[static_cast<std::size_t>(a.material)];
-  if (a.set != b->set || of_set_[static_cast<std::size_t>(a.set)] < 0) return std::nullopt;
-  return of_set_[static_cast<std::size_t>(a.set)];
+  if (a.stone == b->stone) return nth(of_material_, a.material);
+  if (a.set != b->set || nth(of_set_, a.set) < 0) return std::nullopt;
+  return nth(of_set_, a.set);
 }
 
 std::int32_t StoneLaws::on_bed(std::int32_t law, const Block& a, std::int32_t face_a, const Block& b, std::int32_t face_b) const noexcept {
   if (a.set < 0 || b.set < 0 || a.stone == b.stone || !has(a.beds, face_a) || !has(b.beds, face_b)) return law;
-  const auto& beds = bed_[static_cast<std::size_t>(a.set)];
+  const auto& beds = nth(bed_, a.set);
   const auto at = static_cast<std::size_t>(law);
   return at < beds.size() && beds[at] >= 0 ? beds[at] : law;
 }

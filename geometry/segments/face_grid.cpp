@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 
 namespace voussoir::geometry {
 
@@ -75,10 +76,10 @@ double snapped(double value, double quantum) noexcept { return std::nearbyint(va
 double cells_along(double extent, double size) noexcept { return std::max(1.0, std::floor(extent / size + 0.5 + 1e-9)); }
 
 FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject) {
-  const auto& loop = p.faces[static_cast<std::size_t>(face)];
+  const auto& loop = nth(p.faces, face);
   std::vector<Vec3> corners;
   corners.reserve(loop.size());
-  for (const std::int32_t i : loop) corners.push_back(p.vertices[static_cast<std::size_t>(i)]);
+  for (const std::int32_t i : loop) corners.push_back(nth(p.vertices, i));
 
   FaceGrid g;
   g.normal = face_plane(p, face).normal;
@@ -181,13 +182,13 @@ void merge_small(const FaceGrid& g, std::vector<Piece>& pieces) {
     for (std::int32_t k = 0; k < 9; ++k) {
       const std::ptrdiff_t other = find(column + k % 3 - 1, row + k / 3 - 1);
       if (other < 0) continue;
-      const auto at = [&](std::ptrdiff_t n) -> const Piece& { return as_cut[static_cast<std::size_t>(n)]; };
+      const auto at = [&](std::ptrdiff_t n) -> const Piece& { return nth(as_cut, n); };
       const bool larger = best < 0 || at(other).area > (1.0 + kEqualAreas) * at(best).area;
       const bool alike = !larger && at(other).area >= (1.0 - kEqualAreas) * at(best).area;
       if (larger || (alike && distance2(at(other), as_cut[i]) < distance2(at(best), as_cut[i]))) best = other;
     }
     if (best < 0) continue;
-    Piece &piece = pieces[i], &largest = pieces[static_cast<std::size_t>(best)];
+    Piece &piece = pieces[i], &largest = nth(pieces, best);
     const double sum = largest.area + piece.area, share = piece.area / sum;
     largest.centroid.s += share * (piece.centroid.s - largest.centroid.s);
     largest.centroid.t += share * (piece.centroid.t - largest.centroid.t);

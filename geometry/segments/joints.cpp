@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/parallel/ranges.h"
 #include "geometry/segments/rim_points.h"
 
@@ -35,7 +36,7 @@ struct SidesByFace {
 };
 
 std::size_t face_index(const Scene& scene, std::int32_t element, std::int32_t face) {
-  return static_cast<std::size_t>(scene.elements[static_cast<std::size_t>(element)].first_face + face);
+  return static_cast<std::size_t>(nth(scene.elements, element).first_face + face);
 }
 
 SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
@@ -51,7 +52,7 @@ SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
   for_each_side([&](std::size_t f, Side) { ++out.start[f + 2]; });
   for (std::size_t f = 2; f < out.start.size(); ++f) out.start[f] += out.start[f - 1];
   out.sides.resize(static_cast<std::size_t>(out.start.back()));
-  for_each_side([&](std::size_t f, Side s) { out.sides[static_cast<std::size_t>(out.start[f + 1]++)] = s; });
+  for_each_side([&](std::size_t f, Side s) { nth(out.sides, out.start[f + 1]++) = s; });
   return out;
 }
 
@@ -77,7 +78,7 @@ void check_sum(const Contact& c, const std::vector<Segment>& side, const char* n
                          std::to_string(c.element_b) + " sum to " + figure(sum) + " m2, the overlap is " + figure(c.area) + " m2");
 }
 
-bool is_ground(const Scene& scene, std::int32_t element) { return scene.parts[static_cast<std::size_t>(element)].ground; }
+bool is_ground(const Scene& scene, std::int32_t element) { return nth(scene.parts, element).ground; }
 
 /// Determines whether the segments of both sides of a joint coincide.
 class Matcher {
@@ -90,7 +91,7 @@ class Matcher {
     for (std::size_t k = 0; k < side_a.size(); ++k) by_cell_[cell_of(g, side_a[k])] = static_cast<std::int32_t>(k);
     const bool all = std::all_of(side_b.begin(), side_b.end(), [&](const Segment& b) {
       const std::int32_t k = by_cell_[cell_of(g, b)];
-      return k >= 0 && equal(side_a[static_cast<std::size_t>(k)], b);
+      return k >= 0 && equal(nth(side_a, k), b);
     });
     for (const Segment& a : side_a) by_cell_[cell_of(g, a)] = -1;
     return all;
@@ -167,7 +168,7 @@ class FaceCutter {
   [[nodiscard]] std::vector<FreePatch> take_patches() { return std::move(patches_); }
 
  private:
-  [[nodiscard]] double size_of(std::int32_t element) const { return scene_.parts[static_cast<std::size_t>(element)].segment_size; }
+  [[nodiscard]] double size_of(std::int32_t element) const { return nth(scene_.parts, element).segment_size; }
 
   /// Cuts a face under SegmentRule::rim: points of each joint in which the face is face_a, and of convex polygons that make up its free
   /// part.
@@ -175,7 +176,7 @@ class FaceCutter {
     const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
     free_.assign(1, g.polygon);
     for (const Side& side : sides) {
-      const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+      const Contact& c = nth(contacts_, side.contact);
       if (!side.is_b) {
         const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
         Draft draft;
@@ -201,7 +202,7 @@ class FaceCutter {
 
   /// The overlap of the face and another, in coordinates of the face.
   const Polygon& overlap_on(const Side& side) {
-    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    const Contact& c = nth(contacts_, side.contact);
     if (!side.is_b) return c.overlap;
     mapped_.clear();
     for (auto p = c.overlap.rbegin(); p != c.overlap.rend(); ++p) mapped_.push_back(c.map.to_b(*p));
@@ -209,10 +210,10 @@ class FaceCutter {
   }
 
   void cut_side(const FaceGrid& g, const Side& side) {
-    const Contact& c = contacts_[static_cast<std::size_t>(side.contact)];
+    const Contact& c = nth(contacts_, side.contact);
     cutter_.cut(g, overlap_on(side), pieces_);
     for (const Piece& p : pieces_) {
-      Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      Segment& taken = nth(taken_, p.cell);
       taken.area += p.area, taken.s += p.area * p.centroid.s, taken.t += p.area * p.centroid.t;
     }
     merge_small(g, pieces_);
@@ -232,9 +233,9 @@ class FaceCutter {
 
   /// Stores a joint all of whose sides have been cut.
   void finish_joint(std::int32_t contact, Draft draft) {
-    const Contact& c = contacts_[static_cast<std::size_t>(contact)];
+    const Contact& c = nth(contacts_, contact);
     const FaceGrid& g = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
-    Joint& joint = joints_[static_cast<std::size_t>(contact)];
+    Joint& joint = nth(joints_, contact);
     check_sum(c, draft.side_a, "a");
     if (rule_ == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
       joint.merged = c.element_b != kBase;  // both elements share the points of side a
@@ -252,7 +253,7 @@ class FaceCutter {
   void subtract_taken(const FaceGrid& g) {
     const double least = kSmallPiece * g.cell_area();
     for (Piece& p : pieces_) {
-      const Segment& taken = taken_[static_cast<std::size_t>(p.cell)];
+      const Segment& taken = nth(taken_, p.cell);
       if (taken.area == 0.0) continue;
       const double rest = p.area - taken.area;
       if (rest >= least) {

@@ -8,6 +8,7 @@
 
 #include "geometry/grid.h"
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/parallel/ranges.h"
 #include "geometry/solids/mesh.h"
 #include "geometry/solids/overlaps.h"
@@ -64,7 +65,7 @@ std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
 }
 
 std::span<const FaceGrid> grids_of(const Scene& scene, std::int32_t element) {
-  const Element& e = scene.elements[static_cast<std::size_t>(element)];
+  const Element& e = nth(scene.elements, element);
   return scene.grids.subspan(static_cast<std::size_t>(e.first_face), static_cast<std::size_t>(e.face_count));
 }
 
@@ -96,7 +97,7 @@ void find_overlap(const Scene& scene, std::int32_t i, std::int32_t j, std::vecto
 void refuse_overlaps(const Scene& scene, const std::vector<Overlap>& all) {
   if (all.empty()) return;
   const Overlap& o = *std::max_element(all.begin(), all.end(), [](const Overlap& a, const Overlap& b) { return a.depth < b.depth; });
-  const auto shape = [&](std::int32_t e) -> const Polyhedron& { return *scene.parts[static_cast<std::size_t>(e)].shape; };
+  const auto shape = [&](std::int32_t e) -> const Polyhedron& { return *nth(scene.parts, e).shape; };
   const std::size_t more = all.size() - 1;
   throw ModelError(
       block_prefix(o.a) + "overlaps block " + std::to_string(o.b) + " by " + figure(o.depth) + " m (allowed " + figure(kGapTolerance) +
@@ -106,7 +107,7 @@ void refuse_overlaps(const Scene& scene, const std::vector<Overlap>& all) {
 }
 
 void touch_base(const Scene& scene, std::int32_t i, double base_z, std::vector<Contact>& out) {
-  const double low = scene.boxes[static_cast<std::size_t>(i)].low.z;
+  const double low = nth(scene.boxes, i).low.z;
   if (low < base_z - kGapTolerance) {
     throw ModelError(block_prefix(i) + "reaches " + figure(base_z - low) + " m below the base (its lowest point is at z = " + figure(low) +
                          " m, the base at " + figure(base_z) + " m)",
@@ -132,14 +133,14 @@ bool in_order(const Contact& x, const Contact& y) {
 void meet_neighbours(const Scene& scene, std::optional<double> base_z, const UniformGrid& grid, std::int32_t i,
                      std::vector<std::int32_t>& near, std::vector<Contact>& out, std::vector<Overlap>& overlaps) {
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  const bool ground = scene.parts[static_cast<std::size_t>(i)].ground;
+  const bool ground = nth(scene.parts, i).ground;
   if (base_z && !ground) touch_base(scene, i, *base_z, out);
-  const Box3& box = scene.boxes[static_cast<std::size_t>(i)];
+  const Box3& box = nth(scene.boxes, i);
   const Vec3 margin{2 * kGapTolerance, 2 * kGapTolerance, 2 * kGapTolerance};
   near.clear();
   grid.query({box.low - margin, box.high + margin}, near);
   for (const std::int32_t j : near) {
-    if (j <= i || (ground && scene.parts[static_cast<std::size_t>(j)].ground)) continue;
+    if (j <= i || (ground && nth(scene.parts, j).ground)) continue;
     find_overlap(scene, i, j, overlaps);
     touch_elements(scene, i, j, out);
   }

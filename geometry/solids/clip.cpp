@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "geometry/solids/pieces.h"
 
 namespace voussoir::geometry {
@@ -37,7 +38,7 @@ class Clip {
 
  private:
   [[nodiscard]] int side(std::int32_t v) const {
-    const double h = height_[static_cast<std::size_t>(v)];
+    const double h = nth(height_, v);
     return h > tolerance_ ? 1 : h < -tolerance_ ? -1 : 0;
   }
 
@@ -46,8 +47,8 @@ class Clip {
     if (a > b) std::swap(a, b);
     const auto [known, is_new] = crossings_.try_emplace({a, b}, static_cast<std::int32_t>(out_.vertices.size()));
     if (is_new) {
-      const double ha = height_[static_cast<std::size_t>(a)], hb = height_[static_cast<std::size_t>(b)];
-      const Vec3 from = shape_.vertices[static_cast<std::size_t>(a)], to = shape_.vertices[static_cast<std::size_t>(b)];
+      const double ha = nth(height_, a), hb = nth(height_, b);
+      const Vec3 from = nth(shape_.vertices, a), to = nth(shape_.vertices, b);
       out_.vertices.push_back(from + (ha / (ha - hb)) * (to - from));
     }
     return known->second;
@@ -74,7 +75,7 @@ class Clip {
     }
     for (const auto& [edge, v] : crossings_) rim.push_back(v);
     if (rim.size() < 3) return;
-    const auto at = [&](std::int32_t v) { return out_.vertices[static_cast<std::size_t>(v)]; };
+    const auto at = [&](std::int32_t v) { return nth(out_.vertices, v); };
     Vec3 middle;
     for (const std::int32_t v : rim) middle += at(v) / static_cast<double>(rim.size());
     const auto [s, t] = across(plane_.normal);
@@ -88,10 +89,10 @@ class Clip {
     Polyhedron p;
     for (auto& loop : out_.faces) {
       for (std::int32_t& v : loop) {
-        std::int32_t& n = number[static_cast<std::size_t>(v)];
+        std::int32_t& n = nth(number, v);
         if (n < 0) {
           n = static_cast<std::int32_t>(p.vertices.size());
-          p.vertices.push_back(out_.vertices[static_cast<std::size_t>(v)]);
+          p.vertices.push_back(nth(out_.vertices, v));
         }
         v = n;
       }

@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/grid.h"
+#include "geometry/nth.h"
 
 namespace voussoir::geometry {
 
@@ -110,7 +111,7 @@ std::vector<FaceGroup> face_groups(std::span<const RoughSolid> solids, const Rou
     touches[p.a] = touches[p.b] = 1;
   }
   for (std::size_t f = 0; base_z && f < faces.face.size(); ++f) {
-    const int near = on_base(solids[static_cast<std::size_t>(faces.solid[f])], faces.face[f], *base_z);
+    const int near = on_base(nth(solids, faces.solid[f]), faces.face[f], *base_z);
     if (near > 0) touches[f] = base[f] = 1;
     if (near == 1) inexact[f] = 1;
   }
@@ -128,7 +129,7 @@ std::vector<FaceGroup> face_groups(std::span<const RoughSolid> solids, const Rou
       n = static_cast<std::int32_t>(groups.size());
       groups.emplace_back();
     }
-    FaceGroup& g = groups[static_cast<std::size_t>(n)];
+    FaceGroup& g = nth(groups, n);
     g.faces.push_back(f);
     g.exact = g.exact && inexact[f] == 0;
     g.bed = g.bed || bed[f] != 0;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -67,7 +69,7 @@ FlatFace flat_face(const Mesh& m, std::size_t face) {
   f.axis_s = normalised(cross(aside, n));
   f.axis_t = cross(n, f.axis_s);
   for (const std::int32_t v : m.faces[face]) {
-    const Vec3 r = m.vertices[static_cast<std::size_t>(v)] - f.plane.centre;
+    const Vec3 r = nth(m.vertices, v) - f.plane.centre;
     f.polygon.push_back({dot(r, f.axis_s), dot(r, f.axis_t)});
     f.reach = std::max(f.reach, norm(r));
   }

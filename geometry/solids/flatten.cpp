@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/solids/face_groups.h"
 
 namespace voussoir::geometry {
@@ -71,7 +72,7 @@ class Solid {
   Solid(Mesh& mesh, std::vector<Plane> planes) : mesh_(mesh), planes_(std::move(planes)), start_(mesh.vertices), size_(diagonal(mesh)) {
     of_vertex_.resize(mesh.vertices.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      for (const std::int32_t v : mesh.faces[f]) of_vertex_[static_cast<std::size_t>(v)].push_back(&planes_[f]);
+      for (const std::int32_t v : mesh.faces[f]) nth(of_vertex_, v).push_back(&planes_[f]);
     }
     round_off_ = 4e-16 * norm(mesh.vertices.front());
   }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr double kFlat = 1e-9;          // rad
 constexpr double kNear = 1e-3;          // of the size
 constexpr double kExactlyPlane = 1e-9;  // of the size: distance of corners that lie in the plane
 
-Vec3 corner(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size_t>(v)]; }
+Vec3 corner(const Mesh& m, std::int32_t v) { return nth(m.vertices, v); }
 
 }  // namespace
 
@@ -36,7 +38,7 @@ std::vector<Fold> reflex_folds(const Mesh& m) {
   for (const auto& [a, b, f] : edges) {
     if (a > b) continue;
     const auto back = std::lower_bound(edges.begin(), edges.end(), std::array{b, a, std::int32_t{-1}});
-    const HalfSpace &left = plane[static_cast<std::size_t>(f)], &right = plane[static_cast<std::size_t>((*back)[2])];
+    const HalfSpace &left = nth(plane, f), &right = nth(plane, (*back)[2]);
     const Vec3 from = corner(m, a), along = normalised(corner(m, b) - from);
     const double sine = -dot(cross(left.normal, right.normal), along);
     if (sine <= kFlat) continue;

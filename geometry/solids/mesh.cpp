@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 
 namespace voussoir::geometry {
 
@@ -25,7 +26,7 @@ void for_each_edge(const std::vector<std::int32_t>& loop, Visit visit) {
   for (std::size_t i = 0; i < loop.size(); ++i) visit(Edge{loop[i], loop[(i + 1) % loop.size()]});
 }
 
-Vec3 at(const Mesh& m, std::int32_t v) { return m.vertices[static_cast<std::size_t>(v)]; }
+Vec3 at(const Mesh& m, std::int32_t v) { return nth(m.vertices, v); }
 
 std::string edge_text(const Mesh& m, Edge e) { return "from " + place_text(at(m, e[0])) + " to " + place_text(at(m, e[1])) + " m"; }
 
@@ -33,7 +34,7 @@ std::string edge_text(const Mesh& m, Edge e) { return "from " + place_text(at(m,
 Mesh compacted(const Mesh& m) {
   std::vector<std::int32_t> number(m.vertices.size(), -1);
   for (const auto& loop : m.faces) {
-    for (const std::int32_t v : loop) number[static_cast<std::size_t>(v)] = 0;
+    for (const std::int32_t v : loop) nth(number, v) = 0;
   }
   Mesh out;
   for (std::size_t v = 0; v < number.size(); ++v) {
@@ -43,7 +44,7 @@ Mesh compacted(const Mesh& m) {
   }
   out.faces = m.faces;
   for (auto& loop : out.faces) {
-    for (std::int32_t& v : loop) v = number[static_cast<std::size_t>(v)];
+    for (std::int32_t& v : loop) v = nth(number, v);
   }
   return out;
 }
@@ -57,14 +58,14 @@ std::vector<std::int32_t> first_of_equals(const Mesh& m, double tolerance) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t k = i + 1; k < order.size() && at(m, order[k]).x - at(m, order[i]).x <= tolerance; ++k) {
       if (norm(at(m, order[k]) - at(m, order[i])) > tolerance) continue;
-      std::int32_t a = first[static_cast<std::size_t>(order[i])], b = first[static_cast<std::size_t>(order[k])];
+      std::int32_t a = nth(first, order[i]), b = nth(first, order[k]);
       if (a > b) std::swap(a, b);
-      first[static_cast<std::size_t>(order[i])] = first[static_cast<std::size_t>(order[k])] = a;
-      first[static_cast<std::size_t>(b)] = a;
+      nth(first, order[i]) = nth(first, order[k]) = a;
+      nth(first, b) = a;
     }
   }
   for (std::size_t v = 0; v < first.size(); ++v) {
-    while (first[static_cast<std::size_t>(first[v])] != first[v]) first[v] = first[static_cast<std::size_t>(first[v])];
+    while (nth(first, first[v]) != first[v]) first[v] = nth(first, first[v]);
   }
   return first;
 }
@@ -97,7 +98,7 @@ class Regions {
   /// The number of the region of each face.
   const std::vector<std::int32_t>& grow() {
     for (const std::int32_t seed : largest_first()) {
-      if (of_[static_cast<std::size_t>(seed)] < 0) grow_from(seed);
+      if (nth(of_, seed) < 0) grow_from(seed);
     }
     return of_;
   }
@@ -107,7 +108,7 @@ class Regions {
   [[nodiscard]] std::vector<std::int32_t> largest_first() const {
     std::vector<std::int32_t> faces(mesh_.faces.size());
     std::iota(faces.begin(), faces.end(), 0);
-    const auto area = [&](std::int32_t f) { return plane_[static_cast<std::size_t>(f)].area; };
+    const auto area = [&](std::int32_t f) { return nth(plane_, f).area; };
     std::ranges::stable_sort(faces, std::greater{}, area);
     for (auto first = faces.begin(); first != faces.end();) {
       const auto last = std::find_if(first, faces.end(), [&](std::int32_t f) { return area(*first) > area(f) * (1.0 + 1e-9); });
@@ -118,22 +119,22 @@ class Regions {
   }
   void grow_from(std::int32_t seed) {
     std::vector<std::int32_t> front{seed};
-    of_[static_cast<std::size_t>(seed)] = seed;
+    nth(of_, seed) = seed;
     while (!front.empty()) {
       const std::int32_t f = front.back();
       front.pop_back();
-      for_each_edge(mesh_.faces[static_cast<std::size_t>(f)], [&](Edge e) {
+      for_each_edge(nth(mesh_.faces, f), [&](Edge e) {
         const std::int32_t other = face_with(edges_, {e[1], e[0]});
-        if (other < 0 || of_[static_cast<std::size_t>(other)] >= 0 || !lies_in(other, plane_[static_cast<std::size_t>(seed)])) return;
-        of_[static_cast<std::size_t>(other)] = seed;
+        if (other < 0 || nth(of_, other) >= 0 || !lies_in(other, nth(plane_, seed))) return;
+        nth(of_, other) = seed;
         front.push_back(other);
       });
     }
   }
   [[nodiscard]] bool lies_in(std::int32_t face, const LoopPlane& plane) const {
-    const LoopPlane& own = plane_[static_cast<std::size_t>(face)];
+    const LoopPlane& own = nth(plane_, face);
     if (own.area > least_area_ && dot(own.normal, plane.normal) < cosine_) return false;
-    const auto& loop = mesh_.faces[static_cast<std::size_t>(face)];
+    const auto& loop = nth(mesh_.faces, face);
     return std::all_of(loop.begin(), loop.end(),
                        [&](std::int32_t v) { return std::abs(dot(at(mesh_, v) - plane.centre, plane.normal)) <= tolerance_; });
   }
@@ -148,7 +149,7 @@ class Regions {
 /// The boundary of a region as one loop; empty if it is not one simple loop.
 std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& faces) {
   std::vector<Edge> edges;
-  for (const std::int32_t f : faces) for_each_edge(m.faces[static_cast<std::size_t>(f)], [&](Edge e) { edges.push_back(e); });
+  for (const std::int32_t f : faces) for_each_edge(nth(m.faces, f), [&](Edge e) { edges.push_back(e); });
   std::sort(edges.begin(), edges.end());
   std::vector<Edge> outer;
   for (const Edge e : edges) {
@@ -159,8 +160,7 @@ std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& fa
   }
   std::vector<std::int32_t> loop;
   if (outer.empty()) return loop;
-  std::int32_t v =
-      m.faces[static_cast<std::size_t>(faces.front())].front();  // start with the first corner of the first face, if on the boundary
+  std::int32_t v = nth(m.faces, faces.front()).front();  // start with the first corner of the first face, if on the boundary
   if (!std::binary_search(outer.begin(), outer.end(), Edge{v, -1}, [](Edge a, Edge b) { return a[0] < b[0]; })) v = outer.front()[0];
   const std::int32_t first = v;
   do {
@@ -176,13 +176,13 @@ std::vector<std::int32_t> rim(const Mesh& m, const std::vector<std::int32_t>& fa
 void drop_vertices_within_edges(Mesh& m) {
   std::vector<int> faces(m.vertices.size(), 0);
   for (const auto& loop : m.faces) {
-    for (const std::int32_t v : loop) ++faces[static_cast<std::size_t>(v)];
+    for (const std::int32_t v : loop) ++nth(faces, v);
   }
   for (auto& loop : m.faces) {
-    const auto kept = std::count_if(loop.begin(), loop.end(), [&](std::int32_t v) { return faces[static_cast<std::size_t>(v)] > 2; });
+    const auto kept = std::count_if(loop.begin(), loop.end(), [&](std::int32_t v) { return nth(faces, v) > 2; });
     if (kept < 3) return;
   }
-  for (auto& loop : m.faces) std::erase_if(loop, [&](std::int32_t v) { return faces[static_cast<std::size_t>(v)] <= 2; });
+  for (auto& loop : m.faces) std::erase_if(loop, [&](std::int32_t v) { return nth(faces, v) <= 2; });
 }
 
 }  // namespace
@@ -235,7 +235,7 @@ Mesh welded(const Mesh& m, double tolerance) {
   for (const auto& given : m.faces) {
     std::vector<std::int32_t> loop;
     for (const std::int32_t v : given) {
-      if (loop.empty() || loop.back() != first[static_cast<std::size_t>(v)]) loop.push_back(first[static_cast<std::size_t>(v)]);
+      if (loop.empty() || loop.back() != nth(first, v)) loop.push_back(nth(first, v));
     }
     while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     if (loop.size() >= 3) out.faces.push_back(std::move(loop));
@@ -286,7 +286,7 @@ std::optional<std::string> fault_of(const Mesh& m) {
 Mesh with_merged_faces(const Mesh& m, double tolerance, double angle) {
   const std::vector<std::int32_t> of = Regions(m, tolerance, angle).grow();
   std::vector<std::vector<std::int32_t>> members(m.faces.size());
-  for (std::size_t f = 0; f < of.size(); ++f) members[static_cast<std::size_t>(of[f])].push_back(static_cast<std::int32_t>(f));
+  for (std::size_t f = 0; f < of.size(); ++f) nth(members, of[f]).push_back(static_cast<std::int32_t>(f));
   Mesh out{m.vertices, {}};
   std::vector<bool> done(m.faces.size(), false);
   for (std::size_t f = 0; f < of.size(); ++f) {
@@ -301,7 +301,7 @@ Mesh with_merged_faces(const Mesh& m, double tolerance, double angle) {
     if (auto loop = rim(m, faces); !loop.empty()) {
       out.faces.push_back(std::move(loop));
     } else {
-      for (const std::int32_t g : faces) out.faces.push_back(m.faces[static_cast<std::size_t>(g)]);
+      for (const std::int32_t g : faces) out.faces.push_back(nth(m.faces, g));
     }
   }
   if (out.faces.size() == m.faces.size()) return m;

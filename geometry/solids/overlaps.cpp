@@ -8,6 +8,7 @@
 
 #include "geometry/grid.h"
 #include "geometry/mass.h"
+#include "geometry/nth.h"
 #include "geometry/separation.h"
 #include "geometry/solids/facing.h"
 #include "geometry/solids/pieces.h"
@@ -145,9 +146,7 @@ class Parting {
     int lost = 0;
     for (std::size_t f = 0; f < pieces_[i].shape.faces.size(); ++f) {
       const auto& loop = pieces_[i].shape.faces[f];
-      const auto is_gone = [&](std::int32_t v) {
-        return dot(cut.normal, pieces_[i].shape.vertices[static_cast<std::size_t>(v)]) >= cut.offset - kTouching;
-      };
+      const auto is_gone = [&](std::int32_t v) { return dot(cut.normal, nth(pieces_[i].shape.vertices, v)) >= cut.offset - kTouching; };
       if (std::all_of(loop.begin(), loop.end(), is_gone)) lost += against(i, f, other);
     }
     return lost;
@@ -156,8 +155,7 @@ class Parting {
   [[nodiscard]] int against(std::size_t i, std::size_t face, std::size_t other) const {
     const HalfSpace& h = body_[i].faces[face];
     Polyhedron corners;
-    for (const std::int32_t v : pieces_[i].shape.faces[face])
-      corners.vertices.push_back(pieces_[i].shape.vertices[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : pieces_[i].shape.faces[face]) corners.vertices.push_back(nth(pieces_[i].shape.vertices, v));
     const Box3 box = bounds(corners);
     std::vector<std::int32_t> near;
     grid_.query(box, near);

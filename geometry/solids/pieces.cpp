@@ -10,6 +10,7 @@
 
 #include "geometry/mass.h"
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/solids/folds.h"
 #include "geometry/solids/triangles.h"
 
@@ -92,8 +93,8 @@ class Cutting {
   void add(const Fold& fold, double snap) {
     const bool mild = fold.turn < kMild;
     const int along_face = mild ? kLastChoice : 0;
-    edges_.push_back({solid_.vertices[static_cast<std::size_t>(fold.from)],
-                      solid_.vertices[static_cast<std::size_t>(fold.to)],
+    edges_.push_back({nth(solid_.vertices, fold.from),
+                      nth(solid_.vertices, fold.to),
                       {{{fold.left, along_face}, {fold.right, along_face}, {cut_along(solid_, fold, snap), mild ? 0 : kSecondChoice}}}});
   }
 
@@ -128,7 +129,7 @@ class Cutting {
   /// The plane of a patch that has other patches beyond it; nothing: the solid is convex within the cell.
   [[nodiscard]] const HalfSpace* violated(const Cell& cell) const {
     for (const Patch& p : cell.surface) {
-      const HalfSpace& h = plane_[static_cast<std::size_t>(p.plane)];
+      const HalfSpace& h = nth(plane_, p.plane);
       for (const Patch& q : cell.surface) {
         if (q.plane != p.plane && span_over(q, h).second > tolerance_) return &h;
       }
@@ -190,7 +191,7 @@ class Cutting {
     const std::optional<HalfSpace> cut = beyond == nullptr ? std::nullopt : choose(cell, *beyond);
     if (!cut) {
       for (const Patch& p : cell.surface) {
-        cell.shape = clipped(cell.shape, plane_[static_cast<std::size_t>(p.plane)], tolerance_);
+        cell.shape = clipped(cell.shape, nth(plane_, p.plane), tolerance_);
         if (cell.shape.faces.empty()) return;
       }
       keep(std::move(cell.shape));
@@ -207,7 +208,7 @@ class Cutting {
   void share_out(const Patch& p, const HalfSpace& h, Cell& below, Cell& above) const {
     const auto [low, high] = span_over(p, h);
     if (low >= -tolerance_ && high <= tolerance_) {  // in the cut: the patch bounds the side behind it
-      (dot(plane_[static_cast<std::size_t>(p.plane)].normal, h.normal) > 0.0 ? below : above).surface.push_back(p);
+      (dot(nth(plane_, p.plane).normal, h.normal) > 0.0 ? below : above).surface.push_back(p);
       return;
     }
     if (low < -tolerance_) below.surface.push_back(high > tolerance_ ? part(p, h, 1.0) : p);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/nth.h"
 
 namespace voussoir::geometry {
 
@@ -48,13 +49,11 @@ class Shells {
 
  private:
   /// Unit direction from the edge into the face, in the plane of the face.
-  [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const {
-    return cross(normal_[u.face], u.forward ? along : -along);
-  }
+  [[nodiscard]] Vec3 inward(const Use& u, Vec3 along) const { return cross(normal_[u.face], u.forward ? along : -along); }
 
   void pair_up(const std::vector<Use>& uses) {
     if (uses.size() == 2) return shells_.join(uses[0].face, uses[1].face);
-    const Vec3 edge = mesh_.vertices[static_cast<std::size_t>(uses[0].high)] - mesh_.vertices[static_cast<std::size_t>(uses[0].low)];
+    const Vec3 edge = nth(mesh_.vertices, uses[0].high) - nth(mesh_.vertices, uses[0].low);
     const double length = norm(edge);
     if (!(length > 0.0)) return;
     const Vec3 along = edge / length;
@@ -85,15 +84,15 @@ class Shells {
         place.emplace_back();
       }
       const auto& loop = mesh_.faces[f];
-      out[static_cast<std::size_t>(n)].faces.push_back(loop);
-      auto& vertices = place[static_cast<std::size_t>(n)];
+      nth(out, n).faces.push_back(loop);
+      auto& vertices = nth(place, n);
       vertices.insert(vertices.end(), loop.begin(), loop.end());
     }
     for (std::size_t i = 0; i < out.size(); ++i) {
       auto& vertices = place[i];
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-      for (const std::int32_t v : vertices) out[i].vertices.push_back(mesh_.vertices[static_cast<std::size_t>(v)]);
+      for (const std::int32_t v : vertices) out[i].vertices.push_back(nth(mesh_.vertices, v));
       for (auto& loop : out[i].faces) {
         for (std::int32_t& v : loop)
           v = static_cast<std::int32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());

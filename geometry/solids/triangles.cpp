@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/nth.h"
+
 namespace voussoir::geometry {
 
 namespace {
@@ -37,7 +39,7 @@ std::size_t best_ear(const std::vector<Vec3>& loop, Vec3 normal) {
 
 /// Whether the ear at corner i may be cut off: it turns inward, and contains no other corner.
 bool is_ear(const Mesh& m, const std::vector<std::int32_t>& loop, std::size_t i, Vec3 normal) {
-  const auto at = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(loop[k % loop.size()])]; };
+  const auto at = [&](std::size_t k) { return nth(m.vertices, loop[k % loop.size()]); };
   const Vec3 a = at(i + loop.size() - 1), b = at(i), c = at(i + 1);
   if (!(turn(a, b, c, normal) > 0.0)) return false;
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -51,7 +53,7 @@ bool is_ear(const Mesh& m, const std::vector<std::int32_t>& loop, std::size_t i,
 std::size_t shortest_ear(const Mesh& m, const std::vector<std::int32_t>& loop, Vec3 normal, double tie) {
   constexpr Vec3 kAskew{0.5377, 0.3188, 0.7806};
   std::vector<std::pair<double, std::size_t>> ears;  // length, corner
-  const auto at = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(loop[k % loop.size()])]; };
+  const auto at = [&](std::size_t k) { return nth(m.vertices, loop[k % loop.size()]); };
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (is_ear(m, loop, i, normal)) ears.emplace_back(norm(at(i + 1) - at(i + loop.size() - 1)), i);
   }
@@ -89,7 +91,7 @@ Mesh with_parted_faces(const Mesh& m, double most, std::size_t& parted) {
 std::vector<std::array<Vec3, 3>> triangles_of(const Mesh& m, std::size_t face) {
   const Vec3 normal = loop_plane(m, face).normal;
   std::vector<Vec3> loop;
-  for (const std::int32_t v : m.faces[face]) loop.push_back(m.vertices[static_cast<std::size_t>(v)]);
+  for (const std::int32_t v : m.faces[face]) loop.push_back(nth(m.vertices, v));
   std::vector<std::array<Vec3, 3>> out;
   while (loop.size() > 3) {
     const std::size_t i = best_ear(loop, normal);

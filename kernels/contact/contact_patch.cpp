@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
 
+#include "geometry/nth.h"
 #include "kernels/contact/patch_work.h"
 #include "kernels/lanes.h"
 
@@ -208,7 +209,7 @@ VOUSSOIR_INLINE Lanes kept_out_to(ContactPoints q, int i) noexcept { return max(
 /// Tests the points of the patch against candidate k; few of them come in or leave in a step. Returns the travel [m] of both bodies before
 /// another point can come in or leave, except through the face that the point touches.
 double look_at(Work& w, std::int32_t k, const InSlave& y) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const Candidate& c = nth(w.candidates, k);
   const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
   const Lanes far = lanes(1e300);
   Lanes spare = far;
@@ -256,7 +257,7 @@ bool leaves(const Work& w, const Candidate& c) noexcept {
 
 /// Tests candidate k if something may have changed; in most steps nothing can.
 void look_if_due(Work& w, std::int32_t k) noexcept {
-  Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  Candidate& c = nth(w.candidates, k);
   const double travel = w.bodies.travel[w.patch.element] + w.bodies.travel[c.element];
   if (travel < c.safe && !w.changed && !leaves(w, c)) return;  // a point released by another partner is new for this candidate
   const InSlave y = slave_frame(w, c);
@@ -288,7 +289,7 @@ PatchResult advance_patch(const Patch& patch, PointsView points, ContactPoints q
     list_partners(w);
     for (Candidate& c : candidates) c.safe = kLookNow;
   }
-  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, candidates[static_cast<std::size_t>(k)], wrench[k]) ? 1 : 0;
+  for (std::int32_t k = 0; k < count; ++k) active[k] = evaluate(w, nth(candidates, k), wrench[k]) ? 1 : 0;
   return w.r;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
 #include "kernels/contact/overlap_point.h"
 
 namespace voussoir::kernels {
@@ -21,7 +22,7 @@ struct Lowest {
 Lowest lowest(std::span<const Vec3> vertices, Vec3 axis) noexcept {
   Lowest r;
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
-    const double x = dot(vertices[static_cast<std::size_t>(i)], axis);
+    const double x = dot(nth(vertices, i), axis);
     if (x < r.value) r = {x, i};
   }
   return r;
@@ -80,7 +81,7 @@ void try_crossed_edges(const PairOfShapes& p, double enough, Best& best) noexcep
   const double of_faces = best.depth;
   for (int i = 0; i < static_cast<int>(p.a.edges.size()); ++i) {
     for (int j = 0; j < static_cast<int>(p.b.edges.size()); ++j) {
-      const Vec3 n = cross(p.a.edges[static_cast<std::size_t>(i)], p.turn * p.b.edges[static_cast<std::size_t>(j)]);
+      const Vec3 n = cross(nth(p.a.edges, i), p.turn * nth(p.b.edges, j));
       const double square = dot(n, n);
       if (square < kParallel) continue;
       try_axis(p, n / std::sqrt(square), i, j, of_faces, best);
@@ -91,9 +92,9 @@ void try_crossed_edges(const PairOfShapes& p, double enough, Best& best) noexcep
 
 /// The point midway between the two crossed edges at their nearest.
 Vec3 point_of_crossed_edges(const PairOfShapes& p, const Best& best) noexcept {
-  const Vec3 a = p.a.vertices[static_cast<std::size_t>(lowest(p.a.vertices, -best.normal).vertex)];
-  const Vec3 b = p.vertices_b[static_cast<std::size_t>(lowest(p.vertices_b, best.normal).vertex)];
-  const Vec3 ea = p.a.edges[static_cast<std::size_t>(best.edge_a)], eb = p.turn * p.b.edges[static_cast<std::size_t>(best.edge_b)];
+  const Vec3 a = nth(p.a.vertices, lowest(p.a.vertices, -best.normal).vertex);
+  const Vec3 b = nth(p.vertices_b, lowest(p.vertices_b, best.normal).vertex);
+  const Vec3 ea = nth(p.a.edges, best.edge_a), eb = p.turn * nth(p.b.edges, best.edge_b);
   const Vec3 from = b - a;
   const double c = dot(ea, eb), along_a = dot(from, ea), along_b = dot(from, eb), sine2 = 1.0 - c * c;
   const double s = (along_a - c * along_b) / sine2, t = (c * along_a - along_b) / sine2;
@@ -143,7 +144,7 @@ Overlap overlap_with_base(const ConvexShape& a, const Pose& pose_a, double heigh
   const Vec3 up = turned_back(pose_a, {0.0, 0.0, 1.0});
   const Lowest low = lowest(a.vertices, up);
   const double depth = -(height + low.value);
-  const Vec3 deepest = a.vertices[static_cast<std::size_t>(low.vertex)];
+  const Vec3 deepest = nth(a.vertices, low.vertex);
   Vec3 sum;  // of equally deep vertices: a level edge or face meets the base in its middle
   double deep = 0.0;
   for (const Vec3& v : a.vertices) {

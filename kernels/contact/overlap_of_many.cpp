@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
 #include "kernels/contact/overlap.h"
 #include "kernels/contact/overlap_point.h"
 
@@ -23,13 +24,11 @@ struct Pairing {
   const ConvexShape &own, &other;
   Mat3 turn;
   Vec3 centre;
-  [[nodiscard]] Vec3 of_other(std::int32_t vertex) const noexcept {
-    return centre + turn * other.vertices[static_cast<std::size_t>(vertex)];
-  }
+  [[nodiscard]] Vec3 of_other(std::int32_t vertex) const noexcept { return centre + turn * nth(other.vertices, vertex); }
 };
 
-const Vec3& vertex_of(const ConvexShape& s, std::int32_t i) noexcept { return s.vertices[static_cast<std::size_t>(i)]; }
-const Face& face_of(const ConvexShape& s, std::int32_t i) noexcept { return s.faces[static_cast<std::size_t>(i)]; }
+const Vec3& vertex_of(const ConvexShape& s, std::int32_t i) noexcept { return nth(s.vertices, i); }
+const Face& face_of(const ConvexShape& s, std::int32_t i) noexcept { return nth(s.faces, i); }
 
 /// The vertex with the least coordinate along an axis.
 std::int32_t lowest(const ConvexShape& s, Vec3 axis) noexcept {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
 #include "kernels/contact/contact_patch.h"
 
 /// Parts shared by the kernel of free patches and its plain twin: geometry of a patch against a candidate, and the choice of partners.
@@ -277,7 +278,7 @@ inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::i
   const auto rank = [](const Entry& x) { return x.face == kNoFace ? 0 : is_deep(x) ? 1 : 2; };
   if (rank(e) != rank(than)) return rank(e) > rank(than);
   if (e.face == kNoFace) return false;
-  const auto is_origin = [&](std::int32_t c) { return w.candidates[static_cast<std::size_t>(c)].element == w.patch.origin; };
+  const auto is_origin = [&](std::int32_t c) { return nth(w.candidates, c).element == w.patch.origin; };
   if (is_origin(k) != is_origin(other)) return is_origin(k);
   return e.depth > than.depth;
 }
@@ -285,7 +286,7 @@ inline bool has_more_claim(const Work& w, std::int32_t k, const Entry& e, std::i
 /// Updates a point that is free or touches candidate k: releases the point if it leaves, or notes candidate k as its partner if no other
 /// has precedence so far. `in`: the point is inside the candidate, or stays with it.
 inline void look_at_point(Work& w, std::int32_t k, const InSlave& y, const PlaneFields& planes, int i, bool in) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const Candidate& c = nth(w.candidates, k);
   if (w.q.partner[i] == c.element) {
     if (in) return;
     if (w.q.face[i] != kNoFace) {
@@ -312,7 +313,7 @@ inline void take_partners(Work& w) noexcept {
   for (int i = 0; i < w.points.n; ++i) {
     const std::int32_t k = w.scratch.candidate[i];
     if (k < 0 || w.q.partner[i] != kNobody) continue;
-    w.q.partner[i] = w.candidates[static_cast<std::size_t>(k)].element;
+    w.q.partner[i] = nth(w.candidates, k).element;
     w.q.face[i] = w.scratch.face[i];
     w.changed = true;
     if (w.q.face[i] != kNoFace) w.q.closure(i) = std::min(w.q.recess(i), -w.scratch.depth[i]);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/nth.h"
 #include "kernels/contact/patch_work.h"
 #include "kernels/laws/contact_law.h"
 
@@ -48,7 +49,7 @@ bool stays(const Work& w, const Candidate& c, const PlaneFields& planes, int i) 
 
 /// Tests all points against candidate k.
 void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const Candidate& c = nth(w.candidates, k);
   const PlaneFields planes = plane_fields(y, w.faces, c, w.scratch.planes);
   for (int i = 0; i < w.points.n; ++i) {
     if (w.q.partner[i] == c.element) {
@@ -61,7 +62,7 @@ void look_at(Work& w, std::int32_t k, const InSlave& y, bool apart) noexcept {
 
 /// Forces of all points that touch candidate k. Returns whether any point carries force.
 bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
-  const Candidate& c = w.candidates[static_cast<std::size_t>(k)];
+  const Candidate& c = nth(w.candidates, k);
   int first = 0;
   while (first < w.points.n && w.q.partner[first] != c.element) ++first;
   if (first == w.points.n) return false;
@@ -95,7 +96,7 @@ PatchResult advance_patch_reference(const Patch& patch, PointsView points, Conta
   std::fill_n(scratch.candidate, points.n, -1);
   const auto count = static_cast<std::int32_t>(candidates.size());
   for (std::int32_t k = 0; k < count; ++k) {
-    const Candidate& c = candidates[static_cast<std::size_t>(k)];
+    const Candidate& c = nth(candidates, k);
     const InSlave y = slave_frame(w, c);
     const bool apart = separation(patch, y, faces, c) >= 0.0;
     if (!apart || touching > 0) look_at(w, k, y, apart);

@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "cases/motion.h"
+#include "geometry/nth.h"
 #include "solver/run/simulation.h"
 
 namespace voussoir::solver {
@@ -26,7 +27,7 @@ cases::Case undamped(cases::Case c) {
   c.damping = {};
   c.loads.clear();
   c.analysis = {};
-  c.time.multirate = 1;  // samples are no whole cycles apart
+  c.time.multirate = 1;                          // samples are no whole cycles apart
   c.output.history_interval = kImpulseInterval;  // an automatic step divides it
   if (c.time.step) c.time.step = dividing_step(*c.time.step);
   return c;
@@ -47,7 +48,7 @@ ImpulseResponse impulse_response(const cases::Case& c, const cases::Model& m, co
   Options o = options;
   if (o.step) o.step = dividing_step(*o.step);
   cases::GroundMotion motion;
-  motion.axis[static_cast<std::size_t>(axis)] = {"impulse", kImpulseInterval, {1.0, 0.0}};
+  nth(motion.axis, axis) = {"impulse", kImpulseInterval, {1.0, 0.0}};
   Simulation sim(free, still, motion, o);
   const std::int64_t every = std::max<std::int64_t>(1, std::llround(kImpulseInterval / sim.dt()));
   ImpulseResponse response;

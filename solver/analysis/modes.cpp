@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/setup/side_stiffness.h"
 #include "solver/world/errors.h"
 
@@ -34,8 +35,8 @@ class Structure {
  public:
   Structure(const World& w, DryJoints dry) : world_(w), dry_(dry), row_(static_cast<std::size_t>(w.elements.rows), -1) {
     for (std::int32_t e = 0; e < w.elements.count; ++e) {
-      if (w.elements.fixed[static_cast<std::size_t>(e)]) continue;
-      row_[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(6 * scale_.size());
+      if (nth(w.elements.fixed, e)) continue;
+      nth(row_, e) = static_cast<std::int32_t>(6 * scale_.size());
       scale_.push_back(scale_of(static_cast<std::size_t>(e)));
     }
   }
@@ -72,7 +73,7 @@ class Structure {
     double total = 0.0, largest = 0.0;
     for (std::size_t e = 0; e < m.displacement.size(); ++e) {
       if (row_[e] < 0) continue;
-      const Motion x = scale_[static_cast<std::size_t>(row_[e] / 6)] * q.segment<6>(row_[e]);
+      const Motion x = nth(scale_, row_[e] / 6) * q.segment<6>(row_[e]);
       m.displacement[e] = vec3(x.head<3>()), m.rotation[e] = vec3(x.tail<3>());
       momentum += world_.elements.mass[e] * x.head<3>();
       total += world_.elements.mass[e];
@@ -110,11 +111,10 @@ class Structure {
   void add(const Matrix12& k, std::array<std::int32_t, 2> element, std::vector<Eigen::Triplet<double>>& entries) const {
     for (int a = 0; a < 2; ++a) {
       for (int b = 0; b < 2; ++b) {
-        const std::int32_t row = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])];
-        const std::int32_t column = row_[static_cast<std::size_t>(element[static_cast<std::size_t>(b)])];
+        const std::int32_t row = nth(row_, nth(element, a));
+        const std::int32_t column = nth(row_, nth(element, b));
         if (row < 0 || column < 0 || row < column) continue;
-        const Eigen::Matrix<double, 6, 6> part = scale_[static_cast<std::size_t>(row / 6)].transpose() * k.block<6, 6>(6 * a, 6 * b) *
-                                                 scale_[static_cast<std::size_t>(column / 6)];
+        const Eigen::Matrix<double, 6, 6> part = nth(scale_, row / 6).transpose() * k.block<6, 6>(6 * a, 6 * b) * nth(scale_, column / 6);
         for (int i = 0; i < 6; ++i) {
           for (int j = 0; j < 6; ++j) {
             if (row + i >= column + j) entries.emplace_back(row + i, column + j, part(i, j));
@@ -128,12 +128,12 @@ class Structure {
   void add(const Ties::Tie& t, std::vector<Eigen::Triplet<double>>& entries) const {
     std::vector<std::pair<std::int32_t, Motion>> holds;  // row, and elongation by a unit of each motion
     for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
-      const Ties::Hold& h = world_.ties.hold[static_cast<std::size_t>(k)];
-      const std::int32_t row = row_[static_cast<std::size_t>(h.element)];
+      const Ties::Hold& h = nth(world_.ties.hold, k);
+      const std::int32_t row = nth(row_, h.element);
       if (row < 0) continue;
       const Vec3 turning = cross(h.arm, t.axis);
       const Motion motion = h.share * Motion{t.axis.x, t.axis.y, t.axis.z, turning.x, turning.y, turning.z};
-      holds.emplace_back(row, scale_[static_cast<std::size_t>(row / 6)].transpose() * motion);
+      holds.emplace_back(row, nth(scale_, row / 6).transpose() * motion);
     }
     for (const auto& [row, a] : holds) {
       for (const auto& [column, b] : holds) {

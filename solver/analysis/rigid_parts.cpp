@@ -11,6 +11,8 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 namespace {
 
@@ -81,7 +83,7 @@ class Parts {
     for (std::size_t e = 0; e < mass.size(); ++e) {
       const std::int32_t r = root(static_cast<std::int32_t>(e));
       if (r == base || mass[e] <= 0.0) continue;
-      auto& first = least[static_cast<std::size_t>(r)];
+      auto& first = nth(least, r);
       if (first < 0) first = static_cast<std::int32_t>(e);
       out[e] = first;
     }
@@ -89,9 +91,9 @@ class Parts {
   }
 
  private:
-  Part& at(std::int32_t i) { return parts_[static_cast<std::size_t>(i)]; }
+  Part& at(std::int32_t i) { return nth(parts_, i); }
   std::int32_t root(std::int32_t i) {
-    while (part_of_[static_cast<std::size_t>(i)] != i) i = part_of_[static_cast<std::size_t>(i)];
+    while (nth(part_of_, i) != i) i = nth(part_of_, i);
     return i;
   }
   static void add(double mass, Vec3 x, Vec3 d, Part& p) {
@@ -105,9 +107,7 @@ class Parts {
     p.square = mass * moved.squaredNorm();
   }
   void join(std::int32_t a, std::int32_t b, const ElementMotion& m) {
-    const auto moves = [&](std::int32_t e) {
-      return static_cast<std::size_t>(e) >= m.mass.size() || m.mass[static_cast<std::size_t>(e)] > 0.0;
-    };
+    const auto moves = [&](std::int32_t e) { return static_cast<std::size_t>(e) >= m.mass.size() || nth(m.mass, e) > 0.0; };
     if (a == b || !moves(a) || !moves(b)) return;
     at(a).neighbours.insert(b), at(b).neighbours.insert(a);
   }
@@ -120,7 +120,7 @@ class Parts {
     Part &p = at(u.a), &q = at(u.b);
     p.normal += q.normal, p.right += q.right, p.square += q.square, p.left += q.left + u.cost;
     ++p.version, q.version = -1;
-    part_of_[static_cast<std::size_t>(u.b)] = u.a;
+    nth(part_of_, u.b) = u.a;
     p.neighbours.erase(u.b);
     for (const std::int32_t n : q.neighbours) {
       if (n == u.a) continue;

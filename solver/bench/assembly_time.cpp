@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/side.h"
 #include "solver/joints/block_state.h"
 #include "solver/world/stages.h"
@@ -28,7 +29,7 @@ double assembly_time(World& w, JointTasks& tasks) {
     };
     tasks.run_own(thread, hand_out);
     tasks.help(thread, hand_out);
-    times[static_cast<std::size_t>(thread)] = clock.time(ForcePart::assembly);
+    nth(times, thread) = clock.time(ForcePart::assembly);
   });
   return std::accumulate(times.begin(), times.end(), 0.0) / w.team.size();
 }

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <thread>
 
+#include "geometry/nth.h"
 #include "kernels/lanes.h"
 #include "solver/world/array.h"
 
@@ -81,7 +82,7 @@ double peak_flops(int threads) {
   std::vector<double> rates(static_cast<std::size_t>(threads), 0.0);
   // Each thread by its own best, or one that the system takes from its core would make all slow.
   team.run_on_all([&](int thread) {
-    rates[static_cast<std::size_t>(thread)] =
+    nth(rates, thread) =
         2.0 * kernels::kWidth * kChains * static_cast<double>(kPeakRounds) / fastest([] { multiply_and_add(kPeakRounds); });
   });
   return std::accumulate(rates.begin(), rates.end(), 0.0);
@@ -92,7 +93,7 @@ std::vector<double> core_times(Team& team) {
   team.run_on_all([&](int thread) {
     const Clock::time_point start = Clock::now();
     mix();
-    times[static_cast<std::size_t>(thread)] = seconds_since(start);
+    nth(times, thread) = seconds_since(start);
   });
   return times;
 }

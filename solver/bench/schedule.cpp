@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 namespace {
 
-constexpr int kMoves = 40;     // of borders, until they have found their places
-constexpr int kNotes = 64;     // rounds between two moves (ShareBorders)
-constexpr int kBarriers = 4;   // a step: into the team and out of it, for forces and for the update
+constexpr int kMoves = 40;    // of borders, until they have found their places
+constexpr int kNotes = 64;    // rounds between two moves (ShareBorders)
+constexpr int kBarriers = 4;  // a step: into the team and out of it, for forces and for the update
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -31,7 +33,7 @@ QueueTimes settled(const JointTasks& tasks, const MeasuredStep& m, int cores) {
 
 /// What one thread does of all stages but the forces.
 double alone_of_stages(const MeasuredStep& m) {
-  const auto at = [](const StageTimes& times, Stage s) { return times[static_cast<std::size_t>(s)]; };
+  const auto at = [](const StageTimes& times, Stage s) { return nth(times, s); };
   double alone = at(m.one, Stage::damage) + at(m.one, Stage::output);
   for (const Stage s : {Stage::search, Stage::ledger}) alone += std::clamp(2.0 * at(m.two, s) - at(m.one, s), 0.0, at(m.one, s));
   return alone;
@@ -48,9 +50,9 @@ QueueTimes go_through(const JointTasks& tasks, const JointTasks::Plan& plan, con
   for (std::size_t left = times.size(); left > 0;) {
     for (std::size_t t = 0; t < threads; ++t) {
       for (; next[t] < plan.ends[t]; ++next[t], --left) {
-        const auto task = static_cast<std::size_t>(plan.queues[static_cast<std::size_t>(next[t])]);
+        const auto task = static_cast<std::size_t>(nth(plan.queues, next[t]));
         const std::span<const std::int32_t> before = tasks.before(task);
-        if (std::ranges::any_of(before, [&](std::int32_t b) { return done[static_cast<std::size_t>(b)] < 0.0; })) break;
+        if (std::ranges::any_of(before, [&](std::int32_t b) { return nth(done, b) < 0.0; })) break;
         double begin = out.end[t];
         for (const std::int32_t b : before) {
           const auto other = static_cast<std::size_t>(b);
@@ -67,10 +69,10 @@ QueueTimes go_through(const JointTasks& tasks, const JointTasks::Plan& plan, con
 PredictedStep predict(const JointTasks& tasks, const MeasuredStep& m, int cores) {
   const double n = cores;
   const QueueTimes joints = settled(tasks, m, cores);
-  const auto part = [&](ForcePart p) { return m.parts[static_cast<std::size_t>(p)]; };
+  const auto part = [&](ForcePart p) { return nth(m.parts, p); };
   const double all_tasks = std::accumulate(m.tasks.begin(), m.tasks.end(), 0.0);
   const double contacts = part(ForcePart::contacts) + part(ForcePart::assembly);
-  const double forces = m.one[static_cast<std::size_t>(Stage::forces)];
+  const double forces = nth(m.one, Stage::forces);
   const double stages = std::accumulate(m.one.begin(), m.one.end(), 0.0) - forces;
   const double alone = alone_of_stages(m);
   PredictedStep p{.cores = cores};

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/joints/block_state.h"
 
 namespace voussoir::solver {
@@ -33,7 +34,7 @@ class Fetched {
     constants_.insert(constants);
     ++blocks_;
     for (int l = 0; l < kernels::kLanes; ++l) {
-      for (const std::int32_t e : {block.master[l], block.slave[l]}) elements_[static_cast<std::size_t>(e)] = true;
+      for (const std::int32_t e : {block.master[l], block.slave[l]}) nth(elements_, e) = true;
     }
   }
   /// \param constants  bytes of those of a block  \param row  bytes of what is read of an element
@@ -114,7 +115,7 @@ void add_contacts(const World& w, StepWork& work) {
 void add_assembly(const World& w, StepWork& work) {
   work.assembly.bytes += static_cast<double>(w.elements.count) * kTwice * kWrench;
   double sides = 0.0;
-  for (const std::int32_t b : w.sides.live) sides += std::popcount(w.sides.live_lanes[static_cast<std::size_t>(b)]);
+  for (const std::int32_t b : w.sides.live) sides += std::popcount(nth(w.sides.live_lanes, b));
   work.assembly.bytes += sides * 2 * sizeof(std::int32_t);
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "geometry/nth.h"
 #include "kernels/prefetch.h"
 
 namespace voussoir::solver {
@@ -28,7 +29,7 @@ bool is_quiet(const World& w, std::size_t a) {
   return std::all_of(c.candidate.begin() + c.first_slot[a], c.candidate.begin() + c.first_slot[a + 1], quiet);
 }
 
-const FreePatch& patch_at(const World& w, std::size_t a) { return w.patches.patch[static_cast<std::size_t>(w.contacts.active[a])]; }
+const FreePatch& patch_at(const World& w, std::size_t a) { return nth(w.patches.patch, w.contacts.active[a]); }
 
 int level_of(const Contacts& c, std::size_t a) { return c.level.empty() ? 0 : c.level[a]; }
 
@@ -50,13 +51,13 @@ void prefetch_points(const World& w, std::size_t a) {
   const Contacts& c = w.contacts;
   const Patches& p = w.patches;
   const FreePatch& patch = patch_at(w, a);
-  kernels::prefetch(&w.faces[static_cast<std::size_t>(patch.face)], sizeof(kernels::Face));
+  kernels::prefetch(&nth(w.faces, patch.face), sizeof(kernels::Face));
   for (auto slot = static_cast<std::size_t>(c.first_slot[a]); slot < static_cast<std::size_t>(c.first_slot[a + 1]); ++slot) {
     const kernels::Candidate& k = c.candidate[slot];
     if (k.first >= k.last) continue;
     kernels::prefetch(&c.wrench[slot], sizeof c.wrench[slot]);
     prefetch_body(w, level_of(c, a), k.element);
-    if (k.face >= 0) kernels::prefetch(&w.faces[static_cast<std::size_t>(k.face)], sizeof(kernels::Face));
+    if (k.face >= 0) kernels::prefetch(&nth(w.faces, k.face), sizeof(kernels::Face));
     const auto first = static_cast<std::size_t>(patch.first_point + k.first), points = static_cast<std::size_t>(k.last - k.first);
     kernels::prefetch(&p.partner[first], points * sizeof p.partner[0]);
     kernels::prefetch(&p.face[first], points * sizeof p.face[0]);
@@ -67,7 +68,7 @@ void prefetch_points(const World& w, std::size_t a) {
 /// Whether a slot pushes has changed: tells those that gather it. Seldom, so threads do not take lines of flags from each other.
 void note_push(Contacts& c, std::size_t slot) {
   for (const std::int32_t place : {c.place[2 * slot], c.place[2 * slot + 1]}) {
-    if (place >= 0) c.gather_on[static_cast<std::size_t>(place)] = c.on[slot];
+    if (place >= 0) nth(c.gather_on, place) = c.on[slot];
   }
 }
 
@@ -107,10 +108,10 @@ void each_push(const Contacts& c, int due, std::size_t element, Use use) {
   const std::int64_t last = c.last_gather[element];
   for (std::int64_t g = c.first_gather[element]; g < last; g += kFlags) {
     std::uint64_t flags;
-    std::memcpy(&flags, &c.gather_on[static_cast<std::size_t>(g)], sizeof flags);
+    std::memcpy(&flags, &nth(c.gather_on, g), sizeof flags);
     if (!c.gather_level.empty()) {
       std::uint64_t levels;
-      std::memcpy(&levels, &c.gather_level[static_cast<std::size_t>(g)], sizeof levels);
+      std::memcpy(&levels, &nth(c.gather_level, g), sizeof levels);
       flags &= bytes_below(levels, due);
     }
     if (last - g < kFlags) flags &= (std::uint64_t{1} << 8 * (last - g)) - 1;
@@ -160,7 +161,7 @@ void advance_contacts(World& w, int due, ContactRuns& runs, ContactRoom& room) {
     for (std::size_t k = 0; k < count; ++k) {
       if (k + kPrefetchPatches < count) prefetch_patch(w, near[k + kPrefetchPatches]);
       if (k + kPrefetchPoints < count) prefetch_points(w, near[k + kPrefetchPoints]);
-      advance_one(w, near[k], room.steps[static_cast<std::size_t>(level_of(w.contacts, near[k]))], faces, room);
+      advance_one(w, near[k], nth(room.steps, level_of(w.contacts, near[k])), faces, room);
     }
   });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/nth.h"
 #include "solver/world/world.h"
 
 /// Stages 2 and 3b of the step: search for free patches that may touch elements, and forces of those that do.
@@ -42,8 +43,7 @@ class ContactRuns {
   /// Calls `work(first, last)` for ranges of the list of these patches, until all are taken.
   template <class Work>
   void take(Work work) {
-    tickets_.take(
-        [&](std::int64_t run, std::int64_t) { work(ends_[static_cast<std::size_t>(run)], ends_[static_cast<std::size_t>(run) + 1]); });
+    tickets_.take([&](std::int64_t run, std::int64_t) { work(nth(ends_, run), ends_[static_cast<std::size_t>(run) + 1]); });
   }
 
  private:

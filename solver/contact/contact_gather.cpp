@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/contact/contact_lists.h"
 
 namespace voussoir::solver {
@@ -32,7 +33,7 @@ void each_code(const World& w, PatchRange patches, Use use) {
   for (std::size_t a = patches.first; a < patches.last; ++a) {
     for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
       use(static_cast<std::size_t>(c.master[a]), 2 * slot);
-      const std::int32_t slave = c.element[static_cast<std::size_t>(slot)];
+      const std::int32_t slave = nth(c.element, slot);
       if (slave != w.elements.base) use(static_cast<std::size_t>(slave), 2 * slot + 1);
     }
   }
@@ -67,7 +68,7 @@ void find_levels(World& w) {
       lowest = std::min(lowest, w.multirate.contact_level(c.master[a], c.element[slot]));
     c.level[a] = static_cast<std::uint8_t>(lowest);
     for (auto code = static_cast<std::size_t>(2 * c.first_slot[a]); code < static_cast<std::size_t>(2 * c.first_slot[a + 1]); ++code) {
-      if (c.place[code] >= 0) c.gather_level[static_cast<std::size_t>(c.place[code])] = c.level[a];
+      if (c.place[code] >= 0) nth(c.gather_level, c.place[code]) = c.level[a];
     }
   };
   w.team.share_out(static_cast<std::int64_t>(c.active.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
@@ -76,8 +77,7 @@ void find_levels(World& w) {
   c.patches.sort(c.level, levels);
   std::vector<std::uint8_t> lowest(static_cast<std::size_t>(w.elements.count), static_cast<std::uint8_t>(levels));
   for (std::size_t e = 0; e < lowest.size(); ++e) {
-    for (std::int64_t g = c.first_gather[e]; g < c.last_gather[e]; ++g)
-      lowest[e] = std::min(lowest[e], c.gather_level[static_cast<std::size_t>(g)]);
+    for (std::int64_t g = c.first_gather[e]; g < c.last_gather[e]; ++g) lowest[e] = std::min(lowest[e], nth(c.gather_level, g));
   }
   c.gatherers.sort(lowest, levels);
 }
@@ -85,8 +85,8 @@ void find_levels(World& w) {
 /// \pre the flag of the place is 0
 void put(Contacts& c, std::size_t place, std::int64_t code) {
   c.gather[place] = static_cast<std::int32_t>(code);
-  c.place[static_cast<std::size_t>(code)] = static_cast<std::int32_t>(place);
-  if (c.on[static_cast<std::size_t>(code / 2)] != 0) c.gather_on[place] = 1;  // few push
+  nth(c.place, code) = static_cast<std::int32_t>(place);
+  if (nth(c.on, code / 2) != 0) c.gather_on[place] = 1;  // few push
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void build_gather(World& w) {
   std::vector<std::int64_t>& total = c.last_gather;
   const auto each_part = [&](auto work) {
     w.team.share_out(parts, 1, [&](std::int64_t first, std::int64_t last) {
-      for (std::int64_t p = first; p < last; ++p) work(part_of(c, p, parts), counts[static_cast<std::size_t>(p)]);
+      for (std::int64_t p = first; p < last; ++p) work(part_of(c, p, parts), nth(counts, p));
     });
   };
   const auto each_element = [&](auto work) {
@@ -114,7 +114,7 @@ void build_gather(World& w) {
   };
   each_part([&](PatchRange patches, std::vector<std::int32_t>& count) {
     count.assign(static_cast<std::size_t>(n), 0);
-    for (std::size_t a = patches.first; a < patches.last; ++a) c.master[a] = w.patches.element[static_cast<std::size_t>(c.active[a])];
+    for (std::size_t a = patches.first; a < patches.last; ++a) c.master[a] = nth(w.patches.element, c.active[a]);
     each_code(w, patches, [&](std::size_t e, std::int64_t) { ++count[e]; });
   });
   each_element([&](std::size_t e) {
@@ -128,8 +128,7 @@ void build_gather(World& w) {
   each_part([&](PatchRange patches, std::vector<std::int32_t>& at) {
     each_code(w, patches, [&](std::size_t e, std::int64_t code) {
       put(c, static_cast<std::size_t>(c.first_gather[e] + at[e]++), code);
-      if (code % 2 == 0 && c.element[static_cast<std::size_t>(code / 2)] == w.elements.base)
-        c.place[static_cast<std::size_t>(code + 1)] = -1;
+      if (code % 2 == 0 && nth(c.element, code / 2) == w.elements.base) nth(c.place, code + 1) = -1;
     });
   });
   find_levels(w);
@@ -140,9 +139,9 @@ void add_to_gather(World& w) {
   Contacts& c = w.contacts;
   const std::size_t a = c.active.size() - 1;
   const std::int64_t slot = c.first_slot[a];
-  const std::int32_t master = w.patches.element[static_cast<std::size_t>(c.active[a])], slave = c.element[static_cast<std::size_t>(slot)];
+  const std::int32_t master = nth(w.patches.element, c.active[a]), slave = nth(c.element, slot);
   const auto has_room = [&](std::int32_t e) {
-    return e == w.elements.base || c.last_gather[static_cast<std::size_t>(e)] < c.first_gather[static_cast<std::size_t>(e) + 1];
+    return e == w.elements.base || nth(c.last_gather, e) < c.first_gather[static_cast<std::size_t>(e) + 1];
   };
   const int level = w.multirate.contact_level(master, slave);
   if (w.multirate.on() || c.stale_level < Contacts::kUpToDate || c.first_gather.empty() || c.master.size() != a || !has_room(master) ||
@@ -154,7 +153,7 @@ void add_to_gather(World& w) {
   c.place.resize(c.place.size() + 2, -1);
   for (const std::int32_t e : {master, slave}) {
     if (e == w.elements.base) continue;
-    put(c, static_cast<std::size_t>(c.last_gather[static_cast<std::size_t>(e)]++), 2 * slot + (e == master ? 0 : 1));
+    put(c, static_cast<std::size_t>(nth(c.last_gather, e)++), 2 * slot + (e == master ? 0 : 1));
     w.travel.activate(w.elements, e);
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
@@ -30,7 +31,7 @@ void count_kept(const Contacts& c, SearchRoom& room, Team& team) {
     const auto p = static_cast<std::size_t>(c.active[a]);
     if (room.re_search.patch[p] != 0) return;
     const auto first = c.element.begin() + c.first_slot[a], last = c.element.begin() + c.first_slot[a + 1];
-    const auto kept = std::count_if(first, last, [&](std::int32_t e) { return room.re_search.element[static_cast<std::size_t>(e)] == 0; });
+    const auto kept = std::count_if(first, last, [&](std::int32_t e) { return nth(room.re_search.element, e) == 0; });
     room.candidates[p] = static_cast<std::int32_t>(kept);
     if (kept != last - first) room.changed[p] = 1;
   });
@@ -39,7 +40,7 @@ void count_kept(const Contacts& c, SearchRoom& room, Team& team) {
 /// Gives pairs of patches that are not searched again their places, in the order of the elements that were.
 void rank_found(SearchRoom& room) {
   for (const FoundRun& run : room.found) {
-    FoundPairs& found = room.by_thread[static_cast<std::size_t>(run.thread)].around;
+    FoundPairs& found = nth(room.by_thread, run.thread).around;
     for (std::size_t i = run.first; i < run.last; ++i) {
       const auto p = static_cast<std::size_t>(found.patch[i]);
       found.rank[i] = room.candidates[p]++;
@@ -72,8 +73,8 @@ void lay_out(Contacts& c, SearchRoom& room, Team& team) {
 }
 
 void put(Contacts& c, std::int64_t slot, const kernels::Candidate& k) {
-  c.candidate[static_cast<std::size_t>(slot)] = k;
-  c.element[static_cast<std::size_t>(slot)] = k.element;
+  nth(c.candidate, slot) = k;
+  nth(c.element, slot) = k.element;
 }
 
 /// Candidates that stay, in their order, and behind them those found.
@@ -83,15 +84,14 @@ void fill_slots(Contacts& c, const SearchRoom& room, Team& team) {
     if (room.re_search.patch[p] != 0) return;
     std::int64_t to = room.first_of[p];
     for (std::int64_t slot = room.first_slot[a]; slot < room.first_slot[a + 1]; ++slot) {
-      const kernels::Candidate& k = room.candidate[static_cast<std::size_t>(slot)];
-      if (room.re_search.element[static_cast<std::size_t>(k.element)] == 0) put(c, to++, k);
+      const kernels::Candidate& k = nth(room.candidate, slot);
+      if (nth(room.re_search.element, k.element) == 0) put(c, to++, k);
     }
   });
   for (const SearchOfThread& t : room.by_thread) {
     for (const FoundPairs* found : {&t.own, &t.around}) {
-      for_all(team, found->size(), [&](std::size_t i) {
-        put(c, room.first_of[static_cast<std::size_t>(found->patch[i])] + found->rank[i], found->candidate[i]);
-      });
+      for_all(team, found->size(),
+              [&](std::size_t i) { put(c, nth(room.first_of, found->patch[i]) + found->rank[i], found->candidate[i]); });
     }
   }
 }
@@ -101,7 +101,7 @@ void release_lost(World& w, std::size_t p, std::span<const std::int32_t> candida
   FreePatch& patch = w.patches.patch[p];
   if (patch.touching == 0) return;
   const kernels::ContactPoints q = w.patches.points(static_cast<std::int64_t>(p));
-  const int n = w.points.count[static_cast<std::size_t>(patch.set)];
+  const int n = nth(w.points.count, patch.set);
   for (int i = 0; i < n; ++i) {
     const std::int32_t partner = q.partner[i];
     if (partner == kernels::kNobody) continue;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
@@ -20,7 +21,7 @@ constexpr std::int64_t kElementsAtATime = 64, kPatchesAtATime = 4096, kSearchedA
 /// As it stood when it was searched last.
 PlacedElement placed_then(const World& w, std::int32_t e) {
   const Travel::Pose p = w.travel.searched_pose(e);
-  return {w.elements.body[static_cast<std::size_t>(e)].ref + p.u, p.r};
+  return {nth(w.elements.body, e).ref + p.u, p.r};
 }
 
 bool overlap(const geometry::Box3& a, const geometry::Box3& b, double margin) {
@@ -51,7 +52,7 @@ double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const 
   const Vec3 centre = back * (p.centre - b.x), es = back * p.es, et = back * p.et;
   double farthest = -1e300;
   for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
-    const kernels::Face& face = w.faces[static_cast<std::size_t>(f)];
+    const kernels::Face& face = nth(w.faces, f);
     const double reach = std::abs(dot(face.normal, es)) + std::abs(dot(face.normal, et));
     farthest = std::max(farthest, dot(face.normal, centre) - face.distance - reach);
   }
@@ -70,8 +71,8 @@ struct SearchPass {
   const World& w;
   double skin = 0.0, moved = 0.0;  // m; that elements which are not searched again have moved at most since they were searched
   [[nodiscard]] const SearchRoom& room() const { return w.contacts.room; }
-  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return room().re_search.element[static_cast<std::size_t>(e)] != 0; }
-  [[nodiscard]] bool is_re_searched_patch(std::int32_t p) const { return room().re_search.patch[static_cast<std::size_t>(p)] != 0; }
+  [[nodiscard]] bool is_re_searched(std::int32_t e) const { return nth(room().re_search.element, e) != 0; }
+  [[nodiscard]] bool is_re_searched_patch(std::int32_t p) const { return nth(room().re_search.patch, p) != 0; }
 };
 
 /// Elements whose boxes are that near to another's.
@@ -82,11 +83,10 @@ void find_neighbours(const SearchPass& t, const Here& here, double gap, std::vec
   const double reach = gap + t.moved;  // to where the grid has it
   const Vec3 wide{reach, reach, reach};
   w.contacts.grid.query({here.box.low - wide, here.box.high + wide}, near);
-  const auto is_fixed = [&](std::int32_t k) { return w.elements.fixed[static_cast<std::size_t>(k)] != 0; };
+  const auto is_fixed = [&](std::int32_t k) { return nth(w.elements.fixed, k) != 0; };
   const double apart = gap + w.patches.beyond + kernels::kRoundOff;
   std::erase_if(near, [&](std::int32_t other) {
-    return other == here.element || (is_fixed(here.element) && is_fixed(other)) ||
-           !overlap(here.box, t.room().box[static_cast<std::size_t>(other)], apart);
+    return other == here.element || (is_fixed(here.element) && is_fixed(other)) || !overlap(here.box, nth(t.room().box, other), apart);
   });
 }
 
@@ -100,7 +100,7 @@ std::optional<double> gap_within(const SearchPass& t, const PlacedPatch& patch, 
 /// As new, with the travel of both bodies before they can touch.
 kernels::Candidate candidate_at(const World& w, std::int32_t patch, std::int32_t element, double gap) {
   kernels::Candidate k = candidate_of(w, element);
-  const std::int32_t master = w.patches.element[static_cast<std::size_t>(patch)];
+  const std::int32_t master = nth(w.patches.element, patch);
   k.safe = w.travel.bound(master) + w.travel.bound(element) + gap - kernels::kRoundOff;
   return k;
 }
@@ -110,19 +110,18 @@ void search_own_patches(const SearchPass& t, const Here& here, std::span<const H
                         FoundPairs& found) {
   const World& w = t.w;
   const Elements& el = w.elements;
-  const bool over_base = w.has_base && !el.fixed[static_cast<std::size_t>(here.element)] &&
-                         here.box.low.z - gap <= el.body[static_cast<std::size_t>(el.base)].ref.z;
+  const bool over_base = w.has_base && !nth(el.fixed, here.element) && here.box.low.z - gap <= nth(el.body, el.base).ref.z;
   for (auto p = room.patches.begin_of(here.element); p != room.patches.end_of(here.element); ++p) {
     if (!t.is_re_searched_patch(*p)) continue;
     std::int32_t count = 0;
-    const PlacedPatch patch = placed(w.patches.patch[static_cast<std::size_t>(*p)], here.body);
+    const PlacedPatch patch = placed(nth(w.patches.patch, *p), here.body);
     const auto consider = [&](const Here& other) {
       const std::optional<double> apart = gap_within(t, patch, other, gap);
       if (apart) found.add(*p, count++, candidate_at(w, *p, other.element, *apart));
     };
     for (const Here& other : near) consider(other);
     if (over_base) consider({el.base, placed_element(w, el.base), {}});
-    room.candidates[static_cast<std::size_t>(*p)] = count;
+    nth(room.candidates, *p) = count;
   }
 }
 
@@ -134,13 +133,13 @@ void search_patches_around(const SearchPass& t, const Here& here, std::span<cons
     const PatchesOfElements& patches = t.room().patches;
     for (auto p = patches.begin_of(other.element); p != patches.end_of(other.element); ++p) {
       if (t.is_re_searched_patch(*p)) continue;
-      const std::optional<double> apart = gap_within(t, placed(w.patches.patch[static_cast<std::size_t>(*p)], other.body), here, gap);
+      const std::optional<double> apart = gap_within(t, placed(nth(w.patches.patch, *p), other.body), here, gap);
       if (apart) found.add(*p, 0, candidate_at(w, *p, here.element, *apart));
     }
   }
 }
 
-Here here(const World& w, std::int32_t e) { return {e, placed_element(w, e), w.contacts.room.box[static_cast<std::size_t>(e)]}; }
+Here here(const World& w, std::int32_t e) { return {e, placed_element(w, e), nth(w.contacts.room.box, e)}; }
 
 /// Room of a thread for the neighbours of one element.
 struct Neighbours {
@@ -173,7 +172,7 @@ void list_patches(const World& w, PatchesOfElements& r) {
   r.list.resize(element.size());
   std::vector<std::int32_t> at(r.first.begin(), r.first.end() - 1);
   for (std::size_t p = 0; p < element.size(); ++p) {
-    r.list[static_cast<std::size_t>(at[static_cast<std::size_t>(element[p])]++)] = static_cast<std::int32_t>(p);
+    nth(r.list, nth(at, element[p])++) = static_cast<std::int32_t>(p);
   }
 }
 
@@ -194,7 +193,7 @@ double mark_moved(World& w, double farther_than) {
     }
   };
   w.team.share_out(w.elements.count, kElementsAtATime, [&](std::int64_t first, std::int64_t last, int thread) {
-    double& moved = room.by_thread[static_cast<std::size_t>(thread)].moved;
+    double& moved = nth(room.by_thread, thread).moved;
     for (std::int64_t e = first; e < last; ++e) mark(static_cast<std::int32_t>(e), moved);
   });
   double most = 0.0;
@@ -209,7 +208,7 @@ void mark_new_patches(World& w) {
   for (auto a = static_cast<std::size_t>(c.searched); a < c.active.size(); ++a) {
     const auto p = static_cast<std::size_t>(c.active[a]);
     room.re_search.patch[p] = 1;
-    room.looked_at[static_cast<std::size_t>(w.patches.element[p])] = 1;
+    nth(room.looked_at, w.patches.element[p]) = 1;
   }
 }
 
@@ -219,7 +218,7 @@ void place_in_grid(World& w) {
   SearchRoom& room = c.room;
   if (!room.stale) {
     for (std::int32_t e = 0; e < w.elements.count; ++e) {
-      if (room.re_search.element[static_cast<std::size_t>(e)] != 0) c.grid.move(e, room.box[static_cast<std::size_t>(e)]);
+      if (nth(room.re_search.element, e) != 0) c.grid.move(e, nth(room.box, e));
     }
     return;
   }
@@ -247,7 +246,7 @@ void begin_search(World& w) {
 void list_elements(SearchRoom& room, std::int32_t count) {
   room.elements.clear();
   for (std::int32_t e = 0; e < count; ++e) {
-    if (room.looked_at[static_cast<std::size_t>(e)] != 0) room.elements.push_back(e);
+    if (nth(room.looked_at, e) != 0) room.elements.push_back(e);
   }
   room.found.resize(room.elements.size());
 }
@@ -264,11 +263,11 @@ void search(World& w, double farther_than) {
   const SearchPass pass{w, w.travel.skin(), moved};
   w.team.share_out(static_cast<std::int64_t>(room.re_search.patch.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
     for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p)
-      room.re_search.patch[p] |= room.re_search.element[static_cast<std::size_t>(w.patches.element[p])];
+      room.re_search.patch[p] |= nth(room.re_search.element, w.patches.element[p]);
   });
   w.team.share_out(static_cast<std::int64_t>(room.elements.size()), kSearchedAtATime,
                    [&](std::int64_t first, std::int64_t last, int thread) {
-                     SearchOfThread& mine = room.by_thread[static_cast<std::size_t>(thread)];
+                     SearchOfThread& mine = nth(room.by_thread, thread);
                      Neighbours near;
                      for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
                        const std::size_t before = mine.around.size();

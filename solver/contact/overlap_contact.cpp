@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "kernels/laws/contact_law.h"
 
 namespace voussoir::solver {
@@ -22,9 +23,7 @@ constexpr double kOfStep = 1.0;
 
 bool is_base(const World& w, std::int32_t e) { return e == w.elements.base; }
 
-const kernels::ConvexShape& shape_of(const World& w, std::int32_t e) {
-  return w.overlaps.shape[static_cast<std::size_t>(w.overlaps.shape_of[static_cast<std::size_t>(e)])];
-}
+const kernels::ConvexShape& shape_of(const World& w, std::int32_t e) { return nth(w.overlaps.shape, nth(w.overlaps.shape_of, e)); }
 
 /// 1/kg: by how much a force of 1 N along n at the arm accelerates the body's point there.
 double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
@@ -41,7 +40,7 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
 kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, const kernels::Pose& pa, const kernels::Pose& pb,
                             double enough) {
   const Elements& e = w.elements;
-  const Vec3 apart = (e.body[static_cast<std::size_t>(b)].ref - e.body[static_cast<std::size_t>(a)].ref) + (pb.u - pa.u);
+  const Vec3 apart = (nth(e.body, b).ref - nth(e.body, a).ref) + (pb.u - pa.u);
   if (is_base(w, b)) return kernels::overlap_with_base(shape_of(w, a), pa, -apart.z);
   return kernels::overlap_of(shape_of(w, a), pa, shape_of(w, b), pb, apart, enough);
 }
@@ -106,9 +105,7 @@ class LoadsOnStep {
 
 /// tan φ of the two materials.
 double friction(const World& w, std::int32_t a, std::int32_t b) {
-  const auto material = [&](std::int32_t e) {
-    return w.faces[static_cast<std::size_t>(w.elements.first_face[static_cast<std::size_t>(e)])].material;
-  };
+  const auto material = [&](std::int32_t e) { return nth(w.faces, nth(w.elements.first_face, e)).material; };
   return w.contact.friction.of(material(a), material(b));
 }
 
@@ -156,9 +153,9 @@ double there_before(double over, double apart) { return over > kSudden * std::ab
 double crushed_in_joint(const World& w, std::int32_t a, std::int32_t b) {
   const Overlaps& o = w.overlaps;
   double most = -1.0;
-  for (std::int64_t k = o.first_side[static_cast<std::size_t>(a)]; k < o.first_side[static_cast<std::size_t>(a) + 1]; ++k) {
-    const auto i = static_cast<std::size_t>(o.side[static_cast<std::size_t>(k)]);
-    if (o.joined_to[static_cast<std::size_t>(k)] != b || w.sides.retired[i] != 0) continue;
+  for (std::int64_t k = nth(o.first_side, a); k < o.first_side[static_cast<std::size_t>(a) + 1]; ++k) {
+    const auto i = static_cast<std::size_t>(nth(o.side, k));
+    if (nth(o.joined_to, k) != b || w.sides.retired[i] != 0) continue;
     most = std::max(most, 0.0);
     const kernels::SegmentsView q = w.sides.segments(static_cast<std::int64_t>(i));
     for (int p = 0; p < w.points.view(w.sides.set[i]).n; ++p) most = std::max(most, -q.closure(p));
@@ -243,8 +240,8 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, 
 
 double allowed_overlap(const World& w, std::int32_t a, std::int32_t b) {
   const std::vector<double>& allowed = w.overlaps.allowed;
-  const double first = allowed[static_cast<std::size_t>(a)];
-  return is_base(w, b) ? first : std::max(first, allowed[static_cast<std::size_t>(b)]);
+  const double first = nth(allowed, a);
+  return is_base(w, b) ? first : std::max(first, nth(allowed, b));
 }
 
 kernels::Overlap overlap_of(const World& w, std::int32_t a, std::int32_t b, double enough) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/contact/placed_element.h"
 
@@ -33,7 +34,7 @@ void consider(const World& w, std::int32_t a, std::int32_t b, double travel, std
   if (spare < travel) pairs.push_back({a, b, w.travel.bound(a) + w.travel.bound(b) + spare - kernels::kRoundOff});
 }
 
-bool is_fixed(const World& w, std::int32_t e) { return w.elements.fixed[static_cast<std::size_t>(e)] != 0; }
+bool is_fixed(const World& w, std::int32_t e) { return nth(w.elements.fixed, e) != 0; }
 
 /// A pair needs the travel bounds and the velocity rows of both elements.
 void activate(World& w, std::span<const OverlapPair> pairs) {
@@ -49,7 +50,7 @@ void list_overlaps_of(const World& w, std::int32_t element, std::span<const std:
                       std::vector<OverlapPair>& pairs) {
   const std::vector<std::uint8_t>& again = w.contacts.room.re_search.element;
   for (const std::int32_t other : near) {
-    if (again[static_cast<std::size_t>(other)] != 0 && other < element) continue;
+    if (nth(again, other) != 0 && other < element) continue;
     consider(w, std::min(element, other), std::max(element, other), travel, pairs);
   }
   if (w.has_base && !is_fixed(w, element)) consider(w, element, w.elements.base, travel, pairs);
@@ -70,14 +71,12 @@ void replace_overlap_pairs(World& w) {
   found.resize(count);
   std::vector<std::int32_t> at(room.first_overlap.begin(), room.first_overlap.end() - 1);
   for (const SearchOfThread& t : room.by_thread) {
-    for (const OverlapPair& p : t.overlaps) found[static_cast<std::size_t>(at[static_cast<std::size_t>(p.a)]++)] = p;
+    for (const OverlapPair& p : t.overlaps) nth(found, nth(at, p.a)++) = p;
   }
   std::swap(w.overlaps.pairs, before);
   std::vector<OverlapPair>& pairs = w.overlaps.pairs;
   pairs.clear();
-  const auto is_kept = [&](const OverlapPair& p) {
-    return room.re_search.element[static_cast<std::size_t>(p.a)] == 0 && room.re_search.element[static_cast<std::size_t>(p.b)] == 0;
-  };
+  const auto is_kept = [&](const OverlapPair& p) { return nth(room.re_search.element, p.a) == 0 && nth(room.re_search.element, p.b) == 0; };
   auto old = before.begin();
   for (std::int32_t a = 0; a < w.elements.count; ++a) {
     const auto first = pairs.size();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/nth.h"
 #include "geometry/polyhedron.h"
 #include "solver/world/world.h"
 
@@ -18,7 +19,7 @@ struct PlacedElement {
 
 inline PlacedElement placed_element(const World& w, std::int32_t e) {
   const kernels::Pose p = kernels::load_pose(w.elements.pose.data(), e);
-  return {w.elements.body[static_cast<std::size_t>(e)].ref + p.u, Mat3{} + p.d};
+  return {nth(w.elements.body, e).ref + p.u, Mat3{} + p.d};
 }
 
 inline Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/setup/setup.h"
@@ -77,7 +78,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     to.set_slip(k, body);
     const double depth =
         kernels::depth_under_face(patch, points.s[k], points.t[k], to.partner[k], to.face[k], w.bodies(), w.faces.data(), w.contact);
-    const double da = (w.faces[static_cast<std::size_t>(to.face[k])].is_ground() ? 1.0 : 0.5) * points.area[k];
+    const double da = (nth(w.faces, to.face[k]).is_ground() ? 1.0 : 0.5) * points.area[k];
     const auto [n, lost] = kernels::left_to_patch(*s.laws, u.n - q.closure(k), s.k.kn);
     w.sides.impact[i] += da * lost;
     to.closure(k) = depth - n;
@@ -106,7 +107,7 @@ void activate_last_patch(World& w) {
 }  // namespace
 
 void append_retired_patch(World& w, std::int32_t side, bool mirrored) {
-  append_patch(w, patch_of(w, side, w.sides.side(side), mirrored), w.sides.set[static_cast<std::size_t>(side)], side, !mirrored);
+  append_patch(w, patch_of(w, side, w.sides.side(side), mirrored), nth(w.sides.set, side), side, !mirrored);
 }
 
 void retire_side(World& w, std::int32_t side) {
@@ -144,7 +145,7 @@ void list_live_blocks(World& w) {
     if (i % levels == 0) s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));
     s.live_level.push_back(static_cast<std::int32_t>(s.live.size()));
     for (std::int32_t b = s.task_level[i]; b < s.task_level[i + 1]; ++b) {
-      if (s.live_lanes[static_cast<std::size_t>(b)] != 0) s.live.push_back(b);
+      if (nth(s.live_lanes, b) != 0) s.live.push_back(b);
     }
   }
   s.live_first.push_back(static_cast<std::int32_t>(s.live.size()));

@@ -6,6 +6,7 @@
 #include <bit>
 #include <optional>
 
+#include "geometry/nth.h"
 #include "solver/joints/block_prefetch.h"
 #include "solver/joints/block_state.h"
 #include "solver/joints/side_outcome.h"
@@ -113,9 +114,9 @@ void advance_blocks(const JointStep& at, int level, std::int32_t first, std::int
   }
   for (std::int32_t i = first; i < last; ++i) {
     next_rows.fetch(1);
-    if (i + kPrefetchBlocks < last) prefetch_block(s, step.rows, s.live[static_cast<std::size_t>(i + kPrefetchBlocks)]);
-    if (i + 1 < last) prefetch_histories(s, s.live[static_cast<std::size_t>(i + 1)]);
-    const std::int32_t number = s.live[static_cast<std::size_t>(i)];
+    if (i + kPrefetchBlocks < last) prefetch_block(s, step.rows, nth(s.live, i + kPrefetchBlocks));
+    if (i + 1 < last) prefetch_histories(s, nth(s.live, i + 1));
+    const std::int32_t number = nth(s.live, i);
     const bool whole = is_whole(s, static_cast<std::size_t>(number));
     advance_block(step, number, std::nullopt);
     laps.lap(whole ? ForcePart::whole_joints : ForcePart::damaged_joints);

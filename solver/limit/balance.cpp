@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 namespace {
 
@@ -45,7 +47,7 @@ void Balance::put(const BodyForces& forces, double scale, std::vector<double>& r
 
 Vec3 Balance::speed(std::int32_t body, Vec3 at, const std::vector<kernels::Twist>& motion) const {
   if (body < 0) return {};
-  const kernels::Twist& m = motion[static_cast<std::size_t>(body)];
+  const kernels::Twist& m = nth(motion, body);
   return m.v + cross(m.w, at - centre(body));
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/rows.h"
 #include "solver/limit/contacts.h"
 #include "solver/limit/live_load.h"
@@ -74,7 +75,7 @@ class Balance {
       if (std::abs(value) > kRoundOff) take(first + k, value);
     }
   }
-  [[nodiscard]] Vec3 centre(std::int32_t body) const { return contacts_.bodies[static_cast<std::size_t>(body)].centre; }
+  [[nodiscard]] Vec3 centre(std::int32_t body) const { return nth(contacts_.bodies, body).centre; }
   [[nodiscard]] Vec3 speed(std::int32_t body, Vec3 at, const std::vector<kernels::Twist>& motion) const;
   void put(const BodyForces& forces, double scale, std::vector<double>& rows) const;
   void take_points_of_plane(const LimitPlane& plane);

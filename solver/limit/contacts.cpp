@@ -10,6 +10,7 @@
 
 #include "cases/rules/contact_rules.h"
 #include "geometry/disjoint_sets.h"
+#include "geometry/nth.h"
 #include "geometry/polygon.h"
 #include "solver/limit/convex_hull.h"
 
@@ -19,7 +20,7 @@ namespace {
 constexpr double kAcross = 1e-3;  // of a direction: less of it lies in the joint's plane than can be told from round-off
 
 double density(const cases::Model& model, std::size_t element) {
-  return model.materials[static_cast<std::size_t>(model.blocks[element].material)].value.density;
+  return nth(model.materials, model.blocks[element].material).value.density;
 }
 
 /// Which elements hold together: those of a timber member, and pieces of a stone whose joints never break.
@@ -30,7 +31,7 @@ geometry::DisjointSets held_together(const cases::Model& model) {
     if (const cases::Block& b = model.blocks[e]; b.member >= 0) sets.join(of_member.try_emplace({b.house, b.member}, e).first->second, e);
   for (std::size_t j = 0; j < model.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = model.assembly.joints[j];
-    if (joint.element_b != geometry::kBase && model.laws[static_cast<std::size_t>(model.joint_law[j])].never_breaks)
+    if (joint.element_b != geometry::kBase && nth(model.laws, model.joint_law[j]).never_breaks)
       sets.join(static_cast<std::size_t>(joint.element_a), static_cast<std::size_t>(joint.element_b));
   }
   return sets;
@@ -44,7 +45,7 @@ void find_bodies(const cases::Model& model, LimitContacts& out) {
     if (model.blocks[e].fixed) continue;
     const std::int32_t number = of_set.try_emplace(together.of(e), static_cast<std::int32_t>(out.bodies.size())).first->second;
     if (static_cast<std::size_t>(number) == out.bodies.size()) out.bodies.emplace_back();
-    RigidBody& body = out.bodies[static_cast<std::size_t>(number)];
+    RigidBody& body = nth(out.bodies, number);
     const geometry::MassProperties& m = model.assembly.elements[e].mass;
     const double mass = density(model, e) * m.volume;
     if (body.elements.empty()) body.centre = m.centroid;
@@ -86,12 +87,12 @@ Tangents limit_tangents(const geometry::Joint& joint, Vec3 normal, Vec3 live) {
 LimitContacts limit_contacts(const cases::Model& model, Vec3 live) {
   LimitContacts out;
   find_bodies(model, out);
-  const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : out.body_of[static_cast<std::size_t>(e)]; };
+  const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : nth(out.body_of, e); };
   for (std::size_t j = 0; j < model.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = model.assembly.joints[j];
     std::int32_t a = body(joint.element_a), b = body(joint.element_b);
     if (a == b) continue;  // of one body, or both fixed
-    if (has_bond(model.laws[static_cast<std::size_t>(model.joint_law[j])].value)) ++out.bonded;
+    if (has_bond(nth(model.laws, model.joint_law[j]).value)) ++out.bonded;
     const bool turned = a < 0;
     if (turned) std::swap(a, b);
     const Vec3 normal = turned ? -joint.frame.normal : joint.frame.normal;

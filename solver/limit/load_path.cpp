@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 namespace {
 
@@ -31,7 +33,7 @@ LoadPath limit_along_path(const cases::Case& c, const cases::Model& model, const
     LoadPosition p;
     p.from = point_at(corners, count > 1 ? static_cast<double>(k) / (count - 1) : 0.0);
     p.place = place_of_load(model, p.from, options.live.direction);
-    if (p.place.element >= 0 && model.blocks[static_cast<std::size_t>(p.place.element)].fixed) p.place.element = -1;
+    if (p.place.element >= 0 && nth(model.blocks, p.place.element).fixed) p.place.element = -1;
     if (p.place.element >= 0) {
       LimitOptions here = options;
       here.live.kind = LiveLoad::Kind::force;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/nth.h"
 
 namespace voussoir::solver {
 namespace {
@@ -65,7 +66,7 @@ Mechanism mechanism_of(const LimitContacts& c, const LimitState& s) {
   std::ranges::stable_sort(out.parts, std::greater(), &MechanismPart::mass);
   std::vector<std::int32_t> part_of(n + 1, -1);
   for (std::size_t k = 0; k < out.parts.size(); ++k)
-    for (const std::int32_t b : out.parts[k].bodies) part_of[static_cast<std::size_t>(b)] = static_cast<std::int32_t>(k);
+    for (const std::int32_t b : out.parts[k].bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
   std::map<std::pair<std::int32_t, std::int32_t>, std::pair<MechanismSeam, std::set<std::int32_t>>> seams;
   std::map<std::pair<std::int32_t, std::int32_t>, double> least;
   for (const LimitPoint& p : c.points) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/names.h"
+#include "geometry/nth.h"
 #include "solver/ties/tie_forces.h"
 
 namespace voussoir::solver {
@@ -39,8 +40,8 @@ bool inside(const std::array<Vec3, 2>& box, Vec3 p) {
 /// 1: a lies behind and b before; −1: the other way round; 0: the cut does not part them.
 int Cuts::crosses(const World& w, const cases::Cut& cut, std::int32_t a, std::int32_t b) {
   const auto at = [&](std::int32_t e, std::int32_t other) {
-    Vec3 p = w.elements.body[static_cast<std::size_t>(e == w.elements.base ? other : e)].ref;
-    if (e == w.elements.base) p.z = w.elements.body[static_cast<std::size_t>(e)].ref.z;
+    Vec3 p = nth(w.elements.body, e == w.elements.base ? other : e).ref;
+    if (e == w.elements.base) p.z = nth(w.elements.body, e).ref.z;
     return p;
   };
   const Vec3 at_a = at(a, b), at_b = at(b, a);
@@ -56,8 +57,8 @@ void Cuts::find_ties(const World& w, Plane& plane) {
     std::vector<std::int32_t> behind;
     Vec3 middle;
     for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
-      const Ties::Hold& h = w.ties.hold[static_cast<std::size_t>(k)];
-      const Vec3 centroid = w.elements.body[static_cast<std::size_t>(h.element)].ref, point = centroid + h.arm;
+      const Ties::Hold& h = nth(w.ties.hold, k);
+      const Vec3 centroid = nth(w.elements.body, h.element).ref, point = centroid + h.arm;
       middle += 0.5 * std::abs(h.share) * point;
       if (dot(cut.normal, (h.element == w.elements.base ? point : centroid) - cut.point) <= 0.0) behind.push_back(k);
     }
@@ -73,8 +74,8 @@ Cuts::Cuts(const World& w, std::span<const cases::Cut> cuts) {
     plane.cut = cut;
     find_ties(w, plane);
     for (std::int64_t id = 0; id < s.count(); ++id) {
-      if (s.joint[static_cast<std::size_t>(id)] < 0) continue;
-      const kernels::SideBlock& block = s.blocks[static_cast<std::size_t>(id / kernels::kLanes)];
+      if (nth(s.joint, id) < 0) continue;
+      const kernels::SideBlock& block = nth(s.blocks, id / kernels::kLanes);
       const std::int32_t master = block.master[id % kernels::kLanes], slave = block.slave[id % kernels::kLanes];
       const int way = crosses(w, cut, master, slave);
       if (way != 0) plane.crossings.push_back({id, way > 0 ? master : slave, way > 0 ? slave : master});
@@ -94,9 +95,9 @@ void Cuts::measure(const World& w, std::vector<CutSample>& out) const {
   for (std::size_t k = 0; k < cuts_.size(); ++k) {
     const cases::Cut& cut = cuts_[k].cut;
     for (const Crossing& c : cuts_[k].crossings) {
-      if (s.pair_on[static_cast<std::size_t>(c.side)] == 0) continue;
+      if (nth(s.pair_on, c.side) == 0) continue;
       const double* pair = s.pair_wrench.data() + c.side * kernels::kPairStride;
-      const std::int32_t master = s.blocks[static_cast<std::size_t>(c.side / kernels::kLanes)].master[c.side % kernels::kLanes];
+      const std::int32_t master = nth(s.blocks, c.side / kernels::kLanes).master[c.side % kernels::kLanes];
       OnElement behind{vec(pair), vec(pair + 3)}, before{vec(pair + 6), vec(pair + 9)};
       if (c.behind != master) std::swap(behind, before);
       add(w, cut.point, c.behind, behind, c.before, before, out[k]);
@@ -117,7 +118,7 @@ void Cuts::measure(const World& w, std::vector<CutSample>& out) const {
     }
     for (std::size_t i = 0; i < w.overlaps.wrench.size(); ++i) pair(w.overlaps.springs[i].a, w.overlaps.springs[i].b, w.overlaps.wrench[i]);
     for (const std::int32_t h : cuts_[k].tie_holds) {
-      const HeldForce held = force_of_hold(w, w.ties.hold[static_cast<std::size_t>(h)]);
+      const HeldForce held = force_of_hold(w, nth(w.ties.hold, h));
       out[k].force += held.force;
       out[k].moment += cross(held.point - cut.point, held.force);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/damage.h"
 
+#include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 
 namespace voussoir::solver {
@@ -42,7 +43,7 @@ CrackRow crack_row(World& w, const kernels::SegmentEvent& event, const kernels::
 
 void record_event(World& w, const kernels::SegmentEvent& event, double time, Damage& d, std::vector<CrackRow>& cracks) {
   const kernels::Side s = w.sides.side(event.side);
-  const std::int64_t n = w.sides.faces[static_cast<std::size_t>(event.side)];
+  const std::int64_t n = nth(w.sides.faces, event.side);
   if (event.broke == kernels::Mode::none) {
     if (event.reached == kernels::Mode::shear) d.slipped += n;  // a bond that softens may have reached its limit in tension
     return;
@@ -61,7 +62,7 @@ void record_event(World& w, const kernels::SegmentEvent& event, double time, Dam
 /// A side whose faces have slid past each other cannot be bonded any more: what still holds breaks in shear.
 void break_what_holds(World& w, std::int32_t side, double time, Damage& d, std::vector<CrackRow>& cracks) {
   const kernels::SegmentsView q = w.sides.segments(side);
-  const int n = w.points.count[static_cast<std::size_t>(w.sides.set[static_cast<std::size_t>(side)])];
+  const int n = nth(w.points.count, nth(w.sides.set, side));
   for (int i = 0; i < n; ++i) {
     if (!kernels::holds(q.bond[i])) continue;
     kernels::SegmentEvent event{side, i, kernels::Mode::none, kernels::Mode::shear};
@@ -93,11 +94,11 @@ FirstLimits first_limits(const World& w) {
     if (s.joint[i] < 0 || s.side_state[i] == kernels::SideState::whole) continue;  // in whole ones nothing has happened
     const kernels::Mode* mode = s.parts[i].segments.first_mode;
     std::int64_t by_mode[4] = {};
-    for (int k = 0; k < s.parts[i].points.n; ++k) ++by_mode[static_cast<std::size_t>(mode[k])];
+    for (int k = 0; k < s.parts[i].points.n; ++k) ++nth(by_mode, mode[k]);
     const std::int64_t faces = s.faces[i];
-    found.tension += faces * by_mode[static_cast<std::size_t>(kernels::Mode::tension)];
-    found.shear += faces * by_mode[static_cast<std::size_t>(kernels::Mode::shear)];
-    found.compression += faces * by_mode[static_cast<std::size_t>(kernels::Mode::compression)];
+    found.tension += faces * nth(by_mode, kernels::Mode::tension);
+    found.shear += faces * nth(by_mode, kernels::Mode::shear);
+    found.compression += faces * nth(by_mode, kernels::Mode::compression);
   }
   return found;
 }

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -25,7 +27,7 @@ void begin(World& w, int due, ForceStage& stage) {
 void gather(World& w, int due, ForceStage& stage) {
   if (w.contacts.active.empty()) return;
   w.team.share_out(gatherers(w, due).size(), kElementsAtATime, [&](std::int64_t first, std::int64_t last, int thread) {
-    LapClock& clock = stage.by_thread[static_cast<std::size_t>(thread)].clock;
+    LapClock& clock = nth(stage.by_thread, thread).clock;
     clock.begin();
     for (std::int64_t e = first; e < last; ++e) gather_contacts(w, due, e);
     clock.lap(ForcePart::assembly);
@@ -57,7 +59,7 @@ void forces(World& w, double time, std::int64_t step, ForceStage& stage) {
   begin(w, due, stage);
   const JointStep joints{w, time, step, due, stage.tasks};
   w.team.run([&](int thread) {
-    ThreadRoom& mine = stage.by_thread[static_cast<std::size_t>(thread)];
+    ThreadRoom& mine = nth(stage.by_thread, thread);
     const auto note = [&w, first = thread == 0](StepStage s) {
       if (first) w.log.note(s);
     };

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cases/model.h"
+#include "geometry/nth.h"
 #include "solver/run/loads.h"
 
 namespace voussoir::solver {
@@ -60,7 +61,7 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   across_ = (1.0 / norm(across_)) * across_;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) mass_ += e.fixed[i] ? 0.0 : e.mass[i];
   control_ = analysis_.control ? cases::nearest_element(w.model, *analysis_.control) : top_element(w);
-  height_ = std::max(kLeastHeight, e.body[static_cast<std::size_t>(control_)].ref.z - e.body[static_cast<std::size_t>(e.base)].ref.z);
+  height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
   if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
@@ -70,7 +71,7 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   if (!analysis_.level) return;
   for (const PointLoad& l : w.loads) {
     if (!l.grows) continue;
-    for (auto* column : {&e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz}) (*column)[static_cast<std::size_t>(l.element)] = 0.0;
+    for (auto* column : {&e.ixx, &e.iyy, &e.izz, &e.ixy, &e.ixz, &e.iyz}) nth((*column), l.element) = 0.0;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "geometry/nth.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/setup/setup.h"
 
@@ -42,17 +43,17 @@ bool grade_contacts(const World& w, std::vector<std::uint8_t>& level) {
   const std::int32_t base = w.elements.base;
   bool lowered = false;
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    std::uint8_t& master = level[static_cast<std::size_t>(w.patches.element[static_cast<std::size_t>(c.active[a])])];
+    std::uint8_t& master = nth(level, nth(w.patches.element, c.active[a]));
     const auto candidates = std::span(c.element).subspan(static_cast<std::size_t>(c.first_slot[a]),
                                                          static_cast<std::size_t>(c.first_slot[a + 1] - c.first_slot[a]));
     int lowest = master;
-    for (const std::int32_t e : candidates) lowest = e == base ? lowest : std::min<int>(lowest, level[static_cast<std::size_t>(e)]);
+    for (const std::int32_t e : candidates) lowest = e == base ? lowest : std::min<int>(lowest, nth(level, e));
     const auto lower = [&](std::uint8_t& l) {
       if (l > lowest + 1) l = static_cast<std::uint8_t>(lowest + 1), lowered = true;
     };
     lower(master);
     for (const std::int32_t e : candidates) {
-      if (e != base) lower(level[static_cast<std::size_t>(e)]);
+      if (e != base) lower(nth(level, e));
     }
   }
   return lowered;
@@ -78,7 +79,7 @@ void renew_contact_levels(World& w) {
   Pairs pairs;
   each_live_side(w, [&](std::int32_t a, std::int32_t b) {
     const std::vector<std::uint8_t>& of = m.of_joints;
-    for (const std::int32_t e : {a, b}) level[static_cast<std::size_t>(e)] = of[static_cast<std::size_t>(e)];
+    for (const std::int32_t e : {a, b}) nth(level, e) = nth(of, e);
     if (b != w.elements.base) pairs.emplace_back(a, b);
   });
   for (const OverlapPair& p : w.overlaps.pairs) {
@@ -94,7 +95,7 @@ void renew_moves(World& w) {
   const Multirate& m = w.multirate;
   std::ranges::fill(w.moved_at, static_cast<std::uint8_t>(m.levels() - 1));
   const auto lower = [&](std::int32_t element, int level) {
-    std::uint8_t& at = w.moved_at[static_cast<std::size_t>(element / kernels::kBatch)];
+    std::uint8_t& at = nth(w.moved_at, element / kernels::kBatch);
     at = std::min(at, static_cast<std::uint8_t>(level));
   };
   const auto lower_both = [&](std::int32_t a, std::int32_t b, int level) { lower(a, level), lower(b, level); };
@@ -102,8 +103,7 @@ void renew_moves(World& w) {
   each_live_side(w, [&](std::int32_t a, std::int32_t b) { lower_both(a, b, std::min(m.joint_level(a, b), m.contact_level(a, b))); });
   const Contacts& c = w.contacts;
   for (std::size_t a = 0; a < c.active.size(); ++a) {
-    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot)
-      lower_both(c.master[a], c.element[static_cast<std::size_t>(slot)], c.level[a]);
+    for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) lower_both(c.master[a], nth(c.element, slot), c.level[a]);
   }
   for (const OverlapPair& p : w.overlaps.pairs) lower_both(p.a, p.b, m.contact_level(p.a, p.b));
   // What acts in every step.

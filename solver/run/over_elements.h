@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/integrate.h"
 #include "kernels/prefetch.h"
 #include "solver/schedule/task_shares.h"
@@ -36,7 +37,7 @@ double over_elements(World& w, TaskShares& shares, std::vector<Most>& room, Work
     shares.take_own(thread, do_run);
     shares.help(thread, w.team, do_run);
     kernels::finish_stores();  // of poses, where they are streaming
-    room[static_cast<std::size_t>(thread)].value = most;
+    nth(room, thread).value = most;
   });
   double most = 0.0;
   for (const Most& m : room) most = std::max(most, m.value);

@@ -10,6 +10,7 @@
 
 #include "cases/census.h"
 #include "cases/ties.h"
+#include "geometry/nth.h"
 #include "solver/run/collapse.h"
 #include "solver/world/errors.h"
 
@@ -99,7 +100,7 @@ class Reporter {
 FallenMass fallen_mass(const World& w) {
   const Elements& e = w.elements;
   FallenMass fallen;
-  const double base = e.body[static_cast<std::size_t>(e.base)].ref.z;
+  const double base = nth(e.body, e.base).ref.z;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i)
     fallen.add(w.model.blocks[i].kind, e.mass[i], -e.uz[i], e.body[i].ref.z - base);
   return fallen;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cases/loads/gravity.h"
+#include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/contact/overlap_contact.h"
@@ -202,11 +203,10 @@ double Simulation::over_due_elements(Work work) {
   World& w = *world_;
   std::array<Move, Multirate::kMostLevels> moves{};
   const int due = w.multirate.due(step_);
-  for (int level = 0; level < due; ++level)
-    moves[static_cast<std::size_t>(level)] = {body_forces(level), w.travel.view(w.elements, w.step_of(level))};
+  for (int level = 0; level < due; ++level) nth(moves, level) = {body_forces(level), w.travel.view(w.elements, w.step_of(level))};
   return over_elements(w, update_shares_, most_, [&](std::int64_t first, std::int64_t last) {
     const int level = w.batch_level(static_cast<std::size_t>(first / kernels::kBatch));
-    return level < due ? work(moves[static_cast<std::size_t>(level)], first, last) : 0.0;
+    return level < due ? work(nth(moves, level), first, last) : 0.0;
   });
 }
 
@@ -325,7 +325,7 @@ bool Simulation::settled_too_long() const { return static_cast<double>(step_) * 
 void Simulation::set_damping(double alpha) {
   Elements& e = world_->elements;
   for (std::int32_t i = 0; i < e.count; ++i) {
-    if (!e.fixed[static_cast<std::size_t>(i)]) e.alpha[static_cast<std::size_t>(i)] = alpha;
+    if (!nth(e.fixed, i)) nth(e.alpha, i) = alpha;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "geometry/nth.h"
 #include "kernels/rows.h"
 
 namespace voussoir::solver {
@@ -47,7 +48,7 @@ std::vector<std::int32_t> in_rounds(std::span<const Writes> sides, const std::ve
   std::unordered_map<std::int32_t, std::uint64_t> used;
   std::vector<std::pair<int, std::int32_t>> order;
   for (const std::int32_t i : items) {
-    const Writes& w = sides[static_cast<std::size_t>(i)];
+    const Writes& w = nth(sides, i);
     std::uint64_t taken = 0;
     for (const std::int32_t e : w) taken |= e >= 0 ? used[e] : 0;
     const int round = std::min(std::countr_one(taken), 63);
@@ -66,7 +67,7 @@ std::vector<std::int32_t> in_rounds(std::span<const Writes> sides, const std::ve
 std::vector<std::int32_t> kind_by_kind(std::span<const Writes> sides, std::span<const std::int32_t> kinds,
                                        const std::vector<std::int32_t>& items, std::size_t together) {
   std::map<std::int32_t, std::vector<std::int32_t>> of_kind;
-  for (const std::int32_t i : items) of_kind[kinds[static_cast<std::size_t>(i)]].push_back(i);
+  for (const std::int32_t i : items) of_kind[nth(kinds, i)].push_back(i);
   std::vector<std::int32_t> result, rest;
   for (const auto& [kind, of_this] : of_kind) {
     const std::vector<std::int32_t> ordered = in_rounds(sides, of_this);
@@ -85,7 +86,7 @@ double choose_cell(std::span<const Writes> sides, std::span<const Vec3> centroid
   std::vector<double> reach;
   for (const Writes& w : sides) {
     if (w[0] < 0 || w[1] < 0) continue;
-    const Vec3 d = centroids[static_cast<std::size_t>(w[0])] - centroids[static_cast<std::size_t>(w[1])];
+    const Vec3 d = nth(centroids, w[0]) - nth(centroids, w[1]);
     reach.push_back(std::max(std::abs(along(d, plan.first)), std::abs(along(d, plan.second))));
   }
   std::sort(reach.begin(), reach.end());
@@ -103,7 +104,7 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const std::int3
   const Plan plan = plan_of(centroids);
   using Cell = std::array<std::int64_t, 2>;
   const auto cell_of = [&](std::int32_t e) {
-    const Vec3 x = centroids[static_cast<std::size_t>(e)] - plan.low;
+    const Vec3 x = nth(centroids, e) - plan.low;
     return Cell{static_cast<std::int64_t>(along(x, plan.first) / cell), static_cast<std::int64_t>(along(x, plan.second) / cell)};
   };
   Decomposition d;
@@ -116,7 +117,7 @@ Decomposition decompose(std::span<const Writes> sides, std::span<const std::int3
       continue;
     }
     const Cell home{std::min(a[0], b[0]), std::min(a[1], b[1])};
-    tasks[static_cast<std::size_t>(home[0] % 2 + 2 * (home[1] % 2))][home].push_back(static_cast<std::int32_t>(i));
+    nth(tasks, home[0] % 2 + 2 * (home[1] % 2))[home].push_back(static_cast<std::int32_t>(i));
   }
   for (const auto& of_colour : tasks) {
     if (of_colour.empty()) continue;

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/schedule/out_of_cache.h"
 
 namespace voussoir::solver {
@@ -18,7 +19,7 @@ namespace {
 std::vector<std::int32_t> elements_of(const World& w, std::size_t task) {
   std::vector<std::int32_t> elements;
   for (std::int32_t b = w.sides.task_first[task]; b < w.sides.task_first[task + 1]; ++b) {
-    const kernels::SideBlock& block = w.sides.blocks[static_cast<std::size_t>(b)];
+    const kernels::SideBlock& block = nth(w.sides.blocks, b);
     for (const auto& ends : {block.master, block.slave}) elements.insert(elements.end(), ends, ends + kernels::kLanes);
   }
   std::ranges::sort(elements);
@@ -35,8 +36,7 @@ JointTasks::JointTasks(const World& w) : flag_(w.sides.task_first.size() - 1), f
   for (std::size_t task = 0; task < flag_.size(); ++task) {
     std::vector<std::int32_t> elements = elements_of(w, task);
     std::vector<std::int32_t> waits;
-    for (const std::int32_t e : elements)
-      waits.push_back(std::exchange(last[static_cast<std::size_t>(e)], static_cast<std::int32_t>(task)));
+    for (const std::int32_t e : elements) waits.push_back(std::exchange(nth(last, e), static_cast<std::int32_t>(task)));
     std::ranges::sort(waits);
     const auto end = std::unique(waits.begin(), waits.end());
     std::copy_if(waits.begin(), end, std::back_inserter(before_), [](std::int32_t t) { return t >= 0; });
@@ -91,7 +91,7 @@ void JointTasks::queue_up() {
   place_flags(p);
   queues_ = std::move(p.queues), ends_ = std::move(p.ends), owner_ = std::move(p.owner);
   queue_place_.resize(queues_.size());
-  for (std::size_t i = 0; i < queues_.size(); ++i) queue_place_[static_cast<std::size_t>(queues_[i])] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < queues_.size(); ++i) nth(queue_place_, queues_[i]) = static_cast<std::int32_t>(i);
 }
 
 /// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/schedule/task_shares.h"
 #include "solver/world/array.h"
 #include "solver/world/world.h"
@@ -74,7 +75,7 @@ class JointTasks {
   /// Does the task at place i of all queues.
   template <class Work>
   void run(std::int32_t i, Work& work) {
-    const auto task = static_cast<std::size_t>(queues_[static_cast<std::size_t>(i)]);
+    const auto task = static_cast<std::size_t>(nth(queues_, i));
     for (const std::int32_t other : before(task)) wait_for(other, work);
     const Clock::time_point start = times_.empty() ? Clock::time_point{} : Clock::now();
     work(task, elements_at(static_cast<std::size_t>(i) + 1));
@@ -85,7 +86,7 @@ class JointTasks {
   /// Elements of the task at a place of all queues.
   [[nodiscard]] std::span<const std::int32_t> elements_at(std::size_t place) const {
     if (elements_.empty() || place >= queues_.size()) return {};
-    return elements_[static_cast<std::size_t>(queues_[place])];
+    return nth(elements_, queues_[place]);
   }
 
   /// Waits until a task is done. If nobody has begun it after a while, its thread may not have come: then the tasks up to it are done here.

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/schedule/share_borders.h"
 #include "solver/team/team.h"
 
@@ -41,7 +42,7 @@ class TaskShares {
   /// deal().
   template <class Work>
   void take_own(int thread, Work work) {
-    Share& own = team_->shares[static_cast<std::size_t>(thread)];
+    Share& own = nth(team_->shares, thread);
     own.begun.store(true, std::memory_order_relaxed);
     const Clock::time_point begin = Clock::now();
     own.done = take(own, work);

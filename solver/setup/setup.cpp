@@ -9,6 +9,7 @@
 
 #include "cases/census.h"
 #include "cases/loads/loads.h"
+#include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
@@ -36,7 +37,7 @@ double reach_beyond_box(const Elements& e, const kernels::Patch& p) {
 
 void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::int32_t from_side, bool mastered) {
   Patches& p = w.patches;
-  const auto n = static_cast<std::size_t>(w.points.count[static_cast<std::size_t>(set)]);
+  const auto n = static_cast<std::size_t>(nth(w.points.count, set));
   p.patch.push_back({patch, set, 0, static_cast<std::int64_t>(p.partner.size())});
   const auto e = static_cast<std::size_t>(patch.element);
   p.patch.back().face_number = static_cast<std::uint16_t>(patch.face - w.elements.first_face[e]);
@@ -66,7 +67,7 @@ void set_up_patches(World& w) {
   reserve_patches(w, a.patches.size(), static_cast<std::size_t>(points));
   PointSetBuilder sets(w.points);
   for (const geometry::FreePatch& p : a.patches) {
-    const geometry::Element& e = a.elements[static_cast<std::size_t>(p.element)];
+    const geometry::Element& e = nth(a.elements, p.element);
     kernels::Patch patch;
     patch.element = p.element;
     patch.face = e.first_face + p.face;
@@ -86,17 +87,16 @@ void set_up_loads(World& w, const cases::Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
     for (const cases::LoadShare& s : cases::load_shares(w.model, l, i)) {
-      const Vec3 centre = w.model.assembly.elements[static_cast<std::size_t>(s.element)].mass.centroid;
+      const Vec3 centre = nth(w.model.assembly.elements, s.element).mass.centroid;
       PointLoad p{s.element, s.part * l.force, s.part * l.moment, s.point - centre, l.ramp[0],
                   l.ramp[1], nullptr,          l.follows,         l.grows,          s.part};
-      if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0)
-        p.history = &w.model.support_motions[static_cast<std::size_t>(h)];
+      if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0) p.history = &nth(w.model.support_motions, h);
       w.loads.push_back(p);
     }
   }
   for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
     const std::int32_t history = w.model.blocks[i].support_motion;
-    if (history >= 0) w.supports.push_back({static_cast<std::int32_t>(i), &w.model.support_motions[static_cast<std::size_t>(history)]});
+    if (history >= 0) w.supports.push_back({static_cast<std::int32_t>(i), &nth(w.model.support_motions, history)});
   }
 }
 

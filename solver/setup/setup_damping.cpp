@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/worst_dashpots.h"
 
@@ -42,20 +43,20 @@ class DampingMatrices {
         continue;
       }
       const FaceClass k{f.compliance_n, f.compliance_s, f.mass};
-      dashpot_.push_back(worst[static_cast<std::size_t>(std::lower_bound(classes.begin(), classes.end(), k) - classes.begin())]);
+      dashpot_.push_back(nth(worst, std::lower_bound(classes.begin(), classes.end(), k) - classes.begin()));
     }
   }
 
   void add(std::int32_t element, std::int32_t face, const geometry::Frame& f, geometry::SegmentList segments) {
-    const geometry::Element& g = w_.model.assembly.elements[static_cast<std::size_t>(element)];
-    const auto [cn, cs] = dashpot_[static_cast<std::size_t>(g.first_face + face)];
+    const geometry::Element& g = nth(w_.model.assembly.elements, element);
+    const auto [cn, cs] = nth(dashpot_, g.first_face + face);
     const Eigen::Vector3d n(f.normal.x, f.normal.y, f.normal.z);
     const Eigen::Matrix3d c = cs * Eigen::Matrix3d::Identity() + (cn - cs) * n * n.transpose();
     for (const geometry::Segment& s : segments) {
       const Vec3 r = f.centre + s.s * f.axis_s + s.t * f.axis_t - g.mass.centroid;
       Eigen::Matrix<double, 3, 6> j;  // velocity of the point from (v, ω)
       j << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0).finished();
-      c_[static_cast<std::size_t>(element)] += s.area * (j.transpose() * c * j);
+      nth(c_, element) += s.area * (j.transpose() * c * j);
     }
   }
 

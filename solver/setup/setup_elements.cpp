@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/names.h"
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/world/first_touch.h"
 
@@ -107,7 +108,7 @@ void set_up_elements(World& w, const cases::Case& c) {
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     const cases::Block& b = m.blocks[i];
     const geometry::Element& g = m.assembly.elements[i];
-    const double density = m.materials[static_cast<std::size_t>(b.material)].value.density;
+    const double density = nth(m.materials, b.material).value.density;
     e.body[i].ref = g.mass.centroid;
     e.first_face[i] = g.first_face, e.face_count[i] = g.face_count;
     set_extent(e, i, b.shape, g.mass.centroid);
@@ -130,7 +131,7 @@ void set_initial_velocities(World& w) {
   for (std::size_t i = 0; i < w.model.blocks.size(); ++i) {
     const cases::Block& b = w.model.blocks[i];
     const Vec3 v = b.fixed ? Vec3{} : b.velocity, spin = b.fixed ? Vec3{} : b.angular_velocity;
-    const double density = w.model.materials[static_cast<std::size_t>(b.material)].value.density;
+    const double density = nth(w.model.materials, b.material).value.density;
     const Mat3 r = rotation({e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
     const Vec3 l = r * (density * (w.model.assembly.elements[i].mass.inertia * (transposed(r) * spin)));
     e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
@@ -150,9 +151,9 @@ void set_up_faces(World& w) {
                                       std::to_string(kernels::kMostFaces));
     }
     w.most_faces = std::max(w.most_faces, e.face_count);
-    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    const cases::Material& material = nth(m.materials, m.blocks[i].material).value;
     for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
-      w.faces.push_back(face_of(m.assembly.faces[static_cast<std::size_t>(f)], m.blocks[i], material));
+      w.faces.push_back(face_of(nth(m.assembly.faces, f), m.blocks[i], material));
     }
   }
   w.faces.push_back(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cases/census.h"
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/world/first_touch.h"
 
@@ -62,7 +63,7 @@ void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours) {
   for (bool lowered = true; lowered;) {
     lowered = false;
     for (const auto& [a, b] : neighbours) {
-      auto &i = level[static_cast<std::size_t>(a)], &j = level[static_cast<std::size_t>(b)];
+      auto &i = nth(level, a), &j = nth(level, b);
       const auto most = static_cast<std::uint8_t>(std::min(i, j) + 1);
       if (std::max(i, j) <= most) continue;
       i = std::min(i, most), j = std::min(j, most);

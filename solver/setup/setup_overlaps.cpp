@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {
@@ -38,8 +39,7 @@ std::vector<Vec3> edge_directions(const geometry::Polyhedron& p) {
   std::vector<Vec3> out;
   for (const auto& loop : p.faces) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec3 edge =
-          normalised(p.vertices[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] - p.vertices[static_cast<std::size_t>(loop[i])]);
+      const Vec3 edge = normalised(nth(p.vertices, loop[(i + 1) % loop.size()]) - nth(p.vertices, loop[i]));
       if (std::ranges::none_of(out, [&](Vec3 o) { return norm(cross(o, edge)) < kSameDirection; })) out.push_back(edge);
     }
   }
@@ -60,7 +60,7 @@ std::vector<kernels::Crease> creases(const geometry::Polyhedron& p) {
         open[{from, to}] = face;
         continue;
       }
-      const Vec3 along = normalised(p.vertices[static_cast<std::size_t>(to)] - p.vertices[static_cast<std::size_t>(from)]);
+      const Vec3 along = normalised(nth(p.vertices, to) - nth(p.vertices, from));
       out.push_back({.direction = along, .vertex = from, .left = face, .right = other->second});
     }
   }
@@ -84,7 +84,7 @@ void list_joined_pairs(World& w) {
   Overlaps& o = w.overlaps;
   std::vector<std::array<std::int32_t, 3>> all;  // the lower element, the other, the side
   for (std::int64_t id = 0; id < w.sides.count(); ++id) {
-    if (w.sides.joint[static_cast<std::size_t>(id)] < 0) continue;
+    if (nth(w.sides.joint, id) < 0) continue;
     const kernels::Side s = w.sides.side(id);
     all.push_back({std::min(s.master, s.slave), std::max(s.master, s.slave), static_cast<std::int32_t>(id)});
   }
@@ -133,7 +133,7 @@ void set_up_overlaps(World& w) {
       o.stiffness_n.push_back(0.0), o.stiffness_s.push_back(0.0), o.allowed.push_back(0.0);
       continue;
     }
-    const cases::Material& material = m.materials[static_cast<std::size_t>(m.blocks[i].material)].value;
+    const cases::Material& material = nth(m.materials, m.blocks[i].material).value;
     const double edge = std::cbrt(m.assembly.elements[i].mass.volume);
     o.stiffness_n.push_back(2.0 * edge * material.young / (1.0 - material.poisson * material.poisson));
     o.stiffness_s.push_back(edge * material.young / (1.0 + material.poisson));

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "geometry/nth.h"
 #include "solver/schedule/colouring.h"
 #include "solver/setup/point_sets.h"
 #include "solver/setup/setup.h"
@@ -54,7 +55,7 @@ std::vector<geometry::Segment> turned_round(geometry::SegmentList segments, geom
 /// \param store  keeps points that the assembly does not have
 std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
   const geometry::Assembly& a = w.model.assembly;
-  const auto face = [&](std::int32_t e, std::int32_t f) { return a.elements[static_cast<std::size_t>(e)].first_face + f; };
+  const auto face = [&](std::int32_t e, std::int32_t f) { return nth(a.elements, e).first_face + f; };
   std::vector<NewSide> sides;
   sides.reserve(a.joints.size());
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
@@ -62,10 +63,10 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
     const bool on_base = j.element_b == geometry::kBase;
     const bool on_ground = on_base || w.is_ground(j.element_b);  // which has no points
     const bool one = on_ground || (j.merged && w.options.merge_sides);
-    const NewSide& first = sides.emplace_back(
-        NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b, face(j.element_a, j.face_a),
-                on_base ? w.elements.first_face[static_cast<std::size_t>(w.elements.base)] : face(j.element_b, j.face_b), j.frame, j.side_a,
-                one ? 1.0 : 0.5, one && !on_ground ? 2 : 1});
+    const NewSide& first = sides.emplace_back(NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b,
+                                                      face(j.element_a, j.face_a),
+                                                      on_base ? nth(w.elements.first_face, w.elements.base) : face(j.element_b, j.face_b),
+                                                      j.frame, j.side_a, one ? 1.0 : 0.5, one && !on_ground ? 2 : 1});
     if (one) continue;
     NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, j.frame, {}, 0.5, 1};
     second.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, second.frame));
@@ -77,17 +78,17 @@ std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
 /// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base and its
 /// parts the element's own ℓ counts, and the joint's own stiffness.
 kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases::JointLaw& law, double h) {
-  const kernels::Face& a = w.faces[static_cast<std::size_t>(s.master_face)];
-  const kernels::Face& b = w.faces[static_cast<std::size_t>(s.slave_face)];
+  const kernels::Face& a = nth(w.faces, s.master_face);
+  const kernels::Face& b = nth(w.faces, s.slave_face);
   double cn = a.compliance_n + b.compliance_n, cs = a.compliance_s + b.compliance_s;
   if (law.thickness > 0.0 && !b.is_ground()) {
     const double half = 0.5 * law.thickness;
     const double left = 1.0 - half / a.distance, right = 1.0 - half / b.distance;
     if (left <= 0.0 || right <= 0.0) {
-      throw cases::InputError(
-          "joint_laws." + w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(s.joint)])].name + ".thickness",
-          "= " + std::to_string(law.thickness) + " m is thicker than a block that it joins; allowed: less than twice the distance " +
-              std::to_string(std::min(a.distance, b.distance)) + " m from its centroid to the face");
+      throw cases::InputError("joint_laws." + nth(w.model.laws, nth(w.model.joint_law, s.joint)).name + ".thickness",
+                              "= " + std::to_string(law.thickness) +
+                                  " m is thicker than a block that it joins; allowed: less than twice the distance " +
+                                  std::to_string(std::min(a.distance, b.distance)) + " m from its centroid to the face");
     }
     cn = left * a.compliance_n + right * b.compliance_n + law.thickness * (1.0 - law.poisson * law.poisson) / law.young;
     cs = left * a.compliance_s + right * b.compliance_s + law.thickness * 2.0 * (1.0 + law.poisson) / law.young;
@@ -95,7 +96,7 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
   if (law.normal_stiffness) cn += 1.0 / *law.normal_stiffness, cs += 1.0 / *law.shear_stiffness;
   kernels::Stiffness k{1.0 / cn, 1.0 / cs, 0.0, 0.0};
   const double mass = a.mass + (b.is_ground() ? a.mass : b.mass);  // Eq. 10; with the ground 2 ρ_A ℓ_A
-  const auto beta_of = [&](std::int32_t e) { return w.elements.body[static_cast<std::size_t>(e)].beta; };
+  const auto beta_of = [&](std::int32_t e) { return nth(w.elements.body, e).beta; };
   const double beta = beta_of(s.master) + beta_of(b.is_ground() ? s.master : s.slave);
   const double step = w.step_of(w.multirate.joint_level_in_cycles(s.master, s.slave));
   const double c = 2.0 * h / (1.0 + step * beta);  // Eq. 9, semi-implicit: see setup_damping.cpp
@@ -106,8 +107,8 @@ kernels::Stiffness joint_stiffness(const World& w, const NewSide& s, const cases
 
 /// Whether the joint has no bond from the start.
 bool is_dry(const World& w, std::int32_t joint) {
-  const std::int32_t law = w.model.joint_law[static_cast<std::size_t>(joint)];
-  return law == 0 || w.model.laws[static_cast<std::size_t>(law)].value.stiffens();
+  const std::int32_t law = nth(w.model.joint_law, joint);
+  return law == 0 || nth(w.model.laws, law).value.stiffens();
 }
 
 /// \param factor  of the joint, see cases/scatter.h
@@ -124,9 +125,9 @@ std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<New
   std::int64_t points = 0;
   std::size_t id = 0;
   for (const std::int32_t task : s.colour_first) {
-    for (const std::size_t end = static_cast<std::size_t>(s.task_first[static_cast<std::size_t>(task)]) * kernels::kLanes; id < end; ++id) {
+    for (const std::size_t end = static_cast<std::size_t>(nth(s.task_first, task)) * kernels::kLanes; id < end; ++id) {
       if (numbered[id] < 0) continue;
-      points += round_up(static_cast<std::int64_t>(sides[static_cast<std::size_t>(numbered[id])].segments.size()), kernels::kLanes);
+      points += round_up(static_cast<std::int64_t>(nth(sides, numbered[id]).segments.size()), kernels::kLanes);
     }
     before.push_back(points);
   }
@@ -137,7 +138,7 @@ std::vector<std::int64_t> points_by_colour(const Sides& s, const std::vector<New
 void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t> points, Team& team) {
   const std::size_t n = blocks * kernels::kLanes;
   std::vector<std::int64_t> block_borders, side_borders;  // of colours: threads work on one after the other, each on a part of it
-  for (const std::int32_t task : s.colour_first) block_borders.push_back(s.task_first[static_cast<std::size_t>(task)]);
+  for (const std::int32_t task : s.colour_first) block_borders.push_back(nth(s.task_first, task));
   for (const std::int64_t b : block_borders) side_borders.push_back(b * kernels::kLanes);
   assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, team, block_borders);
   assign_in_shares(s.parts, n, {}, team, side_borders);
@@ -210,7 +211,7 @@ SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide
   for (NewSide& side : sides) {
     const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
     const cases::JointLaw& law = w.model.laws[law_index].value;
-    const auto material = [&](std::int32_t face) { return w.faces[static_cast<std::size_t>(face)].material; };
+    const auto material = [&](std::int32_t face) { return nth(w.faces, face).material; };
     double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
     if (law.residual_friction) friction = std::tan(*law.residual_friction * std::numbers::pi / 180.0);
     const auto strength = [&](double scatter) { return strength_of(law, scatter, is_dry(w, side.joint), friction); };
@@ -230,7 +231,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.set[id] = set;
   s.master_face[id] = side.master_face, s.slave_face[id] = side.slave_face;
   s.faces[id] = static_cast<std::uint8_t>(side.faces);
-  s.size[id] = w.model.blocks[static_cast<std::size_t>(side.master)].segment_size;
+  s.size[id] = nth(w.model.blocks, side.master).segment_size;
   s.retired[id] = 0;
   s.side_state[id] = dry ? kernels::SideState::segments : kernels::SideState::whole;
   s.parts[id] = {
@@ -242,8 +243,8 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   if (dry) return;
   for (const std::int32_t e : {side.master, side.slave}) {
     const std::int32_t sides_here = side.faces == 2 || e == side.master ? n : 0;  // a merged spring is one side of each body
-    w.elements.bonds[static_cast<std::size_t>(e)] += sides_here;
-    w.elements.bonds_at_start[static_cast<std::size_t>(e)] += sides_here;
+    nth(w.elements.bonds, e) += sides_here;
+    nth(w.elements.bonds_at_start, e) += sides_here;
   }
 }
 
@@ -271,7 +272,7 @@ std::vector<std::int32_t> number_sides(World& w, const std::vector<NewSide>& sid
     numbered.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(numbered.size()), kernels::kLanes)), -1);
   };
   const auto level_of = [&](std::int32_t i) {
-    const NewSide& side = sides[static_cast<std::size_t>(i)];
+    const NewSide& side = nth(sides, i);
     return w.multirate.joint_level_in_cycles(side.master, side.slave);
   };
   const auto levels = static_cast<int>(w.multirate.every.size());
@@ -304,10 +305,10 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
       const std::size_t id = block * kernels::kLanes + static_cast<std::size_t>(l);
       b.master[l] = b.slave[l] = w.elements.base;
       if (numbered[id] < 0) continue;
-      const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+      const NewSide& side = nth(sides, numbered[id]);
       b.master[l] = side.master, b.slave[l] = side.slave;
       if (side.slave == w.elements.base) b.on_base |= 1U << l;
-      in_lane[static_cast<std::size_t>(l)] = side.kind;
+      nth(in_lane, l) = side.kind;
     }
     constants.push_back(blocks.add(in_lane));
   }
@@ -335,7 +336,7 @@ void set_up_sides(World& w, const cases::Case& c) {
   PointSetBuilder sets(w.points);
   for (std::size_t id = 0; id < numbered.size(); ++id) {
     if (numbered[id] < 0) continue;
-    const NewSide& side = sides[static_cast<std::size_t>(numbered[id])];
+    const NewSide& side = nth(sides, numbered[id]);
     set_state(w, side, id, sets.add(side.segments));
   }
   const std::size_t n = w.sides.bond.size();

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/side_stiffness.h"
 
@@ -22,9 +23,8 @@ constexpr double kOfStep = 0.9;  // of 4/Δt², for joints and ties together
 constexpr double kAtLeast = 0.05;
 
 Ties::Hold hold_of(const World& w, std::int32_t tie, const cases::TieHold& h, double sign) {
-  if (h.element == geometry::kBase)
-    return {tie, w.elements.base, sign * h.share, h.point - w.elements.body[static_cast<std::size_t>(w.elements.base)].ref};
-  return {tie, h.element, sign * h.share, h.point - w.model.assembly.elements[static_cast<std::size_t>(h.element)].mass.centroid};
+  if (h.element == geometry::kBase) return {tie, w.elements.base, sign * h.share, h.point - nth(w.elements.body, w.elements.base).ref};
+  return {tie, h.element, sign * h.share, h.point - nth(w.model.assembly.elements, h.element).mass.centroid};
 }
 
 void take_bars(World& w) {
@@ -83,7 +83,7 @@ std::vector<double> joint_rates(const World& w) {
   std::vector<Matrix6> k(ties.element.size(), Matrix6::Zero());
   const auto add = [&](std::int32_t element, const Matrix6& part) {
     const auto at = std::ranges::lower_bound(ties.element, element);
-    if (at != ties.element.end() && *at == element) k[static_cast<std::size_t>(at - ties.element.begin())] += part;
+    if (at != ties.element.end() && *at == element) nth(k, at - ties.element.begin()) += part;
   };
   for (std::int64_t id = 0; id < w.sides.count(); ++id) {
     const auto i = static_cast<std::size_t>(id);
@@ -124,8 +124,8 @@ double inverse_mass(const Elements& e, std::size_t i, Vec3 arm) {
 std::vector<double> moving_shares(const World& w) {
   std::vector<double> sum(w.ties.tie.size(), 0.0);
   for (const Ties::Hold& h : w.ties.hold) {
-    const bool moves = h.element != w.elements.base && w.elements.inv_mass[static_cast<std::size_t>(h.element)] > 0.0;
-    if (moves) sum[static_cast<std::size_t>(h.tie)] += std::abs(h.share);
+    const bool moves = h.element != w.elements.base && nth(w.elements.inv_mass, h.element) > 0.0;
+    if (moves) nth(sum, h.tie) += std::abs(h.share);
   }
   return sum;
 }
@@ -146,7 +146,7 @@ void bound_stiffness(World& w) {
   for (std::size_t n = 0; n < ties.element.size(); ++n) {
     const auto holds = [&](auto&& use) {
       for (std::int32_t k = ties.first_of_element[n]; k < ties.first_of_element[n + 1]; ++k)
-        use(ties.hold[static_cast<std::size_t>(ties.hold_of_element[static_cast<std::size_t>(k)])]);
+        use(nth(ties.hold, nth(ties.hold_of_element, k)));
     };
     double asked = 0.0;
     holds([&](const Ties::Hold& h) {
@@ -157,7 +157,7 @@ void bound_stiffness(World& w) {
     const double left = std::max(kOfStep * step - 2.0 * rates[n], kAtLeast * step);
     if (asked <= left) continue;
     holds([&](const Ties::Hold& h) {
-      double& f = factor[static_cast<std::size_t>(h.tie)];
+      double& f = nth(factor, h.tie);
       f = std::min(f, left / asked);
     });
   }

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/side.h"
 #include "solver/world/array.h"
 
@@ -23,7 +24,7 @@ class SideKinds {
   /// Number of the kind of the side in lane 0 of `c`. Kinds are numbered in order of appearance.
   std::int32_t add(const kernels::SideConstants& c);
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(kinds_.size()); }
-  [[nodiscard]] const Numbers& numbers(std::int32_t kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] const Numbers& numbers(std::int32_t kind) const { return nth(kinds_, kind); }
 
  private:
   using Key = std::array<std::int64_t, kernels::kSideNumbers>;

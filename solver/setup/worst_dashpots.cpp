@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -72,9 +74,9 @@ std::vector<std::array<double, 2>> worst_dashpots(const std::vector<FaceClass>& 
   const auto count = static_cast<std::int64_t>(classes.size());
   constexpr std::int64_t kAtATime = 64;
   const auto find = [&](std::int64_t i) {
-    const FaceClass& k = classes[static_cast<std::size_t>(i)];
-    worst[static_cast<std::size_t>(i)] = {2.0 * h * std::sqrt(largest_quotient({k.compliance_n, k.mass}, normal)),
-                                          2.0 * h * std::sqrt(largest_quotient({k.compliance_s, k.mass}, shear))};
+    const FaceClass& k = nth(classes, i);
+    nth(worst, i) = {2.0 * h * std::sqrt(largest_quotient({k.compliance_n, k.mass}, normal)),
+                     2.0 * h * std::sqrt(largest_quotient({k.compliance_s, k.mass}, shear))};
   };
   team.share_out(count, kAtATime, [&](std::int64_t first, std::int64_t last) {
     for (std::int64_t i = first; i < last; ++i) find(i);

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "solver/team/place.h"
 
 namespace voussoir::solver {
@@ -133,7 +134,7 @@ void Team::serve(int thread) {
 void Team::deal(std::int64_t count) {
   if (parts_.size() != static_cast<std::size_t>(size_)) parts_ = std::vector<Part>(static_cast<std::size_t>(size_));
   for (std::int64_t k = 0; k < size_; ++k) {
-    Part& p = parts_[static_cast<std::size_t>(k)];
+    Part& p = nth(parts_, k);
     p.next.store(count * k / size_, std::memory_order_relaxed);
     p.last = count * (k + 1) / size_;
   }

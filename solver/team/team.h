@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/team/signal.h"
 
 /// The threads that compute a step together. README.md beside this file says why they are organised like this.
@@ -82,7 +83,7 @@ class Team {
     deal(count);
     run([&](int thread) {
       for (int k = 0; k < size_; ++k) {
-        Part& part = parts_[static_cast<std::size_t>((thread + k) % size_)];
+        Part& part = nth(parts_, (thread + k) % size_);
         while (part.next.load(std::memory_order_relaxed) < part.last) {
           const std::int64_t first = part.next.fetch_add(at_a_time, std::memory_order_relaxed);
           if (first < part.last) call_for(work, first, std::min(first + at_a_time, part.last), thread);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -46,7 +48,7 @@ void TeamSize::begin_trial() {
 void TeamSize::begin_spell(int spell) { spell_ = spell, steps_ = 0, time_ = 0.0; }
 
 void TeamSize::end_spell(double pace) {
-  pace_[static_cast<std::size_t>(spell_)] = pace;
+  nth(pace_, spell_) = pace;
   if (tries_other()) lost_ += steps_ * std::max(0.0, pace - pace_[0]);
   begin_spell(spell_ + 1);
   if (spell_ == 2 && pace_[1] > kSlower * pace_[0]) end_trial(false);

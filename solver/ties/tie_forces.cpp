@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 namespace {
@@ -22,7 +24,7 @@ Held held(const World& w, const Ties::Hold& h) {
 }
 
 /// N, on the element that is held: the share of a first end is negative.
-Vec3 force_on(const Ties& t, const Ties::Hold& h) { return -h.share * t.pull[static_cast<std::size_t>(h.tie)]; }
+Vec3 force_on(const Ties& t, const Ties::Hold& h) { return -h.share * nth(t.pull, h.tie); }
 
 /// Vector from the first end to the second, and by how much it is longer than at the start.
 struct Bar {
@@ -32,7 +34,7 @@ struct Bar {
 Bar bar_of(const World& w, const Ties::Tie& t) {
   Vec3 apart;  // of the ends' displacements
   for (std::int32_t k = t.first_hold; k < t.last_hold; ++k) {
-    const Ties::Hold& h = w.ties.hold[static_cast<std::size_t>(k)];
+    const Ties::Hold& h = nth(w.ties.hold, k);
     apart += h.share * held(w, h).displacement;
   }
   const Vec3 now = t.axis * t.length + apart;
@@ -58,7 +60,7 @@ void advance(World& w, std::int64_t i, double share) {
 void add_to_element(World& w, std::size_t i) {
   Vec3 force, torque;
   for (std::int32_t k = w.ties.first_of_element[i]; k < w.ties.first_of_element[i + 1]; ++k) {
-    const Ties::Hold& h = w.ties.hold[static_cast<std::size_t>(w.ties.hold_of_element[static_cast<std::size_t>(k)])];
+    const Ties::Hold& h = nth(w.ties.hold, nth(w.ties.hold_of_element, k));
     const Vec3 f = force_on(w.ties, h);
     force += f;
     torque += cross(held(w, h).arm, f);

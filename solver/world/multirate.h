@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "solver/world/array.h"
 
 namespace voussoir::solver {
@@ -39,11 +40,11 @@ struct Multirate {
   /// Number of levels evaluated in a step: those from 0 on.
   [[nodiscard]] int due(std::int64_t step) const noexcept {
     int levels_due = 1;
-    while (levels_due < levels() && step % every[static_cast<std::size_t>(levels_due)] == 0) ++levels_due;
+    while (levels_due < levels() && step % nth(every, levels_due) == 0) ++levels_due;
     return levels_due;
   }
   /// Number of steps from one evaluation of a level to the next.
-  [[nodiscard]] std::int32_t steps_of(int level) const noexcept { return level == 0 ? 1 : every[static_cast<std::size_t>(level)]; }
+  [[nodiscard]] std::int32_t steps_of(int level) const noexcept { return level == 0 ? 1 : nth(every, level); }
   /// Number of steps whose impulse acts in a step of evaluation. At the first one velocities are half a step old.
   [[nodiscard]] double impulse_steps(int level, std::int64_t step) const noexcept {
     return step == 0 ? 0.5 * (steps_of(level) + 1.0) : steps_of(level);
@@ -56,7 +57,7 @@ struct Multirate {
 
  private:
   static int lower(const std::vector<std::uint8_t>& of, std::int32_t a, std::int32_t b) noexcept {
-    return of.empty() ? 0 : std::min(of[static_cast<std::size_t>(a)], of[static_cast<std::size_t>(b)]);
+    return of.empty() ? 0 : std::min(nth(of, a), nth(of, b));
   }
 };
 

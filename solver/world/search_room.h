@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "geometry/polyhedron.h"
 #include "kernels/contact/contact_patch.h"
 #include "solver/world/array.h"
@@ -19,7 +20,7 @@ struct ReSearch {
 /// Patches of every element, in ascending order.
 struct PatchesOfElements {
   std::vector<std::int32_t> first, list;
-  [[nodiscard]] auto begin_of(std::int32_t e) const { return list.begin() + first[static_cast<std::size_t>(e)]; }
+  [[nodiscard]] auto begin_of(std::int32_t e) const { return list.begin() + nth(first, e); }
   [[nodiscard]] auto end_of(std::int32_t e) const { return list.begin() + first[static_cast<std::size_t>(e) + 1]; }
 };
 

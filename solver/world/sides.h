@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/law.h"
 #include "kernels/side.h"
 #include "kernels/side_laws.h"
@@ -81,7 +82,7 @@ struct Sides {
   [[nodiscard]] const kernels::SideLaws& laws_of(std::size_t id) const noexcept { return laws.empty() ? kernels::kNoLaws : laws[id]; }
   /// What a law keeps; nullptr: no joint has it.
   [[nodiscard]] const ZeroArray<double>* state_of_law(std::string_view name) const noexcept;
-  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return parts[static_cast<std::size_t>(id)].segments; }
+  [[nodiscard]] kernels::SegmentsView segments(std::int64_t id) const noexcept { return nth(parts, id).segments; }
 };
 
 }  // namespace voussoir::solver

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include "geometry/nth.h"
+
 /// Wall-clock times of the parts of a run. Never part of the state.
 namespace voussoir::solver {
 
@@ -17,7 +19,7 @@ using StageTimes = std::array<double, kStageNames.size()>;  // s
 /// Adds the time of its lifetime to one stage.
 class StageTimer {
  public:
-  StageTimer(StageTimes& times, Stage stage) : total_(times[static_cast<std::size_t>(stage)]) {}
+  StageTimer(StageTimes& times, Stage stage) : total_(nth(times, stage)) {}
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
   ~StageTimer() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
@@ -45,10 +47,10 @@ class LapClock {
   void lap(ForcePart part) {
     if (!on_) return;
     const Clock::time_point now = Clock::now();
-    times_[static_cast<std::size_t>(part)] += std::chrono::duration<double>(now - last_).count();
+    nth(times_, part) += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
-  [[nodiscard]] double time(ForcePart part) const { return times_[static_cast<std::size_t>(part)]; }  // s
+  [[nodiscard]] double time(ForcePart part) const { return nth(times_, part); }  // s
   [[nodiscard]] const ForceTimes& times() const { return times_; }
 
  private:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "kernels/rows.h"
 #include "kernels/travel_bound.h"
 #include "solver/world/array.h"
@@ -54,14 +55,12 @@ class Travel {
   [[nodiscard]] kernels::TravelView view(const Elements& e, double dt) noexcept;
   /// Travel bounds by element [m]; kept up to date for active batches only.
   [[nodiscard]] const double* bounds() const noexcept { return bound_.data(); }
-  [[nodiscard]] double bound(std::int32_t element) const noexcept { return bound_[static_cast<std::size_t>(element)]; }
+  [[nodiscard]] double bound(std::int32_t element) const noexcept { return nth(bound_, element); }
   /// Adds a displacement without velocity [m] to an element's bound.
-  void add(std::int32_t element, double distance) noexcept { bound_[static_cast<std::size_t>(element)] += distance; }
+  void add(std::int32_t element, double distance) noexcept { nth(bound_, element) += distance; }
 
   // Active batches.
-  [[nodiscard]] bool is_active(std::int32_t element) const noexcept {
-    return active_[static_cast<std::size_t>(element / kernels::kBatch)] != 0;
-  }
+  [[nodiscard]] bool is_active(std::int32_t element) const noexcept { return nth(active_, element / kernels::kBatch) != 0; }
   /// By batch: 0 or 1.
   [[nodiscard]] const std::vector<std::uint8_t>& active() const noexcept { return active_; }
   /// Makes the batch of an element active from the next drift on, where the displacements of its elements are computed.

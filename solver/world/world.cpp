@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/world/world.h"
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 kernels::ElementsView Elements::view() noexcept {
@@ -101,7 +103,7 @@ const ZeroArray<double>* Sides::state_of_law(std::string_view name) const noexce
 }
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
-  const auto at = static_cast<std::size_t>(patch[static_cast<std::size_t>(p)].first_point);
+  const auto at = static_cast<std::size_t>(nth(patch, p).first_point);
   return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth,
           crushed.size() == 0 ? nullptr : crushed.data() + at};
 }

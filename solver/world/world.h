@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "geometry/nth.h"
 #include "kernels/contact/contact_patch.h"
 #include "kernels/law.h"
 #include "kernels/rows.h"
@@ -80,9 +81,7 @@ struct World {
   [[nodiscard]] kernels::ElementRows element_rows() noexcept;
 
   /// Whether the element is the base or a part of it.
-  [[nodiscard]] bool is_ground(std::int32_t element) const noexcept {
-    return faces[static_cast<std::size_t>(elements.first_face[static_cast<std::size_t>(element)])].is_ground();
-  }
+  [[nodiscard]] bool is_ground(std::int32_t element) const noexcept { return nth(faces, nth(elements.first_face, element)).is_ground(); }
 
   /// Time by which an element moves at once [s].
   [[nodiscard]] double step_of_element(std::size_t e) const noexcept { return step_of(batch_level(e / kernels::kBatch)); }

@@ -7,6 +7,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/house/walls/ground.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -105,7 +106,7 @@ void check_walls(const House& house, std::size_t index, const HousePlan& plan) {
 FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan) {
   const Floor& floor = house.floors[index];
   const int storey = floor.storey - 1;
-  const Interval walls = plan.storeys[static_cast<std::size_t>(storey)];
+  const Interval walls = nth(plan.storeys, storey);
   const Tick width = positive_length(floor.beam[0], floor_key(index, "beam")),
              height = positive_length(floor.beam[1], floor_key(index, "beam"));
   const Tick spacing = positive_length(floor.spacing, floor_key(index, "spacing"));

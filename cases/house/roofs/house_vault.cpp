@@ -8,6 +8,7 @@
 
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -19,8 +20,8 @@ geometry::Polygon arc(const HousePlan& plan, double radius, int voussoirs) {
   for (int k = 0; 2 * k <= voussoirs; ++k) {
     const double angle = std::numbers::pi * k / voussoirs;
     const double across = 2 * k == voussoirs ? 0.0 : radius * std::cos(angle), up = radius * std::sin(angle);
-    corners[static_cast<std::size_t>(k)] = {axis - across, springing + up};
-    corners[static_cast<std::size_t>(voussoirs - k)] = {axis + across, springing + up};
+    nth(corners, k) = {axis - across, springing + up};
+    nth(corners, voussoirs - k) = {axis + across, springing + up};
   }
   return corners;
 }

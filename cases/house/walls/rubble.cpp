@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cases/random.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -85,7 +86,7 @@ class WallMason {
 
   [[nodiscard]] std::vector<RubbleStone> stones(int k) const {
     std::vector<RubbleStone> all;
-    const std::vector<Cell>& cells = cells_[static_cast<std::size_t>(k - first_)];
+    const std::vector<Cell>& cells = nth(cells_, k - first_);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const geometry::Polygon outline = outline_of(k, cells[i]);
       Dice dice = dice_for(k, 2, static_cast<std::int64_t>(i));
@@ -98,7 +99,7 @@ class WallMason {
  private:
   /// A length times a share in thousandths times the irregularity of the stones.
   [[nodiscard]] Tick irregular(Tick of, Tick part) const { return thousandths(thousandths(of, part), irregularity_); }
-  [[nodiscard]] Interval course(int k) const { return plan_.courses[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Interval course(int k) const { return nth(plan_.courses, k); }
   [[nodiscard]] Dice dice_for(int k, std::int64_t what, std::int64_t number) const {
     const auto [side, inner, pier] = line_of(wall_);
     return {rubble_.seed, {wall_.storey, side, inner, pier, k, what, number}};
@@ -171,9 +172,9 @@ class WallMason {
   [[nodiscard]] Bed make_bed(int k) const {
     Bed bed;
     if (k > first_)
-      for (const Cell& c : cells_[static_cast<std::size_t>(k - 1 - first_)]) bed[c.low[1]].lower = bed[c.high[1]].lower = true;
+      for (const Cell& c : nth(cells_, k - 1 - first_)) bed[c.low[1]].lower = bed[c.high[1]].lower = true;
     if (k < end_)
-      for (const Cell& c : cells_[static_cast<std::size_t>(k - first_)]) bed[c.low[0]].upper = bed[c.high[0]].upper = true;
+      for (const Cell& c : nth(cells_, k - first_)) bed[c.low[0]].upper = bed[c.high[0]].upper = true;
     const Tick level = k < end_ ? course(k).low : course(k - 1).high;
     for (auto& [along, vertex] : bed) vertex.height = level;
     Dice dice = dice_for(k, 3, 0);
@@ -200,7 +201,7 @@ class WallMason {
   }
 
   [[nodiscard]] geometry::Polygon outline_of(int k, const Cell& c) const {
-    const Bed &under = beds_[static_cast<std::size_t>(k - first_)], &over = beds_[static_cast<std::size_t>(k + 1 - first_)];
+    const Bed &under = nth(beds_, k - first_), &over = nth(beds_, k + 1 - first_);
     std::vector<std::array<Tick, 2>> corners;
     for (auto v = under.find(c.low[0]); v != std::next(under.find(c.high[0])); ++v)
       if (v->first == c.low[0] || v->first == c.high[0] || v->second.lower) corners.push_back({v->first, v->second.height});

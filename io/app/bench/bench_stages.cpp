@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "geometry/nth.h"
 #include "solver/bench/assembly_time.h"
 
 namespace voussoir::io {
@@ -125,10 +126,10 @@ struct StagesTeam {
 double StepSplit::step() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
 
 StepParts parts_of(const solver::StageTimes& stages, const solver::ForceTimes& forces, double scatter, double whole_share) {
-  const auto stage = [&](solver::Stage s) { return stages[static_cast<std::size_t>(s)]; };
-  const auto force = [&](solver::ForcePart p) { return forces[static_cast<std::size_t>(p)]; };
+  const auto stage = [&](solver::Stage s) { return nth(stages, s); };
+  const auto force = [&](solver::ForcePart p) { return nth(forces, p); };
   StepParts parts{};
-  const auto put = [&](StepPart p, double time) { parts[static_cast<std::size_t>(p)] = time; };
+  const auto put = [&](StepPart p, double time) { nth(parts, p) = time; };
   const double whole = force(solver::ForcePart::whole_joints), damaged = force(solver::ForcePart::damaged_joints);
   const double of_whole = std::min(whole, whole_share * scatter), of_damaged = std::min(damaged, (1.0 - whole_share) * scatter);
   put(StepPart::whole_joints, whole - of_whole);
@@ -174,7 +175,7 @@ std::vector<StepSplit> split_steps(const RunInHand& run, std::span<const int> co
                 .tasks = mean_times(team.batches, &StagesBatch::tasks),
                 .alone = mean_alone(team.batches)};
     for (std::size_t part = 0; part < s.parts.size(); ++part) s.parts[part] = over_batches(team.batches, part);
-    s.parts[static_cast<std::size_t>(StepPart::output)] += writing * s.step();
+    nth(s.parts, StepPart::output) += writing * s.step();
     splits.push_back(s);
   }
   return splits;

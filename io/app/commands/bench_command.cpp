@@ -15,6 +15,7 @@
 #include "cases/census.h"
 #include "cases/names.h"
 #include "cases/solids/origin.h"
+#include "geometry/nth.h"
 #include "io/app/bench/bench_rows.h"
 #include "io/app/bench/bench_stages.h"
 #include "io/app/bench/bench_table.h"
@@ -65,7 +66,7 @@ Sides sides_now(const solver::World& w) {
     n.steady += state == kernels::SideState::steady;
     if (state != kernels::SideState::segments && state != kernels::SideState::steady) continue;
     ++n.damaged;
-    n.points += w.points.count[static_cast<std::size_t>(w.sides.set[id])];
+    n.points += nth(w.points.count, w.sides.set[id]);
   }
   n.contacts = static_cast<std::int64_t>(w.contacts.active.size());
   return n;

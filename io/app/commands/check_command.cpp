@@ -16,6 +16,7 @@
 #include "cases/levers.h"
 #include "cases/names.h"
 #include "cases/rules/contact_rules.h"
+#include "geometry/nth.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/commands/words/common_words.h"
@@ -93,8 +94,8 @@ std::string dimensions(const cases::BillLine& line) {
 void print_bill(const cases::Census& n, const cases::Model& m) {
   std::printf("\n%-52s %10s %12s\n", "bill of blocks", "count", "volume [m3]");
   for (const cases::BillLine& line : n.bill) {
-    const std::string what = m.materials[static_cast<std::size_t>(line.material)].name + " " + cases::name(line.kind) +
-                             (line.whole ? ", " : ", cut, ") + dimensions(line);
+    const std::string what =
+        nth(m.materials, line.material).name + " " + cases::name(line.kind) + (line.whole ? ", " : ", cut, ") + dimensions(line);
     std::printf("%-52s %10s %12.4f\n", what.c_str(), format_count(line.count).c_str(), line.volume);
   }
 }
@@ -108,7 +109,7 @@ void print_joint_laws(const cases::Model& m) {
   std::vector<Row> rows(m.laws.size());
   for (std::size_t j = 0; j < m.joint_law.size(); ++j) {
     const double after = cases::friction_without_bond(m, j);
-    Row& row = rows[static_cast<std::size_t>(m.joint_law[j])];
+    Row& row = nth(rows, m.joint_law[j]);
     ++row.joints, row.least = std::min(row.least, after), row.most = std::max(row.most, after);
   }
   std::printf("\n%-24s %10s %13s %13s %16s %13s %15s\n", "joint law", "joints", "tension [Pa]", "cohesion [Pa]", "compression [Pa]",

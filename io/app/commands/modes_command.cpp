@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "geometry/nth.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/session/exit_code.h"
@@ -76,9 +77,9 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   for (int axis = 0; axis < 2; ++axis) {
     const auto tick = [&](double done) {
-      if (on_terminal) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", kAxes[static_cast<std::size_t>(axis)], 100.0 * done);
+      if (on_terminal) std::fprintf(stderr, "\rimpulse along %s: %3.0f %%", nth(kAxes, axis), 100.0 * done);
     };
-    response[static_cast<std::size_t>(axis)] = solver::impulse_response(c, model, options, axis, tick);
+    nth(response, axis) = solver::impulse_response(c, model, options, axis, tick);
     if (on_terminal) std::fputc('\n', stderr);
   }
   std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,

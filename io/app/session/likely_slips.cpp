@@ -13,6 +13,7 @@
 #include "cases/names.h"
 #include "cases/rules/joint_rules.h"
 #include "cases/solids/outside.h"
+#include "geometry/nth.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
 #include "io/input/stones/stone_sizes.h"
@@ -66,8 +67,7 @@ bool is_own(const LoadedCase& c, const std::string& key) {
 void look_for_unused(const LoadedCase& c, const cases::Model& m, std::vector<std::string>& out) {
   std::vector<bool> law(m.laws.size(), false), material(m.materials.size(), false);
   const auto mark = [](std::vector<bool>& used, const auto& all, std::int32_t i) {
-    for (; i >= 0 && !used[static_cast<std::size_t>(i)]; i = all[static_cast<std::size_t>(i)].made_from)
-      used[static_cast<std::size_t>(i)] = true;
+    for (; i >= 0 && !nth(used, i); i = nth(all, i).made_from) nth(used, i) = true;
   };
   for (const std::int32_t l : m.joint_law) mark(law, m.laws, l);
   for (const cases::Block& b : m.blocks) mark(material, m.materials, b.material);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/case_file/case_file.h"
 
+#include "geometry/nth.h"
 #include "io/input/case_file/case_document.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/inherited_values.h"
@@ -11,8 +12,8 @@ namespace voussoir::io {
 namespace {
 
 std::string place_of(const Document& document, const std::vector<std::string>& overrides, Source source) {
-  if (source.set >= 0) return "--set " + overrides[static_cast<std::size_t>(source.set)];
-  return document.files[static_cast<std::size_t>(source.file)] + ":" + std::to_string(source.line);
+  if (source.set >= 0) return "--set " + nth(overrides, source.set);
+  return nth(document.files, source.file) + ":" + std::to_string(source.line);
 }
 
 /// The path without its last step: "a.b[1].c" → "a.b[1]" → "a.b" → "a" → "".

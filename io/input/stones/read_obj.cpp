@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"
 #include "io/input/stones/stone_file.h"
@@ -107,7 +108,7 @@ class ObjReader {
     std::map<std::int32_t, std::int32_t> number;
     std::int32_t add(std::int32_t vertex, const std::vector<Vec3>& all) {
       const auto [at, is_new] = number.try_emplace(vertex, static_cast<std::int32_t>(of.mesh.vertices.size()));
-      if (is_new) of.mesh.vertices.push_back(all[static_cast<std::size_t>(vertex)]);
+      if (is_new) of.mesh.vertices.push_back(nth(all, vertex));
       return at->second;
     }
   };

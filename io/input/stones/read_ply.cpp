@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"
 #include "io/input/stones/stone_file.h"
@@ -34,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, Number>, 16> kNumbers{{{"char",
 
 std::size_t bytes_of(Number n) {
   constexpr std::array<std::size_t, 8> kBytes{1, 1, 2, 2, 4, 4, 4, 8};
-  return kBytes[static_cast<std::size_t>(n)];
+  return nth(kBytes, n);
 }
 
 struct Property {
@@ -197,7 +198,7 @@ class PlyReader {
         if (axis == kAxes.end()) {
           pass_over(p);
         } else {
-          x[static_cast<std::size_t>(axis - kAxes.begin())] = next(p.type);
+          nth(x, axis - kAxes.begin()) = next(p.type);
         }
       }
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2])) fault("vertex " + std::to_string(i) + " is not finite");

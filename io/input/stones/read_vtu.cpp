@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/stones/stone_file.h"
 #include "io/input/stones/vtu_arrays.h"
@@ -111,7 +112,7 @@ class VtuReader {
       Loop loop;
       for (const std::int32_t k : face) {
         if (static_cast<std::size_t>(k) >= own.size()) fault("a cell has fewer corners than its type");
-        loop.push_back(point(own[static_cast<std::size_t>(k)]));
+        loop.push_back(point(nth(own, k)));
       }
       to.push_back(std::move(loop));
     }
@@ -123,7 +124,7 @@ class VtuReader {
     std::int64_t& at = face_at_;
     const auto next = [&] {
       if (at >= end || at >= static_cast<std::int64_t>(faces.size())) fault("the faces of cell " + std::to_string(cell) + " end early");
-      return faces[static_cast<std::size_t>(at++)];
+      return nth(faces, at++);
     };
     const std::int64_t count = next();
     for (std::int64_t f = 0; f < count; ++f) {
@@ -144,7 +145,7 @@ class VtuReader {
       auto& out = mesh.faces.emplace_back();
       for (const std::int32_t v : loop) {
         const auto [at, is_new] = number.try_emplace(v, static_cast<std::int32_t>(mesh.vertices.size()));
-        if (is_new) mesh.vertices.push_back(points_[static_cast<std::size_t>(v)]);
+        if (is_new) mesh.vertices.push_back(nth(points_, v));
         out.push_back(at->second);
       }
     }

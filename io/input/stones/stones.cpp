@@ -8,6 +8,7 @@
 
 #include "cases/solids/origin.h"
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/prism.h"
 #include "geometry/solids/flatten.h"
 #include "geometry/solids/overlaps.h"
@@ -314,7 +315,7 @@ class Import {
     }
     const auto depth = geometry::part_overlaps(drawn, case_.base ? std::optional(case_.base->z) : std::nullopt);
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-      Item& item = items_[static_cast<std::size_t>(drawn[k].solid)];
+      Item& item = nth(items_, drawn[k].solid);
       item.pieces.push_back(depth[k] > 0.0 ? geometry::in_prism_order(drawn[k].shape) : std::move(drawn[k].shape));
       item.parted = std::max(item.parted, depth[k]);
     }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 
 namespace voussoir::io {
 namespace {
@@ -41,7 +42,7 @@ void put_walls(std::string& out, const Assessment& a) {
   out += printed("\n%-44s %7s %10s %10s %10s %10s\n", "cracks [mm]", "joints", "largest", "mean", "opening", "sliding");
   for (const WallAssessment& w : a.walls) put_cracks(out, w.name, w.cracks, 44);
   for (const auto& [corner, figures] : a.corners)
-    if (figures.joints > 0) put_cracks(out, "  " + a.walls[static_cast<std::size_t>(corner.wall)].name + ", " + corner.name, figures, 44);
+    if (figures.joints > 0) put_cracks(out, "  " + nth(a.walls, corner.wall).name + ", " + corner.name, figures, 44);
   for (const WallAssessment& w : a.walls)
     if (w.parted > 0)
       out += printed("%-44s %7zu joints have parted by more than %.0f mm: no cracks any more\n", w.name.c_str(), w.parted,
@@ -111,11 +112,8 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
                             {"parted_joints", w.parted},
                             {"timber_slip", json_of(w.seats)}});
   for (const auto& [c, f] : a.corners)
-    out["corners"].push_back({{"wall", a.walls[static_cast<std::size_t>(c.wall)].name},
-                              {"name", c.name},
-                              {"along", c.along},
-                              {"z", c.z},
-                              {"cracks", json_of(f)}});
+    out["corners"].push_back(
+        {{"wall", nth(a.walls, c.wall).name}, {"name", c.name}, {"along", c.along}, {"z", c.z}, {"cracks", json_of(f)}});
   for (const StoreyDrift& s : a.storeys)
     out["storeys"].push_back({{"house", s.house},
                               {"low", s.low},

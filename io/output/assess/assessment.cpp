@@ -9,6 +9,7 @@
 
 #include "cases/case.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "solver/run/collapse.h"
@@ -53,7 +54,7 @@ std::optional<Vec3> mean_of(const std::vector<std::size_t>& elements, const Buil
 
 /// The pieces of a wall, each about half a metre long and high.
 std::vector<std::vector<std::size_t>> pieces_of(const Building& b, std::int32_t wall) {
-  const Wall& w = b.walls[static_cast<std::size_t>(wall)];
+  const Wall& w = nth(b.walls, wall);
   const std::size_t axis = 1 - w.across;
   std::map<std::pair<long, long>, std::vector<std::size_t>> pieces;
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
@@ -91,7 +92,7 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
     Level level{z, {}};
     const double inside = std::clamp(z, box.low[2] + kSameLevel, box.high[2] - kSameLevel);
     for (std::size_t e = 0; e < b.wall.size(); ++e) {
-      if (b.wall[e] < 0 || b.walls[static_cast<std::size_t>(b.wall[e])].house != house) continue;
+      if (b.wall[e] < 0 || nth(b.walls, b.wall[e]).house != house) continue;
       if (b.box[e].low[2] < inside && b.box[e].high[2] >= inside) level.elements.push_back(e);
     }
     if (!level.elements.empty()) levels.push_back(std::move(level));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "io/output/drawing/svg.h"
 #include "io/output/replay/joint_cracks.h"
 
@@ -32,8 +33,7 @@ const CrackClass* class_of(double width) {
 
 class Map {
  public:
-  Map(const Building& building, std::int32_t wall)
-      : building_(building), number_(wall), wall_(building.walls[static_cast<std::size_t>(wall)]) {
+  Map(const Building& building, std::int32_t wall) : building_(building), number_(wall), wall_(nth(building.walls, wall)) {
     extent_ = wall_.box;
     for (std::size_t e = 0; e < building.wall.size(); ++e)
       if (building.wall[e] == wall) extent_.include(building.box[e]);  // including the gable
@@ -106,7 +106,7 @@ class Map {
       for (const JointEdge& e : edges[i]) {
         if (std::abs(out(e.from) - face_) > kOnFace || std::abs(out(e.to) - face_) > kOnFace) continue;
         svg.line(at(along(e.from), e.from.z), at(along(e.to), e.to.z), c.colour, c.stroke);
-        length_[static_cast<std::size_t>(&c - kCrackClasses.data())] += norm(e.to - e.from);
+        nth(length_, &c - kCrackClasses.data()) += norm(e.to - e.from);
         any = true;
       }
       if (any && is_crack_of(here[i], number_)) drawn.push_back(here[i]);

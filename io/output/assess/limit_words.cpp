@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "solver/limit/mechanism.h"
 
 namespace voussoir::io {
@@ -29,7 +30,7 @@ double tilt(double multiplier) { return std::atan(multiplier) * 180.0 / std::num
 std::vector<std::int32_t> elements_of(const solver::MechanismPart& part, const solver::LimitContacts& c) {
   std::vector<std::int32_t> all;
   for (const std::int32_t b : part.bodies) {
-    const auto& elements = c.bodies[static_cast<std::size_t>(b)].elements;
+    const auto& elements = nth(c.bodies, b).elements;
     all.insert(all.end(), elements.begin(), elements.end());
   }
   std::ranges::sort(all);
@@ -39,14 +40,13 @@ std::vector<std::int32_t> elements_of(const solver::MechanismPart& part, const s
 /// Elements in words: "front wall, 412 elements", "b3, b4, b5 and 2 more".
 std::string what(const std::vector<std::int32_t>& elements, const cases::Model& model) {
   std::map<std::string, std::size_t> tags;
-  for (const std::int32_t e : elements) ++tags[model.blocks[static_cast<std::size_t>(e)].tag];
+  for (const std::int32_t e : elements) ++tags[nth(model.blocks, e).tag];
   if (tags.size() < elements.size()) {
     const auto most = std::ranges::max_element(tags, {}, [](const auto& t) { return t.second; });
     return most->first + (tags.size() > 1 ? " and others, " : ", ") + std::to_string(elements.size()) + " elements";
   }
   std::string text;
-  for (std::size_t i = 0; i < std::min(kNames, elements.size()); ++i)
-    text += (i == 0 ? "" : ", ") + model.blocks[static_cast<std::size_t>(elements[i])].tag;
+  for (std::size_t i = 0; i < std::min(kNames, elements.size()); ++i) text += (i == 0 ? "" : ", ") + nth(model.blocks, elements[i]).tag;
   return elements.size() > kNames ? text + " and " + std::to_string(elements.size() - kNames) + " more" : text;
 }
 
@@ -64,7 +64,7 @@ Vec3 axis_point(const solver::MechanismPart& p) {
 double reach(const solver::MechanismPart& part, const cases::Model& model, const solver::LimitContacts& c) {
   double most = 0.0;
   for (const std::int32_t e : elements_of(part, c))
-    for (const Vec3 v : model.blocks[static_cast<std::size_t>(e)].shape.vertices) most = std::max(most, norm(v - part.centre));
+    for (const Vec3 v : nth(model.blocks, e).shape.vertices) most = std::max(most, norm(v - part.centre));
   return most;
 }
 
@@ -200,14 +200,14 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
   const solver::Mechanism m = solver::mechanism_of(c, s);
   std::vector<std::size_t> part(model.blocks.size(), 0);
   for (std::size_t k = 0; k < m.parts.size(); ++k)
-    for (const std::int32_t e : elements_of(m.parts[k], c)) part[static_cast<std::size_t>(e)] = k + 1;
+    for (const std::int32_t e : elements_of(m.parts[k], c)) nth(part, e) = k + 1;
   for (std::size_t e = 0; e < model.blocks.size(); ++e) {
     const std::int32_t body = c.body_of[e];
     Vec3 v, w;
     if (body >= 0) {
-      const kernels::Twist& t = s.motion[static_cast<std::size_t>(body)];
+      const kernels::Twist& t = nth(s.motion, body);
       w = t.w;
-      v = t.v + cross(t.w, model.assembly.elements[e].mass.centroid - c.bodies[static_cast<std::size_t>(body)].centre);
+      v = t.v + cross(t.w, model.assembly.elements[e].mass.centroid - nth(c.bodies, body).centre);
     }
     std::string tag = model.blocks[e].tag;
     std::ranges::replace(tag, '"', '\'');

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/replay/joint_openings.h"
@@ -40,7 +41,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 Elevation elevation_of(const Building& b, std::int32_t wall) {
-  const Wall& w = b.walls[static_cast<std::size_t>(wall)];
+  const Wall& w = nth(b.walls, wall);
   const std::size_t axis = 1 - w.across;
   std::vector<const Box*> boxes;
   std::vector<double> u{w.box.low[axis], w.box.high[axis]}, z{w.box.low[2], w.box.high[2]};
@@ -111,7 +112,7 @@ std::vector<JointWidth> joint_widths(const Hdf5File& run, const Building& buildi
 }
 
 std::vector<OpeningCorner> opening_corners(const Building& building, std::int32_t wall) {
-  const Wall& w = building.walls[static_cast<std::size_t>(wall)];
+  const Wall& w = nth(building.walls, wall);
   const Elevation e = elevation_of(building, wall);
   const bool mirrored = w.right() < 0;
   const std::vector<int> opening = openings_of(e, mirrored);
@@ -173,7 +174,7 @@ std::size_t parted_joints(const std::vector<JointWidth>& joints, std::int32_t wa
 }
 
 CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Building& building, const OpeningCorner& corner) {
-  const Wall& w = building.walls[static_cast<std::size_t>(corner.wall)];
+  const Wall& w = nth(building.walls, corner.wall);
   CrackFigures f;
   for (const JointWidth& j : joints) {
     if (is_crack_of(j, corner.wall) &&

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 
 namespace voussoir::io {
 namespace {
@@ -23,7 +24,7 @@ bool along_x(const std::string& wall) { return wall == "front" || wall == "rear"
 /// Height of a storey's foot above that of the walls [m].
 double foot_of(const cases::House& house, int storey) {
   double foot = storey > 1 ? house.height : 0.0;
-  for (int above = 2; above < storey; ++above) foot += house.storeys[static_cast<std::size_t>(above - 2)].height;
+  for (int above = 2; above < storey; ++above) foot += nth(house.storeys, above - 2).height;
   return foot;
 }
 bool stands(const cases::House& house, const char* wall) { return std::ranges::find(house.walls, wall) != house.walls.end(); }

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "io/output/drawing/dimensions.h"
 #include "io/output/drawing/svg.h"
 
@@ -123,7 +124,7 @@ class Drawing {
       box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y), std::min(box_.low.z, box.low.z)};
       box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y), std::max(box_.high.z, box.high.z)};
     }
-    for (const cases::HistoryPoint& h : c.output.history) named_[static_cast<std::size_t>(cases::nearest_element(model, h.point))] = h.name;
+    for (const cases::HistoryPoint& h : c.output.history) nth(named_, cases::nearest_element(model, h.point)) = h.name;
     const Vec3 size = box_.high - box_.low;
     scale_ = std::min(kLargestScale, kSheet / std::max({size.x, size.y, 0.5 * size.z}));
   }
@@ -169,8 +170,7 @@ class Drawing {
       const geometry::Polyhedron& shape = model_.blocks[element].shape;
       VisibleFace face{
           frame.depth(geometry::face_plane(shape, patch.face).centroid), {}, element, dot(patch.frame.normal, frame.view().into) < -0.999};
-      for (const std::int32_t v : shape.faces[static_cast<std::size_t>(patch.face)])
-        face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
+      for (const std::int32_t v : nth(shape.faces, patch.face)) face.corners.push_back(frame.at(nth(shape.vertices, v)));
       faces.push_back(std::move(face));
     }
     for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
@@ -180,8 +180,7 @@ class Drawing {
         const geometry::FacePlane plane = geometry::face_plane(shape, f);
         if (dot(plane.normal, frame.view().into) > -0.5) continue;
         VisibleFace face{frame.depth(plane.centroid), {}, e, false};
-        for (const std::int32_t v : shape.faces[static_cast<std::size_t>(f)])
-          face.corners.push_back(frame.at(shape.vertices[static_cast<std::size_t>(v)]));
+        for (const std::int32_t v : nth(shape.faces, f)) face.corners.push_back(frame.at(nth(shape.vertices, v)));
         faces.push_back(std::move(face));
       }
     }
@@ -269,8 +268,8 @@ class Drawing {
     Polygon points;
     for (const auto& loop : shape.faces) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3 a = shape.vertices[static_cast<std::size_t>(loop[i])];
-        const Vec3 b = shape.vertices[static_cast<std::size_t>(loop[(i + 1) % loop.size()])];
+        const Vec3 a = nth(shape.vertices, loop[i]);
+        const Vec3 b = nth(shape.vertices, loop[(i + 1) % loop.size()]);
         if ((a.z < z) != (b.z < z)) points.push_back(frame.at(a + (z - a.z) / (b.z - a.z) * (b - a)));
       }
     }

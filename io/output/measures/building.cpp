@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "io/input/document/case_tree.h"
 #include "io/input/files/errors.h"
 #include "io/output/replay/frame_reader.h"
@@ -163,12 +164,12 @@ void find_walls(const Elements& elements, int quarter_turns, Building& b) {
     if (found == numbers.end()) continue;
     b.wall[e] = found->second;
     if (tags[e].gable) continue;
-    Wall& wall = b.walls[static_cast<std::size_t>(found->second)];
+    Wall& wall = nth(b.walls, found->second);
     wall.box.include(b.box[e]), all.include(b.box[e]);
     wall.name = tags[e].side + " wall" + tags[e].storey_name + (several ? " of house " + std::to_string(wall.house) : "");
   }
   for (const auto& [key, number] : numbers) {
-    Wall& wall = b.walls[static_cast<std::size_t>(number)];
+    Wall& wall = nth(b.walls, number);
     wall.inner || wall.house < 0 ? orient_by_box(wall, all) : orient(wall, std::get<2>(key), quarter_turns);
   }
 }
@@ -189,7 +190,7 @@ void find_courses(const Elements& elements, Building& b) {
   for (Wall& w : b.walls) w.top.resize(static_cast<std::size_t>(std::max(1L, std::lround(w.length() / kPiece))));
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
     if (b.wall[e] < 0 || wall_tag(elements.tag[e]).gable) continue;
-    Wall& w = b.walls[static_cast<std::size_t>(b.wall[e])];
+    Wall& w = nth(b.walls, b.wall[e]);
     if (b.box[e].low[2] < w.box.low[2] + kSameLevel) w.foot.push_back(e);
     if (b.box[e].high[2] < w.box.high[2] - kSameLevel) continue;
     const std::size_t along = 1 - w.across;

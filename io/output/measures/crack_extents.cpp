@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "geometry/nth.h"
 #include "io/input/files/hdf5_file.h"
 
 namespace voussoir::io {
@@ -12,8 +13,8 @@ Cracks::Cracks(const Hdf5File& run, const Building& building, const std::vector<
   const auto area = run.read<double>("/model/joint/area");
   for (const OpenJoint& j : open_joints(run, start)) {
     if (building.is_seat(j.a, j.b)) continue;
-    const std::int32_t wall_a = building.wall[static_cast<std::size_t>(j.a)];
-    const std::int32_t other = j.b < 0 ? -1 : building.wall[static_cast<std::size_t>(j.b)], wall_b = other == wall_a ? -1 : other;
+    const std::int32_t wall_a = nth(building.wall, j.a);
+    const std::int32_t other = j.b < 0 ? -1 : nth(building.wall, j.b), wall_b = other == wall_a ? -1 : other;
     if (wall_a >= 0 || wall_b >= 0) joints_.push_back({j, area[j.row], wall_a, wall_b});
   }
   for (const Wall& w : building.walls) section_.push_back(w.length() * w.thickness());
@@ -26,8 +27,8 @@ std::vector<CrackExtent> Cracks::extents(double time, const std::vector<Pose>& p
     const double width = j.joint.width(poses);
     for (const std::int32_t w : {j.wall_a, j.wall_b}) {
       if (w < 0) continue;
-      CrackExtent& of_wall = extents[static_cast<std::size_t>(w)];
-      const double share = j.area / section_[static_cast<std::size_t>(w)];
+      CrackExtent& of_wall = nth(extents, w);
+      const double share = j.area / nth(section_, w);
       if (j.joint.time >= 0) of_wall.any += share;
       if (width >= kFineCrack) of_wall.fine += share;
       if (width >= kLargeCrack) of_wall.large += share;

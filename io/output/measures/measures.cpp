@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/nth.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/building.h"
 #include "io/output/measures/crack_extents.h"
@@ -86,7 +87,7 @@ class Measurer {
 
   Part* part_of(std::size_t element) {
     if (building_.is_roof(element)) return &roof_;
-    return building_.wall[element] < 0 ? nullptr : &walls_[static_cast<std::size_t>(building_.wall[element])];
+    return building_.wall[element] < 0 ? nullptr : &nth(walls_, building_.wall[element]);
   }
 
   void take(double time, const std::vector<Pose>& poses) {
@@ -147,12 +148,12 @@ class Measurer {
     m_.settling_damage_grade = grade.empty() ? -1 : grade.front();
     for (std::size_t g = 0; g < m_.grade_time.size(); ++g) {
       const auto first = std::ranges::lower_bound(grade, static_cast<std::int64_t>(g) + 1);
-      m_.grade_time[g] = first == grade.end() ? kNeverReached : m_.series.time[static_cast<std::size_t>(first - grade.begin())];
+      m_.grade_time[g] = first == grade.end() ? kNeverReached : nth(m_.series.time, first - grade.begin());
     }
   }
 
   [[nodiscard]] std::string name_of(std::int32_t body) const {
-    return body == kBaseBody ? "the base" : "element " + std::to_string(body) + " (" + tags_[static_cast<std::size_t>(body)] + ")";
+    return body == kBaseBody ? "the base" : "element " + std::to_string(body) + " (" + nth(tags_, body) + ")";
   }
 
   void take_penetration(double time, const std::vector<Pose>& poses) {

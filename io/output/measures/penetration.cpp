@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 
 namespace voussoir::io {
@@ -30,7 +31,7 @@ std::vector<geometry::ConvexBody> bodies_of(const Hdf5File& run, const std::vect
   for (std::size_t f = 0; f < face_of.size(); ++f) {
     if (face_of[f] < 0 || static_cast<std::size_t>(face_of[f]) >= start.size())
       throw FileError(run.path(), "/model/face: row " + std::to_string(f) + " belongs to no element");
-    faces[static_cast<std::size_t>(face_of[f])].push_back({vector_at(normal, f), distance[f]});
+    nth(faces, face_of[f]).push_back({vector_at(normal, f), distance[f]});
   }
   if (std::ranges::any_of(vertices, [](const auto& v) { return v.empty(); }))
     throw FileError(run.path(), "/model/vertex: an element has no vertices");
@@ -86,8 +87,7 @@ void InterpenetrationCheck::take_base(std::size_t element, Interpenetration& now
 // Begins with the deepest pair of the frame before, which is likely to be deep again: given its depth, most pairs need no exact depth.
 void InterpenetrationCheck::begin_with_last(Interpenetration& now) const {
   if (last_a_ == kBaseBody || last_b_ == kBaseBody) return;
-  const double depth =
-      geometry::penetration_of(placed_[static_cast<std::size_t>(last_a_)], placed_[static_cast<std::size_t>(last_b_)], 0.0).depth;
+  const double depth = geometry::penetration_of(nth(placed_, last_a_), nth(placed_, last_b_), 0.0).depth;
   if (depth > 0.0) now.deepest = depth, now.a = last_a_, now.b = last_b_;
 }
 
@@ -119,7 +119,7 @@ Interpenetration InterpenetrationCheck::at(const std::vector<Pose>& poses) {
 }
 
 bool InterpenetrationCheck::touch(std::int32_t a, std::int32_t b) const {
-  const geometry::ConvexBody &first = placed_[static_cast<std::size_t>(a)], &second = placed_[static_cast<std::size_t>(b)];
+  const geometry::ConvexBody &first = nth(placed_, a), &second = nth(placed_, b);
   return geometry::penetration_of(first, second, -kTouch).depth > -kTouch && geometry::distance(first, second) <= kTouch;
 }
 

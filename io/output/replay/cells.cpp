@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/nth.h"
 #include "geometry/prism.h"
 
 namespace voussoir::io {
 namespace {
 
 double handedness(const geometry::Polyhedron& p, std::array<int, 4> corner) {
-  const auto at = [&](int i) { return p.vertices[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) { return nth(p.vertices, i); };
   return dot(cross(at(corner[1]) - at(corner[0]), at(corner[2]) - at(corner[0])), at(corner[3]) - at(corner[0]));
 }
 

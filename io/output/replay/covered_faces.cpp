@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 
@@ -28,7 +29,7 @@ void add_areas(const Hdf5File& run, const Ints& element, const Ints& face, const
     const std::int64_t f = e < first_face.size() ? std::int64_t{first_face[e]} + face[j] : -1;
     if (f < 0 || static_cast<std::size_t>(f) >= covered.size())
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no face");
-    covered[static_cast<std::size_t>(f)] += area[j];
+    nth(covered, f) += area[j];
   }
 }
 

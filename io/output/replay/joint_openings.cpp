@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 
@@ -48,8 +49,7 @@ std::vector<OpenJoint> open_joints(const Hdf5File& run, const std::vector<Pose>&
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
     if (!std::isfinite(since[j])) continue;
     const Vec3 c{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]};
-    joints.push_back({j, since[j], a[j], b[j], c, c - start[static_cast<std::size_t>(a[j])].centre,
-                      b[j] < 0 ? c : c - start[static_cast<std::size_t>(b[j])].centre});
+    joints.push_back({j, since[j], a[j], b[j], c, c - nth(start, a[j]).centre, b[j] < 0 ? c : c - nth(start, b[j]).centre});
   }
   return joints;
 }

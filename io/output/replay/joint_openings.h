@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "io/output/replay/placed_elements.h"
 
 namespace voussoir::io {
@@ -26,8 +27,8 @@ struct OpenJoint {
 
   /// Vector from the point of a to that of b [m].
   [[nodiscard]] Vec3 apart(const std::vector<Pose>& poses) const {
-    const Vec3 at_b = b < 0 ? from_b : poses[static_cast<std::size_t>(b)].point(from_b);
-    return at_b - poses[static_cast<std::size_t>(a)].point(from_a);
+    const Vec3 at_b = b < 0 ? from_b : nth(poses, b).point(from_b);
+    return at_b - nth(poses, a).point(from_a);
   }
   /// Width of the crack (io/MEASURES.md) [m].
   [[nodiscard]] double width(const std::vector<Pose>& poses) const { return norm(apart(poses)); }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 
@@ -31,7 +32,7 @@ JointSide joint_side(const Hdf5File& run, const std::string& which, const Ints& 
   for (std::size_t j = 0; j < face.size(); ++j) {
     const std::int32_t e = side.element[j];
     const bool known = e < static_cast<std::int64_t>(first_face.size());
-    const std::int64_t number = e < 0 ? -1 : known ? std::int64_t{first_face[static_cast<std::size_t>(e)]} + face[j] : -2;
+    const std::int64_t number = e < 0 ? -1 : known ? std::int64_t{nth(first_face, e)} + face[j] : -2;
     if (number < -1 || number >= static_cast<std::int64_t>(faces))
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no face");
     side.face.push_back(number);
@@ -61,14 +62,14 @@ OpenedFaces opened_faces(const Hdf5File& run, const std::vector<double>& since) 
     if (side.face.size() != since.size()) throw FileError(run.path(), "/model/joint does not fit together");
     for (std::size_t j = 0; j < since.size(); ++j) {
       if (side.face[j] < 0) continue;
-      double& of_face = opened[static_cast<std::size_t>(side.face[j])];
+      double& of_face = nth(opened, side.face[j]);
       of_face = std::min(of_face, since[j]);
     }
   }
   OpenedFaces out;
   const std::vector<bool> ground = parts_of_base(run);
   for (std::size_t f = 0; f < opened.size(); ++f) {
-    if (opened[f] == kNever || ground[static_cast<std::size_t>(element[f])]) continue;
+    if (opened[f] == kNever || nth(ground, element[f])) continue;
     out.element.push_back(element[f]);
     out.normal.insert(out.normal.end(), normal.begin() + static_cast<std::ptrdiff_t>(3 * f),
                       normal.begin() + static_cast<std::ptrdiff_t>(3 * f + 3));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "geometry/vec3.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
@@ -63,7 +64,7 @@ Still read_still(const Hdf5File& run, std::size_t elements) {
     throw FileError(run.path(), "/model does not fit together");
   s.topology = mixed_topology(run, vertices);
   s.first_vertex.push_back(static_cast<std::int32_t>(vertices));
-  for (const std::int32_t e : s.element) s.material.push_back(material[static_cast<std::size_t>(e)]);
+  for (const std::int32_t e : s.element) s.material.push_back(nth(material, e));
   return s;
 }
 
@@ -123,7 +124,7 @@ class ParaviewWriter {
     std::vector<float> displacement, broken;
     for (const std::int32_t e : still_.element) {
       append(displacement, vector_at(u, static_cast<std::size_t>(e)));
-      broken.push_back(static_cast<float>(fraction[static_cast<std::size_t>(e)]));
+      broken.push_back(static_cast<float>(nth(fraction, e)));
     }
     const std::string group = "/frames/" + std::to_string(frame) + "/";
     const std::string points = write(group + "points", vertices_at(frames_, frame, still_), 3, {"m", "vertices, relative to /origin"});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/output/replay/cells.h"
 #include "io/output/replay/joint_cracks.h"
@@ -20,7 +21,7 @@ ReportModel report_model(const Hdf5File& run, const std::string& fault, const st
   std::vector<int> joints(names.size(), 0);
   for (const std::int32_t l : law) {
     if (l < 0 || static_cast<std::size_t>(l) >= names.size()) throw FileError(run.path(), "/model/joint/law names no law");
-    ++joints[static_cast<std::size_t>(l)];
+    ++nth(joints, l);
   }
   nlohmann::json laws = nlohmann::json::array();
   for (std::size_t i = 0; i < names.size(); ++i) laws.push_back({{"name", names[i]}, {"joints", joints[i]}});

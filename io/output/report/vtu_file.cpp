@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 
 namespace voussoir::io {
@@ -65,7 +66,7 @@ Grid grid_of(const cases::Model& model) {
     const bool polyhedron = cells.type[c] == kTetrahedron;
     if (polyhedron && !g.element.empty() && g.element.back() == e) continue;  // one polyhedron for all its tetrahedra
     if (polyhedron) {
-      add_polyhedron(model.blocks[static_cast<std::size_t>(e)].shape, first_vertex[static_cast<std::size_t>(e)], g);
+      add_polyhedron(nth(model.blocks, e).shape, nth(first_vertex, e), g);
     } else {
       const auto row = cells.corners.begin() + static_cast<std::ptrdiff_t>(8 * c);
       g.corners.insert(g.corners.end(), row, row + corners_of(cells.type[c]));
@@ -123,7 +124,7 @@ std::string mode_shapes_vtu(const cases::Model& model, std::span<const solver::M
   out += "</PointData>\n<CellData>\n";
   numbers(out, "Int32", "element", cells.element);
   array(out, "Int32", "material", 1, [&](std::string& o) {
-    for (const std::int32_t e : cells.element) o += std::to_string(model.blocks[static_cast<std::size_t>(e)].material) + ' ';
+    for (const std::int32_t e : cells.element) o += std::to_string(nth(model.blocks, e).material) + ' ';
   });
   return out + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "geometry/nth.h"
 #include "io/output/measures/capacity/capacity.h"
 #include "io/output/measures/measures.h"
 #include "io/output/results/provenance.h"
@@ -97,7 +98,7 @@ class ResultsWriter final : public solver::Recorder {
  private:
   using Clock = std::chrono::steady_clock;
 
-  [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return buffers_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return nth(buffers_, t); }
   void put_ties(RowBuffer& to, std::size_t column);
   [[nodiscard]] double wall_clock() const;
   void continue_earlier();

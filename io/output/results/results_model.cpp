@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 
 namespace voussoir::io {
@@ -74,7 +75,7 @@ void add_elements(const cases::Model& model, Datasets& out) {
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& b = model.blocks[i];
     const geometry::Element& e = model.assembly.elements[i];
-    const double density = model.materials[static_cast<std::size_t>(b.material)].value.density;
+    const double density = nth(model.materials, b.material).value.density;
     mass.push_back(density * e.mass.volume);
     append(inertia, density * e.mass.principal);
     append(position, e.mass.centroid);
@@ -117,7 +118,7 @@ void add_faces(const cases::Model& model, Datasets& out) {
   std::vector<std::int32_t> element(faces.size());
   for (std::size_t i = 0; i < model.assembly.elements.size(); ++i) {
     const geometry::Element& e = model.assembly.elements[i];
-    for (std::int32_t f = 0; f < e.face_count; ++f) element[static_cast<std::size_t>(e.first_face + f)] = static_cast<std::int32_t>(i);
+    for (std::int32_t f = 0; f < e.face_count; ++f) nth(element, e.first_face + f) = static_cast<std::int32_t>(i);
   }
   out.push_back(dataset("/model/face/element", element, 1, "1", "element of the face"));
   out.push_back(

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "geometry/nth.h"
 #include "io/input/document/history_name.h"
 
 namespace voussoir::io {
@@ -135,7 +136,7 @@ TableSpec cuts_columns(std::span<const std::string> names) {
 
 const char* table_name(RowTable table) noexcept {
   constexpr std::array names{"history", "energy", "forces", "damage", "cracks", "frames", "cuts", "assessment"};
-  return names[static_cast<std::size_t>(table)];
+  return nth(names, table);
 }
 
 std::size_t ColumnSpec::row_bytes() const noexcept {

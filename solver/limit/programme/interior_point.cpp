@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 namespace {
 
@@ -70,10 +72,10 @@ class NormalEquations {
     std::vector<Eigen::Triplet<double>> entries;
     std::vector<Index> last(static_cast<std::size_t>(a_.rows()), -1);
     for (Index row = 0; row < a_.rows(); ++row) {
-      last[static_cast<std::size_t>(row)] = row;
+      nth(last, row) = row;
       entries.emplace_back(row, row, 0.0);
       for_each_product(row, [&](Index other, Index, double) {
-        if (std::exchange(last[static_cast<std::size_t>(other)], row) != row) entries.emplace_back(other, row, 0.0);
+        if (std::exchange(nth(last, other), row) != row) entries.emplace_back(other, row, 0.0);
       });
     }
     lower_.resize(a_.rows(), a_.rows());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cases/names.h"
+#include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"
 
 namespace voussoir::solver {
@@ -15,8 +16,7 @@ void set_up(World& w, const cases::Case& /*c*/) {
     const cases::JointLaw& law = joint_law_of(w, id);
     if (!law.maximum_closure) return;
     const double compliance =  // m/Pa; none of the base
-        w.faces[static_cast<std::size_t>(s.master_face[id])].compliance_n +
-        w.faces[static_cast<std::size_t>(s.slave_face[id])].compliance_n;
+        nth(w.faces, s.master_face[id]).compliance_n + nth(w.faces, s.slave_face[id]).compliance_n;
     own_laws(s, id).closing = {
         .most = *law.maximum_closure, .scale = *law.normal_stiffness * *law.maximum_closure, .blocks = 1.0 / compliance};
   });

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "geometry/nth.h"
+
 namespace voussoir::solver {
 
 // One each, in the source of its name.
@@ -17,12 +19,10 @@ std::span<const OptionalLaw> optional_laws() {
 }
 
 const cases::JointLaw& joint_law_of(const World& w, std::size_t side) {
-  return w.model.laws[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(w.sides.joint[side])])].value;
+  return nth(w.model.laws, nth(w.model.joint_law, w.sides.joint[side])).value;
 }
 
-double strength_factor_of(const World& w, std::size_t side) {
-  return w.model.joint_strength[static_cast<std::size_t>(w.sides.joint[side])];
-}
+double strength_factor_of(const World& w, std::size_t side) { return nth(w.model.joint_strength, w.sides.joint[side]); }
 
 kernels::SideLaws& own_laws(Sides& s, std::size_t side) {
   if (s.laws.empty()) s.laws.resize(s.joint.size());
@@ -36,7 +36,7 @@ double* keep(Sides& s, LawState what, std::size_t count) {
 
 std::vector<const cases::NamedLaw*> laws_in_use(const cases::Model& m) {
   std::vector<bool> used(m.laws.size(), false);
-  for (const std::int32_t law : m.joint_law) used[static_cast<std::size_t>(law)] = true;
+  for (const std::int32_t law : m.joint_law) nth(used, law) = true;
   std::vector<const cases::NamedLaw*> laws;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) laws.push_back(&m.laws[i]);

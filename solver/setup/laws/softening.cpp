@@ -8,6 +8,7 @@
 
 #include "cases/names.h"
 #include "geometry/message.h"
+#include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"
 
 namespace voussoir::solver {
@@ -49,7 +50,7 @@ void refuse_snap_back(const World& w, const char* key, double cases::JointLaw::*
   each_side(w.sides, [&](std::size_t id) {
     const Budget b = budget(joint_law_of(w, id), w.sides.side(static_cast<std::int64_t>(id)), strength_factor_of(w, id));
     if (!b.softens()) return;
-    double& of_law = least[static_cast<std::size_t>(w.model.joint_law[static_cast<std::size_t>(w.sides.joint[id])])];
+    double& of_law = nth(least, nth(w.model.joint_law, w.sides.joint[id]));
     of_law = std::max(of_law, b.stored() / strength_factor_of(w, id));
   });
   for (std::size_t i = 0; i < least.size(); ++i) {

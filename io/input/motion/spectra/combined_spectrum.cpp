@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cases/case.h"
+#include "geometry/nth.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/spectra.h"
 
@@ -30,7 +31,7 @@ CombinedDisplacement combined_displacement(const cases::Accelerogram& a, const c
   const std::vector<double> u = displacement_response(a, frequency_hz, damping_ratio, samples);
   const std::vector<double> v = displacement_response(b, frequency_hz, damping_ratio, samples);
   std::array<double, kAngles> peaks{};
-  for (int k = 0; k < kAngles; ++k) peaks[static_cast<std::size_t>(k)] = peak_along(u, v, k * std::numbers::pi / kAngles);
+  for (int k = 0; k < kAngles; ++k) nth(peaks, k) = peak_along(u, v, k * std::numbers::pi / kAngles);
   std::sort(peaks.begin(), peaks.end());
   CombinedDisplacement out;
   out.geometric_mean =

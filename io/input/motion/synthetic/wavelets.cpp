@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/nth.h"
+
 namespace voussoir::io {
 namespace {
 
@@ -47,7 +49,7 @@ void add(const Wavelet& p, std::vector<double>& acceleration) {
     const double window = s * s, window1 = 2.0 * s * s1, window2 = 2.0 * (s1 * s1 + s * s2);
     const double c = std::cos(w * u + p.phase);
     const double value = window * c + 2.0 / w * window1 * std::sin(w * u + p.phase) - window2 / (w * w) * c;
-    acceleration[static_cast<std::size_t>(i)] += p.amplitude * value;
+    nth(acceleration, i) += p.amplitude * value;
   }
 }
 
@@ -63,8 +65,7 @@ void add_short_wavelets(const WaveletAmplitudes& amplitudes, std::uint64_t seed,
       // length is 2.15 s.
       if (centre < half_length) continue;
       const int band = carrier * kWaveletBands / kCarriers;
-      const double amplitude =
-          amplitudes.band[static_cast<std::size_t>(band)] * envelope(band < kWaveletLowBands ? amplitudes.low : amplitudes.high, centre);
+      const double amplitude = nth(amplitudes.band, band) * envelope(band < kWaveletLowBands ? amplitudes.low : amplitudes.high, centre);
       add({amplitude, frequency, centre, half_length, phase}, acceleration);
     }
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/output/replay/joint_openings.h"
 
@@ -44,8 +45,8 @@ BodyFinder::BodyFinder(const Hdf5File& run, const Building& building, std::vecto
                        a[j],
                        b[j],
                        c,
-                       c - start_[static_cast<std::size_t>(a[j])].centre,
-                       b[j] < 0 ? c : c - start_[static_cast<std::size_t>(b[j])].centre,
+                       c - nth(start_, a[j]).centre,
+                       b[j] < 0 ? c : c - nth(start_, b[j]).centre,
                        {normal[3 * j], normal[3 * j + 1], normal[3 * j + 2]}});
   }
   all_mass_ = std::accumulate(building.mass.begin(), building.mass.end(), 0.0);
@@ -61,8 +62,8 @@ std::vector<std::int32_t> BodyFinder::components(double time, const std::vector<
     return given;
   }
   for (const Joint& j : joints_) {
-    const Vec3 at_b = j.b < 0 ? j.from_b : poses[static_cast<std::size_t>(j.b)].point(j.from_b);
-    const bool apart = j.time <= time && norm(at_b - poses[static_cast<std::size_t>(j.a)].point(j.from_a)) >= kMovesAsOne;
+    const Vec3 at_b = j.b < 0 ? j.from_b : nth(poses, j.b).point(j.from_b);
+    const bool apart = j.time <= time && norm(at_b - nth(poses, j.a).point(j.from_a)) >= kMovesAsOne;
     if (!apart) sets.join(static_cast<std::size_t>(j.a), static_cast<std::size_t>(j.b < 0 ? base : j.b));
   }
   std::vector<std::int32_t> component(start_.size() + 1);
@@ -98,19 +99,19 @@ void BodyFinder::number(std::vector<Body>& bodies, const std::vector<std::int32_
   }
   out.id.assign(start_.size(), 0);
   for (std::size_t e = 0; e < start_.size(); ++e)
-    if (body[e] >= 0) out.id[e] = bodies[static_cast<std::size_t>(body[e])].id;
+    if (body[e] >= 0) out.id[e] = nth(bodies, body[e]).id;
   last_id_ = out.id;
 }
 
 BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
   const std::vector<std::int32_t> component = components(time, poses);
   std::vector<double> mass(start_.size() + 1);
-  for (std::size_t e = 0; e < start_.size(); ++e) mass[static_cast<std::size_t>(component[e])] += building_.mass[e];
+  for (std::size_t e = 0; e < start_.size(); ++e) nth(mass, component[e]) += building_.mass[e];
   std::map<std::int32_t, Body> by_root;
   std::map<std::int32_t, std::map<std::int32_t, double>> of_wall;
   for (std::size_t e = 0; e < start_.size(); ++e) {
     const std::int32_t root = component[e];
-    if (building_.mass[e] <= 0 || mass[static_cast<std::size_t>(root)] < kLeastBody * all_mass_) continue;
+    if (building_.mass[e] <= 0 || nth(mass, root) < kLeastBody * all_mass_) continue;
     Body& b = by_root[root];
     const double m = building_.mass[e];
     b.mass += m;
@@ -145,8 +146,8 @@ std::array<std::int32_t, 2> BodyFinder::carriers(const Vec3& end, const std::vec
   std::array<double, 2> distance{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Joint* j : joints)
     for (const std::int32_t e : {j->a, j->b}) {
-      const std::size_t side = found.id[static_cast<std::size_t>(e)] == first ? 0 : 1;
-      const double d = norm(start_[static_cast<std::size_t>(e)].centre - end);
+      const std::size_t side = nth(found.id, e) == first ? 0 : 1;
+      const double d = norm(nth(start_, e).centre - end);
       if (d < distance[side]) distance[side] = d, nearest[side] = e;
     }
   return nearest;
@@ -158,7 +159,7 @@ std::optional<Hinge> BodyFinder::slide(const std::vector<const Joint*>& joints, 
   double along = 0.0, apart = 0.0;
   Vec3 middle;
   for (const Joint* j : joints) {
-    const Vec3 moved = poses[static_cast<std::size_t>(j->b)].point(j->from_b) - poses[static_cast<std::size_t>(j->a)].point(j->from_a);
+    const Vec3 moved = nth(poses, j->b).point(j->from_b) - nth(poses, j->a).point(j->from_a);
     const double away = dot(moved, j->normal);
     apart += std::abs(away), along += norm(moved - away * j->normal);
     middle = middle + j->centre;
@@ -182,7 +183,7 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
   std::map<std::pair<std::uint8_t, std::uint8_t>, std::vector<const Joint*>> between;
   for (const Joint& j : joints_) {
     if (j.b < 0 || j.time > time) continue;
-    const std::uint8_t a = found.id[static_cast<std::size_t>(j.a)], b = found.id[static_cast<std::size_t>(j.b)];
+    const std::uint8_t a = nth(found.id, j.a), b = nth(found.id, j.b);
     if (a != 0 && b != 0 && a != b) between[std::minmax(a, b)].push_back(&j);
   }
   std::vector<Hinge> all;
@@ -197,9 +198,8 @@ std::vector<Hinge> BodyFinder::hinges(double time, const std::vector<Pose>& pose
     // Motion of the second body relative to the first, at the middle of the joints between the two.
     Vec3 middle, moved;
     for (const Joint* j : joints) {
-      const Vec3 at_a = poses[static_cast<std::size_t>(j->a)].point(j->from_a),
-                 at_b = poses[static_cast<std::size_t>(j->b)].point(j->from_b);
-      const bool in_order = found.id[static_cast<std::size_t>(j->a)] == ids.first;
+      const Vec3 at_a = nth(poses, j->a).point(j->from_a), at_b = nth(poses, j->b).point(j->from_b);
+      const bool in_order = nth(found.id, j->a) == ids.first;
       middle = middle + j->centre, moved = moved + (in_order ? at_b - at_a : at_a - at_b);
     }
     const double share = 1.0 / static_cast<double>(joints.size());

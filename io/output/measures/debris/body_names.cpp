@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/nth.h"
 #include "io/output/measures/debris/bodies.h"
 
 namespace voussoir::io {
@@ -61,7 +62,7 @@ std::string motion_of(const Body& b, const Wall* w) {
 }  // namespace
 
 std::string body_name(const Body& b, const Building& building) {
-  const Wall* wall = b.wall < 0 ? nullptr : &building.walls[static_cast<std::size_t>(b.wall)];
+  const Wall* wall = b.wall < 0 ? nullptr : &nth(building.walls, b.wall);
   double all = 0;
   for (const double m : building.mass) all += m;
   if (!building.walls.empty() && b.mass > kBuilding * all)
