@@ -307,6 +307,25 @@ TEST_CASE("contact gives out no more energy than it took: bricks dropped") {
   gain.expect("bricks dropped");
 }
 
+TEST_CASE("contact gives out no more energy than it took: a brick rocks from corner to corner at the step that the program chooses") {
+  Gain gain;
+  double speed_left = 0.0, height_left = 0.0;
+  for (const char* turn : {"0.001", "0.002", "0.005", "0.01"}) {
+    for (const char* speed : {"1.5", "1.75"}) {
+      Run run("edge_drop",
+              {"block[0].rotate.axis=[1.0,0.0," + std::string(turn) + "]", "block[0].velocity=[0.0,0.0,-" + std::string(speed) + "]"});
+      gain.watch(run, 4.0);
+      speed_left = std::max(speed_left, norm(run.velocity(0)));
+      height_left = std::max(height_left, std::abs(run.position(0).z - 0.05));
+    }
+  }
+  const std::string what = "contact, a brick rocks from corner to corner: ";
+  expect_below(what + "energy above the start, over that in play", gain.above_start, 1e-4);
+  expect_below(what + "residual of the ledger", gain.residual, 1e-3);
+  expect_below(what + "speed at the end [m/s]", speed_left, 1e-6);
+  expect_below(what + "height at the end off that of a brick that lies [m]", height_left, 1e-5);
+}
+
 TEST_CASE("contact gives out no more energy than it took: a brick slides into a step") {
   Gain gain;
   for (const char* speed : {"0.9", "2.0", "4.0"}) {
