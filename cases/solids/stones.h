@@ -66,8 +66,9 @@ struct StonesSpec {
   WarpedFaces warped = WarpedFaces::refuse;
   StoneSupports supports;
 
-  std::vector<Stone> stones;       // not a key: filled by io/input/stones before a model is built
-  std::vector<std::string> notes;  // not a key: descriptions of changes made to the file as a whole
+  std::vector<Stone> stones;        // not a key: filled by io/input/stones before a model is built
+  std::vector<std::string> notes;   // not a key: descriptions of changes made to the file as a whole
+  std::vector<std::string> doubts;  // not a key: why the file may be damaged, or not be read as a whole
 };
 
 /// Metres per unit of length. \pre `unit` is one of the words of StonesSpec::unit

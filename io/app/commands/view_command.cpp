@@ -121,12 +121,10 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
     results.flush();
   }
   std::vector<std::string> findings = c.findings;
-  if (s.fault.empty()) {
-    const LoadedCase used{s.value, c.path, c.keys, {}, {}};  // including its stones
-    const std::vector<std::string> slips = slips_of_model(used, s.model);
-    warn_of(slips);
-    findings.insert(findings.end(), slips.begin(), slips.end());
-  }
+  const LoadedCase used{s.value, c.path, c.keys, {}, {}};  // including its stones
+  const std::vector<std::string> slips = s.fault.empty() ? slips_of_model(used, s.model) : doubts_of_stones(used);
+  warn_of(slips);
+  findings.insert(findings.end(), slips.begin(), slips.end());
   const std::string text = model_html(scratch.path() + "/run.h5", in_page(s.fault, findings), s.at_fault);
   if (o.still.empty()) {
     write_text_file(page, text, o.overwrite);

@@ -160,8 +160,18 @@ std::string mode_words(const solver::MainMode& m, std::size_t axis) {
   return text.data();
 }
 
+std::vector<std::string> doubts_of_stones(const LoadedCase& c) {
+  std::vector<std::string> out;
+  for (std::size_t t = 0; t < c.value.stones.size(); ++t) {
+    const std::string key = cases::indexed_key("stones", t, "file");
+    for (const std::string& doubt : c.value.stones[t].doubts) out.push_back(c.describe(cases::InputError(key, doubt)));
+  }
+  return out;
+}
+
 std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model& model) {
-  std::vector<std::string> out = cases::unused_joint_rules(c.value, model);
+  std::vector<std::string> out = doubts_of_stones(c);
+  for (std::string& rule : cases::unused_joint_rules(c.value, model)) out.push_back(std::move(rule));
   look_for_unused(c, model, out);
   for (const cases::InputError& e : unusual_sizes(c.value)) out.push_back(c.describe(e));
   if (c.value.house) {

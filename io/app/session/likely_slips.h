@@ -14,8 +14,12 @@
 /// Findings: accepted input that is probably a mistake. (Values that are unusual by themselves are in LoadedCase::findings.)
 namespace voussoir::io {
 
-/// Findings of the model: rules of joints.between that never apply; materials and joint laws of the case's own file without use; rods that
-/// run through openings; openings with courses above that neither a lintel nor an arch carries; points far off their element.
+/// Findings of the files of stones: signs of damage, content that was left out. Needs no model. \pre the stones are loaded
+std::vector<std::string> doubts_of_stones(const LoadedCase& c);
+
+/// Findings of doubts_of_stones, and of the model: rules of joints.between that never apply; materials and joint laws of the case's own
+/// file without use; rods that run through openings; openings with courses above that neither a lintel nor an arch carries; points far off
+/// their element.
 std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model& model);
 
 /// Findings of slips_of_model, and: a motion that is stronger than any record, or ends before 80 % of the run; an intensity that the run

@@ -49,6 +49,7 @@ StoneFile read_folder(const std::string& path) {
       all.solids.push_back(std::move(s));
     }
     for (const std::string& note : one.notes) all.notes.push_back(file.filename().string() + ": " + note);
+    for (const std::string& doubt : one.doubts) all.doubts.push_back(file.filename().string() + ": " + doubt);
   }
   return all;
 }
@@ -91,12 +92,13 @@ std::vector<FileSolid> parted(FileSolid solid, bool only_one_in_file, std::size_
 
 class Raw {
  public:
-  Raw(const cases::StonesSpec& spec, const std::string& key, const std::string& folder, std::vector<std::string>& notes)
-      : spec_(spec), key_(key), folder_(folder), notes_(notes) {}
+  Raw(const cases::StonesSpec& spec, const std::string& key, const std::string& folder, StonesTold told)
+      : spec_(spec), key_(key), folder_(folder), notes_(told.notes), doubts_(told.doubts) {}
 
   std::vector<RawStone> read() {
     StoneFile file = read_file();
     for (const std::string& note : file.notes) notes_.push_back(note);
+    for (const std::string& doubt : file.doubts) doubts_.push_back(doubt);
     std::vector<RawStone> out;
     std::size_t flat = 0, bodies = 0, doubled = 0;
     const bool one = file.solids.size() == 1;
@@ -176,7 +178,7 @@ class Raw {
   const cases::StonesSpec& spec_;
   const std::string& key_;
   const std::string& folder_;
-  std::vector<std::string>& notes_;
+  std::vector<std::string>&notes_, &doubts_;
   std::set<std::string> used_;  // names of `only` found in the file
 };
 
@@ -200,9 +202,8 @@ std::string stone_words(const cases::StonesSpec& spec, const std::string& name) 
   return "stone " + quoted_word(name) + " of " + quoted_word(fs::path(spec.file).filename().string());
 }
 
-std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
-                                 std::vector<std::string>& notes) {
-  return Raw(spec, key, folder, notes).read();
+std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder, StonesTold told) {
+  return Raw(spec, key, folder, told).read();
 }
 
 }  // namespace voussoir::io

@@ -19,10 +19,13 @@ struct RawStone {
   std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
 };
 
-/// All stones of one table, in file order, not closed up yet. \param key  of the table \param notes  descriptions of skipped content are
-/// appended
-std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder,
-                                 std::vector<std::string>& notes);
+/// What is told of a file as a whole; lines are appended.
+struct StonesTold {
+  std::vector<std::string>&notes, &doubts;  // as those of StoneFile
+};
+
+/// All stones of one table, in file order, not closed up yet. \param key  of the table
+std::vector<RawStone> raw_stones(const cases::StonesSpec& spec, const std::string& key, const std::string& folder, StonesTold told);
 
 /// Joins corners, and faces in one plane; says in RawStone::fault why it cannot be done.
 void close_up(RawStone& stone);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -27,6 +29,13 @@ std::string text_of(const Json* value) { return value != nullptr && value->is_st
 /// A 4 × 4 matrix by rows.
 using Matrix = std::array<std::array<double, 4>, 4>;
 
+/// Whether a type is that of a solid which is no shape of this program, or of a shape without its data.
+bool is_other_solid(const std::string& type) {
+  constexpr std::array<std::string_view, 12> kSolids{"Sphere",  "Cylinder",  "Cone", "Torus",      "Capsule", "Ellipsoid",
+                                                     "OCCBrep", "RhinoBrep", "Brep", "Polyhedron", "Mesh",    "Box"};
+  return std::ranges::find(kSolids, std::string_view(type).substr(type.rfind('/') + 1)) != kSolids.end();
+}
+
 class CompasReader {
  public:
   explicit CompasReader(const std::string& path) : path_(path) {}
@@ -40,6 +49,8 @@ class CompasReader {
     }
     walk(root, {}, 0);
     name_solids();
+    for (const auto& [type, count] : left_out_)
+      out_.doubts.push_back("left out: " + std::to_string(count) + " of " + shown(type) + ", which are no mesh, polyhedron or box");
     if (passed_over_ > 0) out_.notes.push_back("passed over: " + std::to_string(passed_over_) + " interfaces");
     if (out_.solids.empty()) throw FileError(path_, "holds no mesh, polyhedron or box of COMPAS (an object with dtype and data)");
     return std::move(out_);
@@ -76,9 +87,18 @@ class CompasReader {
     }
     if (const Json* support = member(j, "is_support"); support != nullptr && support->is_boolean()) around.support = support->get<bool>();
     if (const Json* name = member(j, "name"); name != nullptr && name->is_string()) around.name = name->get<std::string>();
-    if (const Json* t = member(j, "transformation"); t != nullptr && t->is_object()) around.transformation = matrix(*t);
+    if (const Json* t = member(j, "transformation"); t != nullptr && t->is_object()) {
+      around.transformation = matrix(*t);
+      if (!around.transformation) fault(around, "has a transformation without a matrix of four rows of four numbers");
+    }
     const Json* data = member(j, "data");
     if (add_shape(data != nullptr ? *data : j, type, around)) return;
+    const std::size_t before = out_.solids.size();
+    walk_members(j, around, depth);
+    if (is_other_solid(type) && out_.solids.size() == before) ++left_out_[type];
+  }
+
+  void walk_members(const Json& j, const Around& around, int depth) {
     for (const auto& [key, value] : j.items()) {
       if (key == "interfaces" || key == "contacts") {
         passed_over_ += value.is_array() ? value.size() : 0;
@@ -231,6 +251,7 @@ class CompasReader {
   StoneFile out_;
   std::vector<Around> around_;  // by solid
   std::size_t passed_over_ = 0;
+  std::map<std::string, std::size_t> left_out_;  // solids of other kinds, by type
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -13,6 +14,12 @@
 
 namespace voussoir::io {
 namespace {
+
+// What OBJ has besides vertices, faces and names: normals, textures, materials, lines, points, how it is drawn, parts of free forms.
+constexpr std::array<std::string_view, 36> kNoSolids{
+    "vn",       "vt",       "vp",   "s",          "mg",        "l",     "p",     "usemtl", "mtllib", "usemap", "maplib", "bevel",
+    "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg",    "bmat",   "step",   "parm",
+    "trim",     "hole",     "scrv", "sp",         "end",       "con",   "res",   "bzp",    "bsp",    "cdc",    "cdp",    "csh"};
 
 class ObjReader {
  public:
@@ -33,6 +40,7 @@ class ObjReader {
       read_line(line.substr(0, line.find('#')));
       joined.clear();
     }
+    if (!joined.empty()) fault("ends within a line that is to go on: it was cut; export it again");
     return std::move(*this).finish();
   }
 
@@ -44,7 +52,7 @@ class ObjReader {
     const std::string_view key = words.next();
     if (key == "v") {
       vertices_.push_back(read_vertex(words));
-    } else if (key == "f") {
+    } else if (key == "f" || key == "fo") {
       read_face(words);
     } else if (key == "o") {
       begin_object(std::string(trimmed(words.rest())));
@@ -52,6 +60,8 @@ class ObjReader {
       begin_groups(std::string(trimmed(words.rest())));
     } else if (key == "curv" || key == "surf" || key == "curv2") {
       fault("holds free-form curves or surfaces, which are no solids of plane faces; export it as a mesh");
+    } else if (!key.empty() && std::ranges::find(kNoSolids, key) == kNoSolids.end()) {
+      unknown_.add(lines_.line(), key);
     }
   }
 
@@ -135,6 +145,7 @@ class ObjReader {
     if (solids_.empty()) throw FileError(path_, "holds no faces");
     StoneFile out;
     for (Solid& s : solids_) out.solids.push_back(std::move(s.of));
+    unknown_.tell("OBJ", out.doubts);
     // A name before all others, or a single group added by an exporter, does not separate stones.
     if (out.solids.size() == 1 && objects_.empty()) out.solids[0].whole = false;
     return out;
@@ -142,6 +153,7 @@ class ObjReader {
 
   const std::string& path_;
   LineReader lines_;
+  UnknownLines unknown_;
   std::vector<Vec3> vertices_;
   std::map<std::string, long> objects_;  // with their line numbers
   std::string object_;

@@ -62,6 +62,7 @@ class PlyReader {
 
   StoneFile read() {
     read_head();
+    StoneFile out;
     FileSolid solid;
     solid.whole = false;
     for (const ElementKind& kind : kinds_) {
@@ -70,12 +71,15 @@ class PlyReader {
       } else if (kind.name == "face") {
         read_faces(kind, solid.mesh);
       } else {
+        if (kind.name == "tristrips" && kind.count > 0) out.doubts.push_back("left out: its strips of triangles (tristrips); write faces");
         for (std::size_t i = 0; i < kind.count; ++i) pass_over(kind);
       }
     }
     if (solid.mesh.faces.empty()) throw FileError(path_, "holds no faces");
     check_corners(solid.mesh);
-    StoneFile out;
+    if (const std::size_t rest = text_.substr(at_).size(); !trimmed(text_.substr(at_)).empty())
+      out.doubts.push_back(std::to_string(rest) + (rest == 1 ? " byte" : " bytes") +
+                           " behind its last element are passed over: its head may say too few");
     out.solids.push_back(std::move(solid));
     return out;
   }

@@ -41,11 +41,11 @@ std::size_t binary_count(const std::string& path, std::string_view text, StoneFi
   const std::string says = "its head says " + triangles(stated) + ", its length holds " + std::to_string(held) +
                            (rest > 0 ? " and " + std::to_string(rest) + " bytes" : std::string());
   if (never_filled && rest == 0) {
-    out.notes.push_back(says + ": taken are the " + std::to_string(held));
+    out.doubts.push_back(says + ": taken are the " + std::to_string(held));
     return held;
   }
   if (stated == held) {
-    out.notes.push_back(says + ": the bytes behind the last triangle are passed over");
+    out.doubts.push_back(says + ": the bytes behind the last triangle are passed over");
     return held;
   }
   throw FileError(path, says + ": it was " + (stated > held && !never_filled ? "cut" : "damaged") + "; export it again");
@@ -74,11 +74,14 @@ StoneFile read_ascii(const std::string& path, std::string_view text) {
   Vec3 corner[3];
   int corners = 0;
   bool open = false;  // within a solid
+  long unended = 0;   // line in which a solid begins before the last has ended
+  UnknownLines unknown;
   const auto fault = [&](const std::string& what) { throw FileError(path, lines.line(), what); };
   while (const auto line = lines.next()) {
     Words words(*line);
     const std::string key = upper(words.next());
     if (key == "SOLID") {
+      if (open && unended == 0) unended = lines.line();
       open = true;
       out.solids.emplace_back().name = trimmed(words.rest());
     } else if (key == "VERTEX") {
@@ -98,12 +101,17 @@ StoneFile read_ascii(const std::string& path, std::string_view text) {
       corners = 0;
     } else if (key == "ENDSOLID") {
       open = false;
+    } else if (!key.empty() && key != "FACET" && key != "OUTER" && key != "ENDLOOP") {
+      unknown.add(lines.line(), key);
     }
   }
   if (corners != 0) fault("ends within a facet");
   std::erase_if(out.solids, [](const FileSolid& s) { return s.mesh.faces.empty(); });
   if (out.solids.empty()) throw FileError(path, "holds no triangles");
-  if (open) out.notes.push_back("ends without 'endsolid': it may have been cut");
+  if (unended > 0)
+    out.doubts.push_back("begins a solid in line " + std::to_string(unended) + " before 'endsolid' of the last: lines may be missing");
+  if (open) out.doubts.push_back("ends without 'endsolid': it may have been cut");
+  unknown.tell("STL", out.doubts);
   std::vector<std::string> names;
   for (const FileSolid& s : out.solids) names.push_back(s.name);
   std::sort(names.begin(), names.end());
@@ -117,7 +125,7 @@ StoneFile read_ascii(const std::string& path, std::string_view text) {
     for (const auto& loop : s.mesh.faces) heap.mesh.faces.push_back({first + loop[0], first + loop[1], first + loop[2]});
   }
   StoneFile one;
-  one.notes = std::move(out.notes);
+  one.doubts = std::move(out.doubts);
   one.solids.push_back(std::move(heap));
   return one;
 }

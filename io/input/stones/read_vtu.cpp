@@ -30,7 +30,7 @@ constexpr int kTriangle = 5, kPolygon = 7, kQuadrilateral = 9, kPolyhedron = 42;
 
 class VtuReader {
  public:
-  VtuReader(const std::string& path, std::string_view text) : path_(path), arrays_(path, text) {}
+  VtuReader(const std::string& path, std::string_view text) : path_(path), text_(text), arrays_(path, text) {}
 
   StoneFile read() {
     const std::vector<double> points = arrays_.points();
@@ -46,6 +46,9 @@ class VtuReader {
       FileSolid heap{"", {}, mesh_of(heap_), false, false};
       out.solids.push_back(std::move(heap));
     }
+    if (left_over_ > 0)
+      out.doubts.push_back(std::to_string(left_over_) + " numbers behind the last cell of its connectivity are passed over");
+    if (text_.find("</VTKFile>") == std::string_view::npos) out.doubts.push_back("ends without </VTKFile>: it may have been cut");
     if (out.solids.empty()) fault("holds no cells of three dimensions, nor polygons");
     return out;
   }
@@ -98,6 +101,7 @@ class VtuReader {
               "; wanted: 10 to 14 or 42 (solids), 5, 7 or 9 (polygons)");
       }
     }
+    left_over_ = static_cast<std::int64_t>(corners.size()) - start;
   }
 
   void add_polygon(const std::vector<std::int64_t>& own, std::vector<Loop>& to) const {
@@ -171,7 +175,9 @@ class VtuReader {
   }
 
   const std::string& path_;
+  std::string_view text_;
   VtuArrays arrays_;
+  std::int64_t left_over_ = 0;  // of the connectivity
   std::vector<Vec3> points_;
   std::map<double, std::vector<Loop>> cells_;  // faces, by element
   std::vector<Loop> heap_;

@@ -22,7 +22,8 @@ struct FileSolid {
 
 struct StoneFile {
   std::vector<FileSolid> solids;
-  std::vector<std::string> notes;  // descriptions of content that was left out
+  std::vector<std::string> notes;   // descriptions of content that was left out, and is no stone
+  std::vector<std::string> doubts;  // why the file may be damaged, or hold more stones than were read: findings of `check`
 };
 
 /// Readers take the text of a file; `path` is for messages. Numbers are read as doubles.

@@ -88,7 +88,7 @@ class Import {
     for (std::size_t t = 0; t < case_.stones.size(); ++t) {
       cases::StonesSpec& spec = case_.stones[t];
       if (!spec.stones.empty()) continue;
-      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, spec.notes)) read.push_back({t, std::move(raw)});
+      for (RawStone& raw : raw_stones(spec, table_key(t), case_.folder, {spec.notes, spec.doubts})) read.push_back({t, std::move(raw)});
     }
     to_origin(read);
     for (Item& item : read) {

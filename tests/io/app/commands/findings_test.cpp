@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "tests/io/shell.h"
@@ -124,6 +125,34 @@ at = [0.1, 0.1, 400.0]
   CHECK(has(json, "\"findings\": ["));
   CHECK(has(json, "\"faults\": []"));
   CHECK(has(voussoir("view " + name + " -o " + folder.path("page.html")), "warnings: 7"));
+}
+
+TEST_CASE("doubts about a file of stones are findings: check does not say that there are no faults") {
+  const TempFolder folder;
+  std::string stl = "solid a\n";
+  for (const char* corners : {"0 0 0 0 1 0 1 0 0", "0 0 0 1 0 0 0 0 1", "1 0 0 0 1 0 0 0 1", "0 1 0 0 0 0 0 0 1"}) {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    std::istringstream in(corners);
+    for (std::string x, y, z; in >> x >> y >> z;) stl += "vertex " + x + " " + y + " " + z + "\n";
+    stl += "endloop\nendfacet\n";
+  }
+  const std::string name = written(folder,
+                                   "gravity.settle = false\nmaterials.stone = { density = 2000.0, young = 1e8, poisson = 0.2 }\n[base]\n"
+                                   "[[stones]]\nfile = \"a.stl\"\nunit = \"m\"\n");
+  folder.write("a.stl", stl + "endsolid a\n");
+  CHECK(has(voussoir("check -j 1 " + name), "no faults found"));
+  folder.write("a.stl", stl);
+  const Outcome check = voussoir("check -j 1 " + name);
+  CHECK(check.code == 0);
+  CHECK(has(check, "case.toml:5: stones[0].file = \"a.stl\": ends without 'endsolid': it may have been cut"));
+  CHECK(has(check, "warnings: 1"));
+  CHECK(check.text.find("no faults found") == std::string::npos);
+  CHECK(has(voussoir("check -j 1 --format json " + name), "ends without 'endsolid'"));
+  const std::string page = folder.path("page.html");
+  CHECK(has(voussoir("view " + name + " -o " + page), "warnings: 1"));
+  CHECK(shell::text_of(page).find("ends without 'endsolid'") != std::string::npos);
+  folder.write("a.stl", stl.substr(0, stl.rfind("facet normal")));  // no longer closed: refused, and why it may be so
+  CHECK(has(voussoir("view " + name + " --overwrite -o " + page), "ends without 'endsolid'"));
 }
 
 TEST_CASE("check tells of an opening under masonry that nothing carries") {

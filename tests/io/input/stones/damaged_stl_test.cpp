@@ -28,8 +28,8 @@ bool says(const std::string& message, const std::string& words) {
   return message.find(words) != std::string::npos;
 }
 
-bool has_note(const voussoir::cases::Case& c, const std::string& words) {
-  return std::ranges::any_of(c.stones[0].notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
+bool has_doubt(const voussoir::cases::Case& c, const std::string& words) {
+  return std::ranges::any_of(c.stones[0].doubts, [&](const std::string& doubt) { return doubt.find(words) != std::string::npos; });
 }
 
 std::string in_utf16(const std::string& ascii) {
@@ -46,23 +46,29 @@ TEST_CASE("STL, ASCII: capitals, blanks, byte order marks and UTF-16 are read") 
   for (const std::string& text : {plain, in_capitals(plain), "\n\n   " + plain, "\xEF\xBB\xBF" + plain, in_utf16(plain)}) {
     const auto c = load(folder.write("a.stl", text));
     CHECK(c.stones[0].stones.size() == 2);
-    CHECK(!has_note(c, "cut"));
+    CHECK(c.stones[0].doubts.empty());
   }
   const auto cut = load(folder.write("a.stl", plain.substr(0, plain.rfind("endsolid"))));
-  CHECK(has_note(cut, "ends without 'endsolid'"));
+  CHECK(has_doubt(cut, "ends without 'endsolid'"));
+  const std::size_t end = plain.rfind("endsolid");
+  const auto torn =
+      load(folder.write("a.stl", stl({kTwo[0]}, true).substr(0, stl({kTwo[0]}, true).rfind("endsolid")) + stl({kTwo[1]}, true)));
+  CHECK(has_doubt(torn, "before 'endsolid' of the last: lines may be missing"));
+  const auto odd = load(folder.write("a.stl", plain.substr(0, end) + "vortex 1 2 3\n" + plain.substr(end)));
+  CHECK(has_doubt(odd, "left out: 1 line that is not of STL, the first with 'VORTEX' in line "));
 }
 
-TEST_CASE("STL, binary: what head and length disagree on is taken with a note where all is there") {
+TEST_CASE("STL, binary: what head and length disagree on is taken with a doubt where all is there") {
   const TempFolder folder;
   const std::string plain = stl(kTwo, false);
   for (const std::uint32_t count : {0U, 4294967295U}) {
     const auto c = load(folder.write("a.stl", with_count(plain, count)));
     CHECK(c.stones[0].stones.size() == 2);
-    CHECK(has_note(c, "its head says " + std::to_string(count) + " triangles, its length holds 24: taken are the 24"));
+    CHECK(has_doubt(c, "its head says " + std::to_string(count) + " triangles, its length holds 24: taken are the 24"));
   }
   const auto c = load(folder.write("a.stl", plain + "0123456789"));
   CHECK(c.stones[0].stones.size() == 2);
-  CHECK(has_note(c, "its length holds 24 and 10 bytes: the bytes behind the last triangle are passed over"));
+  CHECK(has_doubt(c, "its length holds 24 and 10 bytes: the bytes behind the last triangle are passed over"));
 }
 
 TEST_CASE("STL, binary: a file that was cut or damaged is refused with both counts") {
