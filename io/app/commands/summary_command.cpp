@@ -15,10 +15,10 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
-#include "io/app/session/stop_words.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/measures_file.h"
+#include "io/output/measures/place_in_run.h"
 #include "io/output/results/case_of_run.h"
 
 namespace voussoir::io {

@@ -6,15 +6,8 @@
 
 #include "cases/case.h"
 
-/// Position of an unfinished run in its plan, in words.
+/// What is told of a run that was stopped.
 namespace voussoir::io {
-
-/// The stage of a run at a time [s]: "settling", "shaking", or the kind of its quasi-static analysis.
-std::string stage_at(const cases::Case& c, double time);
-
-/// Position in the run: "at 1.250 of 10 s, shaking"; "at -0.300 s, settling: the shaking of 10 s has not begun"; "at 12.500 s, pushover, of
-/// 300 s at most".
-std::string place_in_run(const cases::Case& c, double time);
 
 /// Lines for a run stopped by a signal: its position, that its figures are not those of a complete run, and how to continue it.
 std::string stop_lines(const cases::Case& c, double time, int signal, const std::string& folder);

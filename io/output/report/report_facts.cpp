@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/message.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
@@ -20,6 +21,7 @@
 #include "io/input/motion/spectra/intensity.h"
 #include "io/output/measures/building.h"
 #include "io/output/measures/measures_file.h"
+#include "io/output/measures/place_in_run.h"
 #include "io/output/replay/frame_reader.h"
 #include "io/output/report/report_capacity.h"
 #include "io/output/report/report_plots.h"
@@ -274,6 +276,14 @@ std::optional<LoadedCase> case_of(const Hdf5File& file) {
   }
 }
 
+/// Where a run stands that is not at its end, and why it was lost if it was, in the words of `voussoir summary`.
+void add_place(const Hdf5File& file, const std::optional<LoadedCase>& c, double last_frame, Json& summary) {
+  if (summary.value("finished", 0.0) != 0.0) return;
+  const double end = summary.value("end_time", last_frame);
+  summary["place"] = c ? place_in_run(c->value, end) : geometry::printed("at %.3f s", end);
+  if (file.has_attribute("/summary", "failure")) summary["failure"] = file.attribute_text("/summary", "failure");
+}
+
 /// Numbers the parts of the building in order of their first element.
 std::vector<std::int32_t> number_parts(const Hdf5File& file, Json& facts) {
   std::map<std::string, std::int32_t> numbers;
@@ -319,7 +329,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
               {"finished", "collapsed", "first_crack_time", "fallen_mass_fraction", "end_time", "tension", "shear", "compression",
                "slipped", "first_tension", "first_shear", "first_compression", "settling_tension", "settling_shear", "settling_compression",
                "settling_slipped", "peak_base_shear", "peak_speed", "worst_residual"});
-  facts["summary"].update(texts(file, "/summary", {"failure"}));
+  add_place(file, c, frames.times().empty() ? 0.0 : frames.times().back(), facts["summary"]);
   facts["provenance"] = texts(file, "/provenance", {"version", "compiler", "cpu", "started", "ended"});
   facts["provenance"].update(numbers(file, "/provenance", {"threads", "wall_clock"}));
   facts["times"] = frames.times();

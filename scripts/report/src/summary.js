@@ -33,14 +33,17 @@ function penetration(m) {
   ];
 }
 
+/** What a run that is not at its end has come to: [in a word, where and why]. */
+const runEnd = (s) => [s.failure ? "lost" : "not finished", [s.place, s.failure].filter(Boolean).join(": ")];
+
 /** What stands in large type: [name, value, small print]. */
 function keys({ facts }) {
   const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
   return [
-    s.failure !== undefined && ["Run lost", seconds(s.end_time ?? last ?? 0), `${s.failure}; figures are those up to there`],
+    !s.finished && ["Run", ...runEnd(s)],
     ...capacityKeys(facts.capacity),
     g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
-    ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `so far, at ${seconds(last ?? 0)}`],
+    ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `${s.failure ? "up to where the run was lost" : "so far"}, at ${seconds(s.end_time ?? last ?? 0)}`],
     ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
     ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : m?.settling_cracks > 0 ? "cracks from settling alone" : "no crack"],
   ].filter(Boolean);
@@ -72,7 +75,7 @@ function provenance({ facts, frames }) {
   const s = facts.summary, p = facts.provenance;
   return [
     ["Elements", count(frames.n)],
-    ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : s.failure !== undefined ? "lost" : "not finished; voussoir resume goes on"],
+    ["Run", s.finished ? `finished at ${seconds(s.end_time)}` : runEnd(s).join(" ")],
     s.worst_residual !== undefined && ["Energy residual, worst", s.worst_residual.toExponential(1)],
     p.version && ["Voussoir", p.version],
     p.compiler && ["Compiler", p.compiler],

@@ -59,6 +59,10 @@ TEST_CASE("a run that is stopped says where, in which stage, and how it goes on"
   const Outcome json = voussoir("summary --format json " + folder.path("shaking"));
   CHECK(has(json, "\"stage\": \"shaking\""));
   CHECK(has(json, "\"planned_end\": 100000.0"));
+  REQUIRE(voussoir("report " + folder.path("shaking")).code == 0);
+  const std::string page = shell::text_of(folder.path("shaking") + "/report.html");
+  CHECK(page.find(" of 100000 s, shaking\"}") != std::string::npos);
+  CHECK(page.find("\"failure\"") == std::string::npos);
   const Outcome settling = stopped("settling", " --set gravity.settle=true --set gravity.ramp=900", "TERM");
   CHECK(has(settling, "code 143"));
   CHECK(has(settling, "stopped              at -"));
@@ -83,8 +87,10 @@ TEST_CASE("the summary of a run that was lost says so, when and why, and has its
   CHECK(has(summary, "figures are those up to there"));
   CHECK(summary.text.find("not finished") == std::string::npos);
   CHECK(has(voussoir("summary --format json " + folder.path("lost")), "\"failure\": \""));
-  CHECK(voussoir("report " + folder.path("lost") + " -o " + folder.path("lost.html")).code == 0);
-  CHECK(shell::text_of(folder.path("lost.html")).find("\"failure\":\"") != std::string::npos);
+  REQUIRE(voussoir("report " + folder.path("lost")).code == 0);
+  const std::string page = shell::text_of(folder.path("lost") + "/report.html");
+  CHECK(page.find("\"place\":\"at 0.") != std::string::npos);
+  CHECK(page.find(" of 10 s, shaking\",\"failure\":\"") != std::string::npos);
 }
 
 TEST_CASE("check counts findings, lists them as JSON, and says that there are no faults only without them") {
