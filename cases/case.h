@@ -125,6 +125,7 @@ struct Contact {
   std::vector<ContactRule> between;  // each pair of materials at most once
   double damping = 1.0;              // h_n = h_s
   Dashpots dashpots = Dashpots::bounded;
+  std::optional<double> restitution;  // of free bodies; none: that of the dashpots
   ContactNormal normal = ContactNormal::slave;
   double compression = 0.0;           // Pa; 0: contacts bear any pressure
   double crushing_energy = 0.0;       // J/m2, beyond the work of the residual; 0: the strength does not fall

@@ -56,7 +56,8 @@ VOUSSOIR_INLINE FacingLanes facing_lanes(const Facing& f, const Mat3& d, double 
 
 /// Traction and slip of the points of a chunk that touch one face: the law of `touch` in reference/contact_patch.cpp. Points inside the
 /// body but above their offset carry no force and lose their slip.
-VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine,
+/// \param cn  normal dashpots of the points
+VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, ContactPoints q, int i, LaneMask mine, Lanes cn,
                            Touching& sum) noexcept {
   PointSprings& k = q.springs_at(i);
   const Lanes zero{}, one = lanes(1.0), s = load_lanes(p.s + i), t = load_lanes(p.t + i), da = f.factor * load_lanes(p.area + i);
@@ -69,7 +70,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   const VecLanes carried = body + g.d * body;
   const VecLanes before = carried - dot(carried, g.n) * g.n, du = lanes(g.step) * vt;
   VecLanes x = before + du;
-  const Lanes dn = min(f.k.cn * vn, f.excess - f.k.kn * xn);
+  const Lanes dn = min(cn * vn, f.excess - f.k.kn * xn);
   const Lanes limit = max(-(f.k.kn * xn + dn) * f.tan_phi, zero), limit2 = limit * limit;
   Lanes spring2 = f.k.ks * f.k.ks * dot(x, x);
   const LaneMask cut = closed & (spring2 > limit2);
@@ -113,6 +114,16 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   }
 }
 
+/// Presses in the points `mine` of a chunk, which touch one face, or lets them come out. \return their normal dashpots
+[[gnu::noinline]] Lanes press(Work& w, const Facing& f, int i, unsigned mine) noexcept {
+  Lanes cn{};
+  for (; mine != 0; mine &= mine - 1) {
+    const int l = std::countr_zero(mine), k = i + l;
+    if (press_point(f, w.points.s[k], w.points.t[k], w.points.area[k], w.q, k, w.o, w.r)) cn[l] = f.k.cn;
+  }
+  return cn;
+}
+
 /// Forces of the points in the range of a candidate that touch one of its faces.
 void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face, Touching& sum) noexcept {
   const FacingLanes g = facing_lanes(f, w.m.pose.d, w.o.step);
@@ -120,7 +131,7 @@ void touch_face(Work& w, const Facing& f, const Candidate& c, std::int32_t face,
     const LaneMask mine = equal(w.q.partner + i, c.element) & equal(w.q.face + i, face);
     if (bits(mine) == 0) continue;
     if (w.q.crushed != nullptr) crush(w, f, i, bits(mine));
-    touch(f, g, w.points, w.q, i, mine, sum);
+    touch(f, g, w.points, w.q, i, mine, w.q.pressed == nullptr ? lanes(f.k.cn) : press(w, f, i, bits(mine)), sum);
   }
 }
 

@@ -69,6 +69,7 @@ struct ContactPoints {
   std::int32_t* face = nullptr;     // index in the table of faces, of the partner; kNoFace: inside but carries no force
   PointSprings* springs = nullptr;
   double* crushed = nullptr;  // m, by point, crushed depth; nullptr: contacts bear any pressure
+  double* pressed = nullptr;  // m, by point, how far it is pressed in (kernels/laws/restitution.h); nullptr: contact.restitution is off
 
   /// Closure of a free point [m]: minus its crushed depth.
   [[nodiscard]] double recess(int i) const noexcept { return crushed == nullptr ? 0.0 : -crushed[i]; }
@@ -115,6 +116,7 @@ struct ContactOptions {
   bool crossed_faces = true;
   Crushing crushing{};
   double dashpot_excess = kBounded;  // kBounded or kUnbounded
+  double restitution = 0.0;          // of free bodies; 0: that of the dashpots
 };
 
 /// Constants of a body.

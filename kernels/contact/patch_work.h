@@ -7,6 +7,7 @@
 
 #include "geometry/nth.h"
 #include "kernels/contact/contact_patch.h"
+#include "kernels/laws/restitution.h"
 
 /// Parts shared by the kernel of free patches and its plain twin: geometry of a patch against a candidate, and the choice of partners.
 namespace voussoir::kernels {
@@ -103,6 +104,7 @@ inline void release(ContactPoints q, int i) noexcept {
   q.face[i] = kNoFace;
   q.set_slip(i, {});
   q.closure(i) = q.recess(i);
+  if (q.pressed != nullptr) q.pressed[i] = 0.0;
 }
 
 /// Stiffness and damping between the patch and one face: Eqs. 2, 9, 10, THEORY.md (4), (20).
@@ -183,6 +185,23 @@ inline void crush_point(const Facing& f, double s, double t, double area, Contac
   r.fracture += f.factor * area * lost_by_crushing(xn, by, du, f.k.kn);
   q.crushed[i] += by;
   q.closure(i) -= by;
+}
+
+/// Moves the closure of point i, which touches, as far as it is pressed in or comes out again, before the law of contact is applied
+/// (kernels/laws/restitution.h). Never beyond where a point begins a contact: one that comes from a joint may have its offset outside.
+/// \return whether its normal dashpot acts: it closes and has been deeper
+inline bool press_point(const Facing& f, double s, double t, double area, ContactPoints q, int i, const ContactOptions& o,
+                        PatchResult& r) noexcept {
+  const double depth = f.depth.at(s, t), xn = depth - q.closure(i), before = q.pressed[i], p = before - xn;
+  const double vn = dot(f.v0 + s * f.vs + t * f.vt, f.n);
+  const bool deeper = was_deeper(p, before, o.restitution);
+  q.pressed[i] = pressed_at(p, before, o.restitution);
+  const double by = std::max(q.pressed[i] - before, std::min(0.0, q.closure(i) - q.recess(i)));
+  if (by != 0.0) {
+    r.impact += f.factor * area * lost_by_crushing(xn, by, o.step * vn, f.k.kn);
+    q.closure(i) -= by;
+  }
+  return deeper && vn < 0.0 && xn + by < 0.0;
 }
 
 /// Data shared by all passes of one advance_patch call.

@@ -79,7 +79,10 @@ bool evaluate(Work& w, std::int32_t k, PairWrench& wrench) noexcept {
       f = facing(w.patch, w.m, y, c, face, w.bodies, w.faces, w.o);
     }
     if (w.q.crushed != nullptr) crush_point(f, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o, w.r);
+    const double cn = f.k.cn;
+    if (w.q.pressed != nullptr && !press_point(f, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o, w.r)) f.k.cn = 0.0;
     touch(f, w.m.pose, w.points.s[i], w.points.t[i], w.points.area[i], w.q, i, w.o.step, total, dash, w.r);
+    f.k.cn = cn;
   }
   if (face == kNoFace) return false;
   const Vec3 arm_b = (w.m.ref - reference(w.bodies, c.element)) + (w.m.centre - load_pose(w.bodies.pose, c.element).u);

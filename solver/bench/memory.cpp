@@ -38,7 +38,7 @@ std::size_t bytes_of(const Sides& s) {
 }
 
 std::size_t bytes_of(const Patches& p) {
-  return bytes(p.patch, p.element, p.from_side, p.mastered, p.partner, p.face, p.crushed) + in_use(p.springs);
+  return bytes(p.patch, p.element, p.from_side, p.mastered, p.partner, p.face, p.crushed, p.pressed) + in_use(p.springs);
 }
 
 std::size_t bytes_of(const Contacts& c) {

@@ -10,6 +10,7 @@
 
 #include "geometry/nth.h"
 #include "kernels/laws/contact_law.h"
+#include "kernels/laws/restitution.h"
 
 namespace voussoir::solver {
 
@@ -202,6 +203,15 @@ kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kerne
   return parting(ahead, m) < parting(now, m) ? ahead : now;
 }
 
+/// With contact.restitution: presses the spring in, or lets it come out again, and takes the normal dashpot away but where the bodies close
+/// and have been deeper. \param over  m, overlap beyond the allowed one \param vn  m/s, at which the bodies part
+void press(const World& w, double over, double vn, OverlapSpring& s, kernels::Stiffness& k) {
+  const double e = w.contact.restitution;
+  if (e == 0.0) return;
+  if (!(vn < 0.0 && kernels::was_deeper(over, s.from, e))) k.cn = 0.0;
+  s.from = kernels::pressed_at(over, s.from, e);
+}
+
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
 OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& at, double share) {
   OverlapSpring s;
@@ -215,6 +225,7 @@ OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, 
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
   const double over = at.depth - allowed_overlap(w, s.a, s.b);
   s.from = goes_on ? std::min(last.from, over) : there_before(over, step * dot(rate, at.normal));
+  press(w, over, dot(rate, at.normal), s, k);
   const double xn = s.from - over;
   const kernels::ContactStep c =
       kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step, w.contact.dashpot_excess);

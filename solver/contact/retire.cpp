@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/nth.h"
+#include "kernels/laws/restitution.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/setup/setup.h"
@@ -82,6 +83,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
     const auto [n, lost] = kernels::left_to_patch(*s.laws, u.n - q.closure(k), s.k.kn);
     w.sides.impact[i] += da * lost;
     to.closure(k) = depth - n;
+    if (to.pressed != nullptr) to.pressed[k] = kernels::pressed_at_closure(-n, w.contact.restitution);
     patch.stored += 0.5 * da * (kernels::patch_stiffness(*s.laws, s.k.kn) * n * n + s.k.ks * (x1 * x1 + x2 * x2));
     ++patch.touching;
   }

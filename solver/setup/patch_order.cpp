@@ -77,7 +77,9 @@ void sort_patches(World& w) {
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p.element[a] < p.element[b]; });
   const std::vector<std::int64_t> ends = ends_of_points(p);
   for (auto* column : {&p.partner, &p.face}) reorder_points(*column, ends, order, w.team);
-  if (!p.crushed.empty()) reorder_points(p.crushed, ends, order, w.team);
+  for (auto* column : {&p.crushed, &p.pressed}) {
+    if (!column->empty()) reorder_points(*column, ends, order, w.team);
+  }
   reorder_springs(p.springs, ends, order);
   reorder(p.patch, order, w.team);
   reorder(p.element, order, w.team);

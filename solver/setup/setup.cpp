@@ -51,6 +51,7 @@ void append_patch(World& w, const kernels::Patch& patch, std::int32_t set, std::
   p.face.resize(end, kernels::kNoFace);
   p.springs.resize(end / kernels::kWidth);
   if (w.contact.crushing.on()) p.crushed.resize(end, 0.0);
+  if (w.contact.restitution > 0.0) p.pressed.resize(end, 0.0);
 }
 
 void reserve_patches(World& w, std::size_t patches, std::size_t points) {
@@ -138,6 +139,7 @@ void set_up_friction(World& w, const cases::Case& c) {
   w.contact.crossed_faces = m.assembly.rule == geometry::SegmentRule::centres;
   w.contact.crushing = crushing_of(c.contact);
   w.contact.dashpot_excess = dashpot_excess(c.contact);
+  w.contact.restitution = c.contact.restitution.value_or(0.0);
 }
 
 void set_up_laws(World& w, const cases::Case& c) {

@@ -86,6 +86,8 @@ kernels::Face face_of(const geometry::Face& face, const cases::Block& block, con
 
 }  // namespace
 
+double share_of_bound(const cases::Case& c) noexcept { return c.contact.restitution ? kImpactShare : 1.0; }
+
 double choose_step(const cases::Case& c, const Options& o, double bound) {
   if (o.step || c.time.step) {
     const double step = o.step ? *o.step : *c.time.step;
@@ -94,7 +96,7 @@ double choose_step(const cases::Case& c, const Options& o, double bound) {
   }
   if (!std::isfinite(bound)) return c.output.history_interval;  // nothing moves but what is fixed
   const double cycle = c.time.multirate;                        // whole cycles
-  return c.output.history_interval / (cycle * std::ceil(c.output.history_interval / (cycle * 0.995 * bound)));
+  return c.output.history_interval / (cycle * std::ceil(c.output.history_interval / (cycle * 0.995 * share_of_bound(c) * bound)));
 }
 
 void set_up_elements(World& w, const cases::Case& c) {

@@ -22,13 +22,13 @@ std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
   return every;
 }
 
-/// By row: the highest level whose step Eq. 19 allows the element.
-std::vector<std::uint8_t> own_levels(const World& w) {
+/// By row: the highest level whose step Eq. 19 allows the element. \param share  of its bound
+std::vector<std::uint8_t> own_levels(const World& w, double share) {
   const std::vector<std::int32_t>& every = w.multirate.every;
   std::vector<std::uint8_t> level(static_cast<std::size_t>(w.elements.rows), static_cast<std::uint8_t>(every.size() - 1));
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
     if (w.elements.fixed[e]) continue;
-    const double bound = cases::step_bound(w.model, e).step;
+    const double bound = share * cases::step_bound(w.model, e).step;
     while (level[e] > 0 && bound < every[level[e]] * w.dt * (1.0 - 1e-9)) --level[e];
   }
   return level;
@@ -84,7 +84,7 @@ void set_up_multirate(World& w, const cases::Case& c) {
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)
     throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + "; allowed: 1, 2, 4, 8");
-  m.own = own_levels(w);
+  m.own = own_levels(w, share_of_bound(c));
   m.of_joints = levels_of_joints(m.own, joined_pairs(w));
   m.of_contacts = m.of_joints;
   const auto rows = static_cast<std::size_t>(w.elements.rows);

@@ -118,6 +118,7 @@ void add_patches(Table& t, World& w) {
             field("point_partner", "-", "point", p.partner, -1, elements - 1), field("point_face", "-", "point", p.face, -1, faces - 1),
             of_points("point_slip_x", springs.slip_x), of_points("point_slip_y", springs.slip_y), of_points("point_slip_z", springs.slip_z),
             of_points("point_closure", springs.closure)});
+  if (w.contact.restitution > 0.0) t.push_back(field("point_pressed", "m", "point", p.pressed));
   if (!w.contact.crushing.on()) return;
   t.push_back(of_patch("patch_fracture", "J", &first.fracture));
   t.push_back(field("point_crushed", "m", "point", p.crushed));

@@ -31,6 +31,7 @@ struct Patches {
   Array<std::int32_t> partner, face;
   ZeroArray<kernels::PointSprings> springs;  // of kWidth points each
   Array<double> crushed;                     // m; empty: contacts bear any pressure
+  Array<double> pressed;                     // m; empty: contact.restitution is off
 
   [[nodiscard]] kernels::ContactPoints points(std::int64_t p) noexcept;
 };

@@ -104,8 +104,8 @@ const ZeroArray<double>* Sides::state_of_law(std::string_view name) const noexce
 
 kernels::ContactPoints Patches::points(std::int64_t p) noexcept {
   const auto at = static_cast<std::size_t>(nth(patch, p).first_point);
-  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth,
-          crushed.size() == 0 ? nullptr : crushed.data() + at};
+  const auto optional = [&](Array<double>& x) { return x.size() == 0 ? nullptr : x.data() + at; };
+  return {partner.data() + at, face.data() + at, springs.data() + at / kernels::kWidth, optional(crushed), optional(pressed)};
 }
 
 }  // namespace voussoir::solver

@@ -45,6 +45,7 @@ struct Twin {
   std::vector<std::int32_t> partner = std::vector<std::int32_t>(kPadded, kernels::kNobody),
                             face = std::vector<std::int32_t>(kPadded, kernels::kNoFace);
   std::vector<double> crushed{};  // m, by point; empty: contacts bear any pressure
+  std::vector<double> pressed{};  // m, by point; empty: no contact.restitution
   kernels::Patch patch;
   std::vector<kernels::Candidate> candidates{{1, 6, 6}, {2, 12, 1}};
   kernels::PairWrench wrench[2];
@@ -69,7 +70,8 @@ struct Twin {
     std::vector<double> depth(kPadded);
     std::vector<std::int32_t> candidate(kPadded), new_face(kPadded);
     std::vector<kernels::PlaneField> planes(6);
-    const kernels::ContactPoints points{partner.data(), face.data(), springs.data(), crushed.empty() ? nullptr : crushed.data()};
+    const kernels::ContactPoints points{partner.data(), face.data(), springs.data(), crushed.empty() ? nullptr : crushed.data(),
+                                        pressed.empty() ? nullptr : pressed.data()};
     last = advance(patch, {s.data(), t.data(), area.data(), kPoints}, points, last.touching, candidates, bodies, bricks.faces.data(), o,
                    {depth.data(), candidate.data(), new_face.data(), planes.data()}, wrench, on);
   }
@@ -167,6 +169,43 @@ TEST_CASE("vector and plain patches crush the same way, and what is crushed stay
   }
   CHECK(crushed > 50);
   CHECK(recessed > 500);
+}
+
+TEST_CASE("vector and plain patches give back the same share of an impact, and a point that lets go forgets how it was pressed") {
+  const Bricks bricks;
+  int pressed = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
+    for (Twin* t : {&fast, &plain}) {
+      t->pressed.assign(kPadded, 0.0);
+      if (seed % 3 == 0) t->crushed.assign(kPadded, 0.0);
+    }
+    kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
+    o.restitution = 0.2 * static_cast<double>(1 + seed % 5);
+    if (seed % 3 == 0) o.crushing = {.strength = 3e4, .depth = 2e-4};
+    Noise noise(200 + seed);
+    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
+      w = 0.99 * w + noise.vector(3e-2);
+      u = u + kStep * v, turn = turn + kStep * w;
+      TwoBodies b;
+      b.place(0, u, turn), b.move(0, v, w);
+      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
+      fast.step(b, bricks, o), plain.step(b, bricks, o);
+      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
+      compare(fast, plain, unit);
+      lost_fast += fast.last.impact, lost_plain += plain.last.impact;
+      for (std::size_t p = 0; p < kPoints; ++p) {
+        REQUIRE(fast.pressed[p] == doctest::Approx(plain.pressed[p]).epsilon(1e-8).scale(1e-6));
+        if (plain.partner[p] == kernels::kNobody) REQUIRE(plain.pressed[p] == 0.0);
+        pressed += plain.pressed[p] > 0.0;
+      }
+    }
+    CHECK(lost_fast == doctest::Approx(lost_plain).epsilon(1e-7).scale(1e-4));
+  }
+  CHECK(pressed > 5000);
 }
 
 TEST_CASE("a patch keeps the stiffness of its broken joint against the face it was joined to, and against no other") {

@@ -168,6 +168,9 @@ Table<Contact> contact_table() {
                                           {{"bounded", Dashpots::bounded}, {"unbounded", Dashpots::unbounded}},
                                           "bounded: spring and dashpot together never pull and never exceed friction; unbounded: the whole "
                                           "dashpot acts while faces touch"),
+       value<S>("restitution", &S::restitution, "", from_above(0.0, 1.0).usually(usual::kRestitution),
+                "normal speed at which free bodies part over that at which they meet, at the point of contact; their normal dashpots then "
+                "act only where a point is pressed again that has been deeper, joints keep theirs; none: that of the dashpots"),
        choice<S, ContactNormal S::*, ContactNormal>(
            "normal", &S::normal, "", {{"slave", ContactNormal::slave}, {"master", ContactNormal::master}}, "whose face gives the normal"),
        value<S>("compression", &S::compression, "Pa", at_least(0.0).usually(usual::kCompression),

@@ -29,6 +29,7 @@ inline constexpr Usual kVariation{0.005, 1.0};      // a ratio, no per cent
 inline constexpr Usual kCrushing{1.0, 1e8};         // J/m2
 inline constexpr Usual kCrushed{1e-5, 0.2};         // m
 inline constexpr Usual kDashpot{0.001, 10.0};       // of critical
+inline constexpr Usual kRestitution{0.05, 1.0};     // below, the springs of a contact are 400 times softer than its elements
 
 // Time and damping.
 inline constexpr Usual kRatio{1e-4, 0.2};        // fraction of critical, no per cent

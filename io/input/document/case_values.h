@@ -71,6 +71,12 @@ inline Limits inside(double low, double high) {
   l.low_open = true;
   return l;
 }
+/// (low, high]
+inline Limits from_above(double low, double high) {
+  Limits l;
+  l.low = low, l.high = high, l.low_open = true;
+  return l;
+}
 /// [low, high]
 inline Limits within(double low, double high) {
   Limits l;

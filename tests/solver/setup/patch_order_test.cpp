@@ -34,12 +34,14 @@ double stamp(const solver::Patches& p, std::size_t i) {
 }
 
 double& crushed_of(solver::Patches& p, std::size_t i, int k) { return p.points(static_cast<std::int64_t>(i)).crushed[k]; }
+double& pressed_of(solver::Patches& p, std::size_t i, int k) { return p.points(static_cast<std::int64_t>(i)).pressed[k]; }
 
 }  // namespace
 
 TEST_CASE("free patches sorted by element keep what is theirs, and a state that holds them is restored") {
   cases::Case c = small_wall(4, 8);
   c.contact.compression = 2e4, c.contact.residual_compression = 4e3, c.contact.crushing_energy = 2.0, c.contact.crushing_depth = 2e-3;
+  c.contact.restitution = 0.5;
   const cases::Model m = cases::build_model(c);
   solver::Simulation sim(c, m, {}, {});
   solver::World& w = sim.world();
@@ -50,8 +52,10 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
   const std::size_t count = p.patch.size();
   for (std::size_t i = 0; i < count; ++i) {
     p.patch[i].stored = stamp(p, i);
-    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k)
-      p.points(static_cast<std::int64_t>(i)).set_slip(k, {stamp(p, i) + k, 0.0, 0.0}), crushed_of(p, i, k) = 2.0 * stamp(p, i) + k;
+    for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k) {
+      p.points(static_cast<std::int64_t>(i)).set_slip(k, {stamp(p, i) + k, 0.0, 0.0});
+      crushed_of(p, i, k) = 2.0 * stamp(p, i) + k, pressed_of(p, i, k) = 3.0 * stamp(p, i) + k;
+    }
   }
   solver::sort_patches(w);
   REQUIRE(p.patch.size() == count);
@@ -61,6 +65,7 @@ TEST_CASE("free patches sorted by element keep what is theirs, and a state that 
     for (int k = 0; k < w.points.count[static_cast<std::size_t>(p.patch[i].set)]; ++k) {
       CHECK(p.points(static_cast<std::int64_t>(i)).slip(k).x == stamp(p, i) + k);
       CHECK(crushed_of(p, i, k) == 2.0 * stamp(p, i) + k);
+      CHECK(pressed_of(p, i, k) == 3.0 * stamp(p, i) + k);
     }
   }
   solver::search_all(w);

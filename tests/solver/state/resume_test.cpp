@@ -131,6 +131,17 @@ void check_same(const Outcome& a, const Outcome& b) {
 
 }  // namespace
 
+TEST_CASE("with contact.restitution a run that is stopped and gone on with by another number of threads has the same bits") {
+  cases::Case c = everything();
+  c.contact.restitution = 0.4;
+  const Outcome straight = run_with_stops(c, {}, {1});
+  const auto pressed = straight.state.find("point_pressed");
+  REQUIRE(pressed != straight.state.end());
+  CHECK(std::ranges::any_of(pressed->second.bytes, [](auto byte) { return byte != decltype(byte){}; }));
+  MESSAGE("residual ", straight.summary.worst_residual, ", without ", run_with_stops(everything(), {}, {1}).summary.worst_residual);
+  check_same(straight, run_with_stops(c, {1500, 2500, 3300}, {2, 1}));
+}
+
 TEST_CASE("a run that is stopped and gone on with has the bits of one that is not, in settling, cracking and collapse") {
   const cases::Case c = everything();
   const Outcome straight = run_with_stops(c, {}, {1});

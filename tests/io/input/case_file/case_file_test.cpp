@@ -66,6 +66,7 @@ TEST_CASE("case file: every key of the analysis is read") {
   CHECK(c.contact.damping == 0.5);
   CHECK(c.contact.normal == cases::ContactNormal::master);
   CHECK(c.contact.dashpots == cases::Dashpots::unbounded);
+  CHECK(c.contact.restitution == 0.6);
   CHECK(c.contact.compression == 6.5e6);
   CHECK(c.contact.crushing_energy == 4000.0);
   CHECK(c.contact.residual_compression == 7.0e5);
