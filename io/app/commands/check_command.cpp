@@ -31,8 +31,10 @@
 #include "io/input/motion/motion_files.h"
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "solver/contact/head_on.h"
 #include "solver/run/simulation.h"
 #include "solver/setup/laws/optional_laws.h"
+#include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -144,6 +146,20 @@ void print_friction(const cases::Contact& c) {
   std::printf("\n");
 }
 
+/// What impacts of free bodies give back: the given share, or that of the dashpots at this step for an example.
+void print_restitution(const cases::Census& n, const cases::Model& m, const solver::World& w) {
+  const auto e = static_cast<std::size_t>(n.step_element);
+  const double given = w.contact.restitution, most = solver::kImpactShare * n.step_bound;
+  if (given == 0.0) {
+    std::printf("restitution              %.2f by the dashpots at this step, where %s and its like meet with face %d\n",
+                solver::restitution_of(solver::head_on(w, n.step_element, n.step_face)), cases::describe(m.blocks[e], e).c_str(),
+                n.step_face);
+    return;
+  }
+  std::printf("restitution              %s of free bodies; for it \"auto\" takes steps of %s of the bound%s\n", cases::text(given).c_str(),
+              cases::text(solver::kImpactShare).c_str(), w.dt > most ? ", this one is longer: less exact" : "");
+}
+
 void print_step(const cases::Census& n, const cases::Model& m, const solver::World& w) {
   if (n.step_element < 0) return;
   const double dt = w.dt;
@@ -151,6 +167,7 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
               cases::describe(m.blocks[e], e).c_str());
   std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
+  print_restitution(n, m, w);
   const solver::Multirate& rates = w.multirate;
   if (rates.wanted == 1) return;
   const auto elements = std::span(rates.of_joints).first(static_cast<std::size_t>(n.elements));
