@@ -10,7 +10,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kPatchesAtATime = 256, kElementsAtATime = 512;
+constexpr std::int64_t kPatchesGathered = 256, kElementsGathered = 512;
 constexpr std::int64_t kRoom = 8;  // slots of sides that retire before the lists are made again, for each element that may have some
 
 /// One of several parts of the active patches, about as many slots in each: [first, last).
@@ -71,7 +71,7 @@ void find_levels(World& w) {
       if (c.place[code] >= 0) nth(c.gather_level, c.place[code]) = c.level[a];
     }
   };
-  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
+  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kPatchesGathered, [&](std::int64_t first, std::int64_t last) {
     for (std::int64_t a = first; a < last; ++a) find(static_cast<std::size_t>(a));
   });
   c.patches.sort(c.level, levels);
@@ -108,7 +108,7 @@ void build_gather(World& w) {
     });
   };
   const auto each_element = [&](auto work) {
-    w.team.share_out(n, kElementsAtATime, [&](std::int64_t first, std::int64_t last) {
+    w.team.share_out(n, kElementsGathered, [&](std::int64_t first, std::int64_t last) {
       for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) work(e);
     });
   };
