@@ -91,7 +91,8 @@ using Ranges = std::array<Range, 3>;
 
 void add(Ranges& ranges, Vec3 v) { ranges[x].add(v.x), ranges[y].add(v.y), ranges[z].add(v.z); }
 
-/// A block in its box, before it is turned. No bits of the model depend on more than whether the origin is zero and on its metres.
+/// Adds the corners of the box around a block, turned as the block is. Round-off here does not matter: the origin is a whole number of
+/// metres.
 void add_turned(const BlockSpec& block, Ranges& ranges) {
   Ranges own;
   each_of_block(block, "", [&](double v, std::size_t axis, const std::string&) { own[axis].add(v); });

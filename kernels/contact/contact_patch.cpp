@@ -114,7 +114,7 @@ VOUSSOIR_INLINE void touch(const Facing& f, const FacingLanes& g, PointsView p, 
   }
 }
 
-/// Presses in the points `mine` of a chunk, which touch one face, or lets them come out. \return their normal dashpots
+/// Updates the indentations of the points `mine` of a chunk, which touch one face. \return their normal dashpots
 [[gnu::noinline]] Lanes press(Work& w, const Facing& f, int i, unsigned mine) noexcept {
   Lanes cn{};
   for (; mine != 0; mine &= mine - 1) {

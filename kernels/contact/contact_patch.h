@@ -69,7 +69,7 @@ struct ContactPoints {
   std::int32_t* face = nullptr;     // index in the table of faces, of the partner; kNoFace: inside but carries no force
   PointSprings* springs = nullptr;
   double* crushed = nullptr;  // m, by point, crushed depth; nullptr: contacts bear any pressure
-  double* pressed = nullptr;  // m, by point, how far it is pressed in (kernels/laws/restitution.h); nullptr: contact.restitution is off
+  double* pressed = nullptr;  // m, by point, indentation (kernels/laws/restitution.h); nullptr: contact.restitution is off
 
   /// Closure of a free point [m]: minus its crushed depth.
   [[nodiscard]] double recess(int i) const noexcept { return crushed == nullptr ? 0.0 : -crushed[i]; }

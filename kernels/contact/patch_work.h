@@ -187,9 +187,9 @@ inline void crush_point(const Facing& f, double s, double t, double area, Contac
   q.closure(i) -= by;
 }
 
-/// Moves the closure of point i, which touches, as far as it is pressed in or comes out again, before the law of contact is applied
-/// (kernels/laws/restitution.h). Never beyond where a point begins a contact: one that comes from a joint may have its offset outside.
-/// \return whether its normal dashpot acts: it closes and has been deeper
+/// Updates the indentation of point i, which touches, and moves its closure by the change, before the law of contact is applied
+/// (kernels/laws/restitution.h). The closure recovers no farther than to that of a free point; a point from a joint may begin beyond it.
+/// \return whether the normal dashpot of the point acts: the point closes and has been deeper
 inline bool press_point(const Facing& f, double s, double t, double area, ContactPoints q, int i, const ContactOptions& o,
                         PatchResult& r) noexcept {
   const double depth = f.depth.at(s, t), xn = depth - q.closure(i), before = q.pressed[i], p = before - xn;

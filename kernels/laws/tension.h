@@ -4,7 +4,8 @@
 
 #include "kernels/lanes.h"
 
-/// Eq. 5: a bond fails in tension above f_t, not at it. These places compare a stress with a tensile strength, and no others:
+/// Eq. 5: a bond fails in tension above f_t, not at it. These places in kernels/ compare a stress with a tensile
+/// strength, and no others:
 ///
 ///   decides, by tension_fails
 ///     laws/segment_law.h   advance_segment   breaks the bond
@@ -16,8 +17,9 @@
 ///     certificate.h        certified         of other whole sides, and of those that fail the bound above
 ///     steady_sides.h       stay_steady       of damaged sides in which nothing changes, by the distance that approach (.cpp) has left
 ///
-/// tests/kernels/tension_test.cpp pulls one side at all of them. What reads f_t for other ends: setup/laws/softening.cpp (the energy below
-/// the limit), side_kinds.cpp (which sides are alike), solver/limit/contacts.cpp and case_table_joint_laws.cpp (whether there is any).
+/// tests/kernels/tension_test.cpp pulls one side at all of them. What reads f_t for other ends: solver/setup/laws/softening.cpp (the energy
+/// below the limit), solver/setup/side_kinds.cpp (which sides are alike), solver/limit/contacts.cpp and
+/// io/input/case_file/case_table_joint_laws.cpp (whether there is any).
 namespace voussoir::kernels {
 
 /// \param sigma, limit  Pa: numbers, or several of them

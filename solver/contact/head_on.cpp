@@ -9,10 +9,10 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr int kInstants = 16;           // of the first step inside
+constexpr int kInstants = 16;           // of contact, evenly over a step
 constexpr int kMostSteps = 10'000'000;  // of a contact: ends one that never parts
 
-/// Meeting at a speed of 1 m/s. \param inside  share of a step after which the two touch
+/// Speed of parting [m/s] after an impact at 1 m/s. \param inside  penetration at the end of the step of contact, over the path of a step
 double once(const HeadOn& h, double inside) noexcept {
   double u = inside * h.step, v = -1.0;  // m and m/s, of the gap
   for (int i = 0; i < kMostSteps; ++i) {

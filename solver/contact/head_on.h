@@ -6,7 +6,7 @@
 
 #include "solver/world/world.h"
 
-/// What the dashpots of the paper give back of an impact at a time step: contact.restitution is not given then.
+/// Restitution of a head-on impact with the paper's dashpots at the time step of a run, as without contact.restitution.
 namespace voussoir::solver {
 
 /// Two equal elements that meet face to face, per area of the face.
@@ -18,10 +18,11 @@ struct HeadOn {
   bool bounded = true;     // contact.dashpots
 };
 
-/// An element of the world and its like, which meet with this face of the element.
+/// Two elements equal to this one, which meet with this face. \param face  number of the face in the element
 [[nodiscard]] HeadOn head_on(const World& w, std::int32_t element, std::int32_t face);
 
-/// Speed at which the two part over that at which they meet, by the formulas of the step; mean over the instants at which they may meet.
+/// Speed at which the two part, over the speed at which they meet, by the formulas of the step: the mean over positions of the instant of
+/// contact within a step.
 [[nodiscard]] double restitution_of(const HeadOn& h) noexcept;
 
 }  // namespace voussoir::solver

@@ -5,8 +5,8 @@
 #include "solver/world/stage_order.h"
 #include "solver/world/step_log.h"
 
-/// The step as a list of stages: what each needs, and what it makes. tests/solver/run/step_stages_test.cpp compares the list with the steps
-/// of runs, and with the picture in LIFE_OF_A_STEP.md.
+/// The step as a list of stages: what each needs, and what it makes. Simulation::advance (simulation.cpp) runs them.
+/// tests/solver/run/step_stages_test.cpp compares the list with the steps of runs, and with the picture in LIFE_OF_A_STEP.md.
 namespace voussoir::solver {
 
 namespace made {

@@ -93,6 +93,35 @@ void compare(const Twin& a, const Twin& b, double unit) {
   }
 }
 
+/// Bricks one above the other: the upper one is pulled down, shaken at random, and drifts towards the edge of the lower one and the base
+/// beyond.
+class ShakenBrick {
+ public:
+  explicit ShakenBrick(std::uint64_t seed) : noise_(seed) {}
+
+  /// Both bricks after one more step. \param travel  m, bound on the path of the upper one: grows
+  TwoBodies next(double& travel) {
+    v_ = v_ + noise_.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u_.z};
+    w_ = 0.99 * w_ + noise_.vector(3e-2);
+    u_ = u_ + kStep * v_, turn_ = turn_ + kStep * w_;
+    travel += 1.001 * kStep * (norm(v_) + norm(w_) * norm(Vec3{0.1, 0.05, 0.05}));
+    TwoBodies b;
+    b.place(0, u_, turn_), b.move(0, v_, w_);
+    return b;
+  }
+
+ private:
+  Noise noise_;
+  Vec3 u_{0.0, 0.0, 1e-5}, turn_{}, v_{0.0, 0.0, -0.02}, w_{};
+};
+
+/// A step of both kernels, which must agree. \param unit  N, the largest force so far
+void step_both(Twin& fast, Twin& plain, const TwoBodies& b, const Bricks& bricks, const kernels::ContactOptions& o, double& unit) {
+  fast.step(b, bricks, o), plain.step(b, bricks, o);
+  unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
+  compare(fast, plain, unit);
+}
+
 }  // namespace
 
 TEST_CASE("vector and plain patches go the same way through touching, rubbing, rocking and letting go") {
@@ -102,22 +131,13 @@ TEST_CASE("vector and plain patches go the same way through touching, rubbing, r
     Twin fast(kernels::advance_patch), plain(kernels::advance_patch_reference);
     kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
     o.dashpot_excess = seed % 5 == 0 ? kernels::kUnbounded : kernels::kBounded;
-    Noise noise(seed);
-    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    ShakenBrick brick(seed);
     double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
     for (int i = 0; i < 1500; ++i) {
-      // Pulled down to the other brick, shaken at random, drifting towards its edge and the base beyond.
-      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
-      w = 0.99 * w + noise.vector(3e-2);
-      u = u + kStep * v, turn = turn + kStep * w;
-      TwoBodies b;
-      b.place(0, u, turn), b.move(0, v, w);
+      const TwoBodies b = brick.next(fast.travel[0]);
       const int before = plain.last.touching;
       const double safe = fast.candidates[0].safe;
-      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
-      fast.step(b, bricks, o), plain.step(b, bricks, o);
-      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
-      compare(fast, plain, unit);
+      step_both(fast, plain, b, bricks, o, unit);
       lost_fast += fast.last.friction + fast.last.impact, lost_plain += plain.last.friction + plain.last.impact;
       touching += plain.last.touching > 0, letting_go += plain.last.touching < before, on_base += plain.on[1];
       not_looked += fast.candidates[0].safe == safe && safe != kernels::kLookNow;
@@ -140,19 +160,10 @@ TEST_CASE("vector and plain patches crush the same way, and what is crushed stay
     kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
     o.crushing = seed % 2 ? kernels::Crushing{.strength = 4e4, .residual = 1e4, .slope = 2e8, .depth = 5e-4}
                           : kernels::Crushing{.strength = 3e4, .depth = 2e-4};
-    Noise noise(100 + seed);
-    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    ShakenBrick brick(100 + seed);
     double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
     for (int i = 0; i < 1000; ++i) {
-      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
-      w = 0.99 * w + noise.vector(3e-2);
-      u = u + kStep * v, turn = turn + kStep * w;
-      TwoBodies b;
-      b.place(0, u, turn), b.move(0, v, w);
-      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
-      fast.step(b, bricks, o), plain.step(b, bricks, o);
-      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
-      compare(fast, plain, unit);
+      step_both(fast, plain, brick.next(fast.travel[0]), bricks, o, unit);
       lost_fast += fast.last.fracture, lost_plain += plain.last.fracture;
       REQUIRE(plain.last.fracture >= -1e-12);
       for (int k = 0; k < kPoints; ++k) {
@@ -183,19 +194,10 @@ TEST_CASE("vector and plain patches give back the same share of an impact, and a
     kernels::ContactOptions o{kStep, 1.0, kFriction, seed % 4 == 0};
     o.restitution = 0.2 * static_cast<double>(1 + seed % 5);
     if (seed % 3 == 0) o.crushing = {.strength = 3e4, .depth = 2e-4};
-    Noise noise(200 + seed);
-    Vec3 u{0.0, 0.0, 1e-5}, turn{}, v{0.0, 0.0, -0.02}, w{};
+    ShakenBrick brick(200 + seed);
     double unit = 1.0, lost_fast = 0.0, lost_plain = 0.0;
     for (int i = 0; i < 1000; ++i) {
-      v = v + noise.vector(4e-3) + kStep * Vec3{0.02, 0.0, -2000.0 * u.z};
-      w = 0.99 * w + noise.vector(3e-2);
-      u = u + kStep * v, turn = turn + kStep * w;
-      TwoBodies b;
-      b.place(0, u, turn), b.move(0, v, w);
-      fast.travel[0] += 1.001 * kStep * (norm(v) + norm(w) * norm(Vec3{0.1, 0.05, 0.05}));
-      fast.step(b, bricks, o), plain.step(b, bricks, o);
-      unit = std::max({unit, norm(plain.wrench[0].force), norm(plain.wrench[1].force)});
-      compare(fast, plain, unit);
+      step_both(fast, plain, brick.next(fast.travel[0]), bricks, o, unit);
       lost_fast += fast.last.impact, lost_plain += plain.last.impact;
       for (std::size_t p = 0; p < kPoints; ++p) {
         REQUIRE(fast.pressed[p] == doctest::Approx(plain.pressed[p]).epsilon(1e-8).scale(1e-6));

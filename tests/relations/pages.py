@@ -24,7 +24,7 @@ def unpacked(text, kind):
 
 
 def places(elements, case):
-    """Centroids in the axes of the case. A page has them in single precision, relative to an origin that is up to 100 m away: 6 micrometres."""
+    """Centroids in the axes of the case. A page has them in single precision, relative to an origin up to 100 m away: off by up to 6 micrometres."""
     origin = numpy.array(json.loads(elements["facts"]).get("origin") or (0.0, 0.0, 0.0))
     centroids = unpacked(elements["centroids"], "<f4").astype(float).reshape(-1, 3) + (origin - case.pivot)
     farthest = float(numpy.abs(unpacked(elements["vertices"], "<f4")).max())

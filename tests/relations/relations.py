@@ -52,7 +52,7 @@ def shifted(case, d):
 def moved(rng, case, far):
     """Moved by a whole or a broken vector of about this length; no component of gravity, record or load changes."""
     d = numpy.array([rng.uniform(-1.0, 1.0) * far, rng.uniform(-1.0, 1.0) * far, rng.uniform(-0.1, 0.3) * min(far, 3000.0)])
-    d = numpy.round(d) if rng.random() < 0.5 else numpy.round(d * 1024.0) / 1024.0  # both without rounding of the sums (generator.on_raster)
+    d = numpy.round(d) if rng.random() < 0.5 else numpy.round(d * 1024.0) / 1024.0  # sums with both are exact (generator.on_raster)
     out = shifted(case, d)
     return out, Change(detail=f"by ({d[0]:.10g}, {d[1]:.10g}, {d[2]:.10g})")
 

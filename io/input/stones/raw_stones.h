@@ -19,7 +19,7 @@ struct RawStone {
   std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
 };
 
-/// What is told of a file as a whole; lines are appended.
+/// Messages about a file as a whole, to which readers add lines.
 struct StonesTold {
   std::vector<std::string>&notes, &doubts;  // as those of StoneFile
 };

@@ -97,6 +97,10 @@ TEST_CASE("check counts findings, lists them as JSON, and says that there are no
   const TempFolder folder;
   const Outcome sound = voussoir("check -j 1 " + written(folder, kBlock));
   CHECK(has(sound, "no faults found"));
+  CHECK(has(sound, "by the dashpots at this step, where block \""));
+  const Outcome given = voussoir("check -j 1 --set contact.restitution=0.4 " + written(folder, kBlock));
+  CHECK(has(given, "restitution              0.4 of free bodies"));
+  CHECK(given.text.find("by the dashpots at this step") == std::string::npos);
   const std::string name = written(folder, R"(title = "slips"
 gravity.acceleration = [0, 0, 9.8]
 gravity.settle = false
