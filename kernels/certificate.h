@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kernels/laws/tension.h"
 #include "kernels/side_lanes.h"
 
 /// Certificates that no segment of a side reaches a limit, kWidth sides at a time (THEORY.md (16)). The relative displacement of two rigid

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "kernels/laws/tension.h"
 #include "kernels/side_lanes.h"
 
 /// The law of kWidth segments of one side at a time. Only frequent states are handled here: elastic, slipping, touching, open; a chunk of

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "kernels/chunk_law.h"
+#include "kernels/side_laws.h"
 
 // Frames and wrenches are computed for kWidth sides at a time, segments for one side, kWidth points at a time.
 namespace voussoir::kernels {

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "kernels/lanes.h"
-#include "kernels/laws/segment_law.h"
+#include "kernels/law.h"
+#include "kernels/laws/local.h"
 
 /// Views of the segments of one side, for the laws that look at them one by one.
 namespace voussoir::kernels {

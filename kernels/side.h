@@ -7,10 +7,10 @@
 
 #include "kernels/lanes.h"
 #include "kernels/law.h"
-#include "kernels/laws/segment_law.h"
+#include "kernels/laws/laws_of_side.h"
+#include "kernels/laws/local.h"
 #include "kernels/rows.h"
 #include "kernels/segments.h"
-#include "kernels/side_laws.h"
 
 /// A *side*: the segments of a joint that one face masters. A merged joint (both grids coincide) and a joint with the base have one side
 /// that represents both faces; any other joint has two. Sides are stored in blocks of kLanes, structure of arrays inside a block, so that

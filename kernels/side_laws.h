@@ -2,41 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernels/laws/closing.h"
-#include "kernels/laws/crushing.h"
+#include "kernels/laws/laws_of_side.h"
 #include "kernels/laws/segment_law.h"
 #include "kernels/laws/softening.h"
 #include "kernels/segments.h"
 
-/// The optional laws of a side, those that few models have, behind one view. Kernels and solver ask it and no law itself, so a new law has
-/// its member here and answers the questions below that concern it (CONTRIBUTING.md, "A joint law"). Free patches, which have their own
-/// kernels, know of crushing alone.
+/// What kernels and solver ask of the optional laws of a side (SideLaws); they ask no law itself, so a new law answers the questions below
+/// that concern it (CONTRIBUTING.md, "A joint law").
 ///
 /// What the closed forms rely on: a side of which no segment has reached a limit of its Strength (law.h) follows segment_law.h. So a law
 /// may change a bond from its first limit on, and a contact as soon as there is one.
 namespace voussoir::kernels {
-
-struct SideLaws {
-  SoftSide soft;                       // its bonds soften
-  Closing closing;                     // it stiffens as it closes
-  const Crushing* crushing = nullptr;  // of all contacts; nullptr: they bear any pressure
-  double* crushed = nullptr;           // m, by segment
-
-  /// The same of the segments from `i` on.
-  [[nodiscard]] SideLaws from(int i) const noexcept {
-    return {softens() ? soft.from(i) : soft, closing, crushing, crushed == nullptr ? nullptr : crushed + i};
-  }
-
-  [[nodiscard]] bool softens() const noexcept { return soft.wear != nullptr; }
-  /// Whether its bonds follow another law than advance_segment, once they have reached a limit.
-  [[nodiscard]] bool has_bonds_of_its_own() const noexcept { return softens(); }
-  /// Whether its contacts give way before the law of contact is asked.
-  [[nodiscard]] bool moves_contacts() const noexcept { return closing.on() || crushing != nullptr; }
-  /// Whether slip can leave contacts that touch before the faces meet.
-  [[nodiscard]] bool opens_by_slip() const noexcept { return softens() && soft.law.dilatancy != 0.0; }
-};
-/// A side without any.
-inline constexpr SideLaws kNoLaws{};
 
 // ---- bonds
 

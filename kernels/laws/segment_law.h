@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernels/law.h"
+#include "kernels/laws/local.h"
 #include "kernels/laws/tension.h"
 
 /// The constitutive law of one segment, literally: Eqs. 4-9, THEORY.md (11)-(19). The plain twin of the vector kernels; every rare event
@@ -14,15 +15,6 @@
 ///
 /// Components (n, 1, 2): along the outward normal of the master, and two tangents. u = x_slave − x_master, so tension is positive.
 namespace voussoir::kernels {
-
-/// A vector in the frame of a side.
-struct Local {
-  double n = 0.0, s1 = 0.0, s2 = 0.0;
-};
-constexpr Local operator+(Local a, Local b) noexcept { return {a.n + b.n, a.s1 + b.s1, a.s2 + b.s2}; }
-constexpr Local operator-(Local a, Local b) noexcept { return {a.n - b.n, a.s1 - b.s1, a.s2 - b.s2}; }
-constexpr Local operator*(double f, Local a) noexcept { return {f * a.n, f * a.s1, f * a.s2}; }
-constexpr double dot(Local a, Local b) noexcept { return a.n * b.n + a.s1 * b.s1 + a.s2 * b.s2; }
 
 /// History of a segment. While bonded, slip is the plastic slip; in contact it is the elongation of the shear spring [m].
 /// closure is the opening [m] at which the normal spring has no force: negative after crushing, and for a point found deep inside; positive

@@ -6,27 +6,12 @@
 #include <cmath>
 
 #include "kernels/laws/segment_law.h"
+#include "kernels/laws/soft_side.h"
 
 /// Softening bonds: THEORY.md (13a)-(13e). One number per segment, its *wear* κ, measures its damage: both opening and slip increase it, so
 /// a bond that has slipped is weaker in tension, and vice versa. Segments that do not soften, and all that are no longer bonded, follow
 /// segment_law.h.
 namespace voussoir::kernels {
-
-/// Softening parameters of the bonds of a side. All zero: as segment_law.h.
-struct Softening {
-  double opening = 0.0;    // u_c k̄_n / f_t: opening that adds a wear of 1, in elastic openings at the limit; 0: brittle in tension
-  double slip = 0.0;       // m, s_c: slip that adds a wear of 1; 0: slip adds none
-  double dilatancy = 0.0;  // tan ψ of the first slip
-  bool linear = false;     // share_left is 1 − κ/2, else exp(−κ)
-};
-
-/// A side whose bonds soften.
-struct SoftSide {
-  Softening law;
-  double* wear = nullptr;  // by segment; nullptr: this side does not soften
-
-  [[nodiscard]] SoftSide from(int i) const noexcept { return {law, wear + i}; }
-};
 
 /// Whether some bonded segment of [first, last) has wear.
 inline bool is_worn(const SoftSide& side, int first, int last) noexcept {

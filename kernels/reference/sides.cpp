@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/side.h"
+#include "kernels/side_laws.h"
 
 namespace voussoir::kernels {
 

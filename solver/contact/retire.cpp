@@ -4,6 +4,7 @@
 
 #include "geometry/nth.h"
 #include "kernels/laws/restitution.h"
+#include "kernels/side_laws.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
 #include "solver/setup/setup.h"

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "kernels/side_laws.h"
+
 namespace voussoir::solver {
 
 namespace {

@@ -8,8 +8,8 @@
 
 #include "geometry/nth.h"
 #include "kernels/law.h"
+#include "kernels/laws/laws_of_side.h"
 #include "kernels/side.h"
-#include "kernels/side_laws.h"
 #include "kernels/whole_sides.h"
 #include "solver/world/array.h"
 

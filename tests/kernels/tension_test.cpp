@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "kernels/chunk_law.h"
+#include "kernels/laws/segment_law.h"
+#include "kernels/laws/softening.h"
 #include "tests/kernels/side_fixture.h"
 
 // Every place that kernels/laws/tension.h lists is asked how far a bond can be pulled.
