@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"

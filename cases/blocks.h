@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cases/forward.h"
 #include "cases/model.h"
+#include "cases/tables/blocks.h"
 
 /// Free blocks of a case. Internal to cases/.
 namespace voussoir::cases {

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "cases/case.h"
 #include "geometry/nth.h"
 #include "geometry/prism.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Counts, masses and the step bound of a model, for `voussoir check`.

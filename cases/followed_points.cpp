@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/case.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

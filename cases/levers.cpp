@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/case.h"
+
 namespace voussoir::cases {
 
 namespace {

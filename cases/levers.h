@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Shortening of levers where contact points lie at the centres of segments: THEORY.md (2).

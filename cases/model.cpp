@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cases/blocks.h"
+#include "cases/case.h"
 #include "cases/house/house.h"
 #include "cases/loads/loads.h"
 #include "cases/loose_model.h"
@@ -13,7 +14,7 @@
 #include "cases/numbering.h"
 #include "cases/rules/contact_rules.h"
 #include "cases/rules/joint_rules.h"
-#include "cases/scatter.h"
+#include "cases/rules/scatter.h"
 #include "cases/solids/ground.h"
 #include "cases/solids/halves.h"
 #include "cases/solids/origin.h"

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/solids/stones.h"
+#include "cases/tables/joint_laws.h"
+#include "cases/tables/materials.h"
 #include "geometry/assembly.h"
 
 /// The model of a case: every block with its material, and the law of every joint.

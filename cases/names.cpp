@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 
+#include "cases/input_error.h"
+
 namespace voussoir::cases {
 namespace {
 

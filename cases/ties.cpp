@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cases/case.h"
 #include "cases/house/floors/house_decks.h"
 #include "cases/house/floors/house_floors.h"
 #include "cases/house/house_ties.h"

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Ends of ties: from points and plates of the case file to elements.

@@ -8,6 +8,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/house/roofs/house_vault.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/house/house_case.h"
 #include "cases/model.h"
 
 namespace voussoir::cases {

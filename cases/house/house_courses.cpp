@@ -7,6 +7,7 @@
 
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/rubble.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

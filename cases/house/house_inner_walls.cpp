@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -6,6 +6,7 @@
 
 #include "cases/house/house_parts.h"
 #include "cases/house/house_ties.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/house/house_plan.h"
+#include "cases/input_error.h"
 
 namespace voussoir::cases {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cases/house/house_inner_walls.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

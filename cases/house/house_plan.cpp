@@ -8,6 +8,7 @@
 #include "cases/house/house_inner_walls.h"
 #include "cases/house/house_openings.h"
 #include "cases/house/house_wall.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/house/house_case.h"
 
 /// The checked plan of a house in exact lengths, shared by the builders of its parts (house_wall, house_roof). Internal to cases/.
 namespace voussoir::cases {

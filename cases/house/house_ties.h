@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/house/house_case.h"
+#include "cases/input_error.h"
 
 /// Rods and meshes of a house as points in axes of the case, before the elements that they hold are known.
 namespace voussoir::cases {

@@ -11,6 +11,7 @@
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/prism.h"
 #include "cases/house/walls/rubble.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

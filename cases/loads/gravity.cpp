@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/case.h"
+
 namespace voussoir::cases {
 
 Vec3 gravity_on_base(const Case& c) noexcept {

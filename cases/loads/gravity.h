@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "geometry/vec3.h"
 
 namespace voussoir::cases {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
 #include "cases/solids/stone_blocks.h"

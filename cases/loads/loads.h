@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "cases/forward.h"
 #include "cases/model.h"
+#include "cases/tables/loads.h"
 
 /// Loads and the elements on which they act.
 namespace voussoir::cases {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "cases/tables/contact.h"
 
 /// Friction of contacts without a bond.
 namespace voussoir::cases {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/case.h"
 #include "cases/house/house.h"
 #include "cases/names.h"
 #include "cases/solids/ground.h"

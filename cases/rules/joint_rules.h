@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Choice of the law of a joint. Internal to cases/, except unused_joint_rules.

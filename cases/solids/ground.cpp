@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/blocks.h"
+#include "cases/case.h"
 #include "cases/names.h"
 #include "cases/solids/origin.h"
 #include "geometry/nth.h"

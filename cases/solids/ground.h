@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Parts of the ground that are higher than the base, or move: Base::parts of the case. Internal to cases/.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

@@ -5,7 +5,8 @@
 #include <span>
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "geometry/polyhedron.h"
 
 /// The origin of a model: a point of the file's axes near the model. Inside the program all coordinates are relative to it, so a model far
 /// from the origin of its axes is computed as well as one that stands there.

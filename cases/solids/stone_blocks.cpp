@@ -8,6 +8,7 @@
 #include <span>
 
 #include "cases/blocks.h"
+#include "cases/case.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/forward.h"
 #include "cases/model.h"
 
 /// Stones of files as blocks. Internal to cases/.

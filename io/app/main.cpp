@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/command_word.h"
 #include "io/app/session/exit_code.h"

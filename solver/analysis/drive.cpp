@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "solver/analysis/modes.h"
 
 namespace voussoir::solver {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cases/forward.h"
 #include "solver/run/simulation.h"
 
 /// Rate and damping of a quasi-static analysis, from the first frequencies (kernels/THEORY.md, section 11).

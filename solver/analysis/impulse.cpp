@@ -7,6 +7,8 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "cases/motion.h"
 #include "geometry/nth.h"
 #include "solver/run/simulation.h"

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/case.h"
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "solver/world/world.h"
 
 /// Natural frequencies by the method of the paper (section 3.5): an impulse, free undamped vibration, a Fourier transform.

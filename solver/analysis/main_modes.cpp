@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/analysis/main_modes.h"
 
+#include "cases/case.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {

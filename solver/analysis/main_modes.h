@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "solver/analysis/modes.h"
 
 /// The modes that determine mass damping: those with most of the mass along x and along y.

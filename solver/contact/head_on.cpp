@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/model.h"
+
 namespace voussoir::solver {
 
 namespace {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/model.h"
 #include "cases/rules/contact_rules.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/nth.h"

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
+#include "geometry/assembly.h"
+#include "geometry/vec3.h"
 
 /// The model of limit analysis: rigid bodies, and the points at which they touch.
 namespace voussoir::solver {

@@ -10,7 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "cases/case.h"
 #include "cases/loads/gravity.h"
+#include "cases/model.h"
 #include "solver/limit/balance.h"
 #include "solver/limit/coulomb.h"
 #include "solver/limit/friction_cone.h"

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "cases/case.h"
-#include "cases/model.h"
+#include "cases/forward.h"
+#include "cases/input_error.h"
 #include "kernels/rows.h"
 #include "solver/limit/contacts.h"
 #include "solver/limit/limit_proof.h"

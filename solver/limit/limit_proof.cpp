@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "cases/model.h"
+
 namespace voussoir::solver {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "kernels/rows.h"
 #include "solver/limit/contacts.h"
 #include "solver/limit/friction_cone.h"

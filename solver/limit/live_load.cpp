@@ -8,8 +8,10 @@
 #include <iterator>
 #include <limits>
 
+#include "cases/case.h"
 #include "cases/loads/gravity.h"
 #include "cases/loads/loads.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "geometry/polyhedron.h"
 

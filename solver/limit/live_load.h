@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
-#include "cases/model.h"
+#include "cases/forward.h"
+#include "geometry/vec3.h"
 #include "solver/limit/contacts.h"
 
 /// The forces of limit analysis: constant dead forces, and live forces, which are scaled by the multiplier.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 
 namespace voussoir::solver {

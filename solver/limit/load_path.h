@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cases/forward.h"
 #include "solver/limit/limit.h"
 
 namespace voussoir::solver {

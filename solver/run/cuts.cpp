@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 #include "solver/ties/tie_forces.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/tables/output.h"
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 

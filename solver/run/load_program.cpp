@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/run/loads.h"

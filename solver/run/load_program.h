@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/tables/analysis.h"
 #include "solver/run/recorder.h"
 #include "solver/world/world.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/run/loads.h"
 
+#include "cases/model.h"
+
 namespace voussoir::solver {
 
 namespace {

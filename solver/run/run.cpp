@@ -8,7 +8,9 @@
 #include <optional>
 #include <span>
 
+#include "cases/case.h"
 #include "cases/census.h"
+#include "cases/model.h"
 #include "cases/ties.h"
 #include "geometry/nth.h"
 #include "solver/run/collapse.h"

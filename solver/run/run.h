@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "cases/forward.h"
 #include "solver/run/recorder.h"
 #include "solver/run/simulation.h"
 

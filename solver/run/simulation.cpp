@@ -11,7 +11,9 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/case.h"
 #include "cases/loads/gravity.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "cases/motion.h"
 #include "solver/run/cuts.h"
 #include "solver/run/damage.h"

@@ -7,8 +7,10 @@
 #include <numbers>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/census.h"
 #include "cases/loads/loads.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"
 #include "solver/setup/patch_order.h"

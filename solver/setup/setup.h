@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/tables/contact.h"
 #include "solver/world/world.h"
 
 /// Builds the arrays of the step from the model.

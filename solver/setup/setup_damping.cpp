@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/worst_dashpots.h"

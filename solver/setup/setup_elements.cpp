@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 #include "solver/setup/setup.h"

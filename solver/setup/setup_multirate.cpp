@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "cases/case.h"
 #include "cases/census.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/world/first_touch.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/setup.h"
 

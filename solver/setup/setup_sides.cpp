@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/schedule/colouring.h"
 #include "solver/setup/point_sets.h"
@@ -111,7 +113,7 @@ bool is_dry(const World& w, std::int32_t joint) {
   return law == 0 || nth(w.model.laws, law).value.stiffens();
 }
 
-/// \param factor  of the joint, see cases/scatter.h
+/// \param factor  of the joint, see cases/rules/scatter.h
 /// \param friction  tan φ of what the bond becomes: of its two materials, unless the law has its own
 kernels::Strength strength_of(const cases::JointLaw& law, double factor, bool dry, double friction) {
   if (dry) return {0.0, 0.0, 0.0, 1.0, 0.0, friction};

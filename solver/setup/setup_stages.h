@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "cases/forward.h"
 #include "solver/setup/setup.h"
 #include "solver/world/stage_order.h"
 

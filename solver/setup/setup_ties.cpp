@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/side_stiffness.h"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "geometry/vec3.h"
 
 namespace voussoir::solver {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "geometry/nth.h"
 #include "kernels/contact/contact_patch.h"
 #include "kernels/law.h"

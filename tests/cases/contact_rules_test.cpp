@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include "cases/input_error.h"
+#include "cases/tables/contact.h"
+
 using namespace voussoir::cases;
 
 namespace {

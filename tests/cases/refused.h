@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/model.h"
 
 namespace voussoir::testing {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/scatter.h"
+#include "cases/rules/scatter.h"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "cases/case.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;

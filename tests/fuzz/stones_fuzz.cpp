@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "geometry/polyhedron.h"
 #include "io/input/files/errors.h"

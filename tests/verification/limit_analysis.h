@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/programme/linear_programme.h"

@@ -3,6 +3,7 @@
 #include "cases/house/floors/house_decks.h"
 
 #include "cases/house/house_parts.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cases/house/house_parts.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 

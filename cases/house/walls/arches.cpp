@@ -9,6 +9,7 @@
 
 #include "cases/house/house_wall.h"
 #include "cases/house/walls/prism.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

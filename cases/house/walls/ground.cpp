@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cases/house/house_parts.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {

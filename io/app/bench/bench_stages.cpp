@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "cases/case.h"
 #include "geometry/nth.h"
 #include "solver/bench/assembly_time.h"
 

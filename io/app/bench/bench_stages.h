@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "io/output/results/results.h"
 #include "solver/bench/step_work.h"
 #include "solver/run/run.h"

@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "cases/case.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"

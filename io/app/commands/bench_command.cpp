@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/census.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "cases/solids/origin.h"
 #include "geometry/nth.h"

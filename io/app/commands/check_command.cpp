@@ -12,8 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/census.h"
 #include "cases/levers.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "cases/rules/contact_rules.h"
 #include "geometry/nth.h"

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"

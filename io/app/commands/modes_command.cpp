@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"

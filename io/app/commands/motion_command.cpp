@@ -14,6 +14,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/number_range.h"

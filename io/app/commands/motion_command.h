@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/tables/motion.h"
 
 /// `voussoir motion FILE...`: intensity figures and spectra of records.
 namespace voussoir::io {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cases/case.h"
+#include "cases/model.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/number_range.h"
 #include "io/app/session/exit_code.h"

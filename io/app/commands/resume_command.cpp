@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"

@@ -8,7 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/census.h"
+#include "cases/model.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/verify_command.h"
 #include "io/app/commands/words/case_words.h"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "cases/case.h"
 #include "geometry/message.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"

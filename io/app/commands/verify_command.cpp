@@ -8,6 +8,8 @@
 #include <memory>
 #include <set>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/progress.h"

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "cases/case.h"
 #include "cases/loose_model.h"
+#include "cases/model.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/session/exit_code.h"

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cases/case.h"
 #include "cases/house/house_openings.h"
 #include "cases/house/house_ties.h"
 #include "cases/loads/loads.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "cases/rules/joint_rules.h"
 #include "cases/solids/outside.h"

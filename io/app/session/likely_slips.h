@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "cases/motion.h"
 #include "io/input/case_file/case_file.h"
 #include "solver/analysis/main_modes.h"

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "cases/case.h"
 #include "cases/followed_points.h"
 #include "io/app/session/likely_slips.h"
 #include "io/input/motion/support_motion.h"

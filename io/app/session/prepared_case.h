@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cases/forward.h"
 #include "cases/model.h"
 #include "cases/motion.h"
 #include "io/input/case_file/case_file.h"

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cases/model.h"
 #include "cases/solids/origin.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/session.h"

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "cases/case.h"
 #include "io/output/results/checkpoint_file.h"
 #include "solver/run/run.h"
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/stop_words.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/forward.h"
 #include "io/output/results/checkpoints.h"
 #include "io/output/results/results.h"
 #include "solver/run/run.h"

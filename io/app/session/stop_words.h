@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 
 /// What is told of a run that was stopped.
 namespace voussoir::io {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cases/model.h"
 #include "cases/ties.h"
 #include "io/app/session/progress.h"
 

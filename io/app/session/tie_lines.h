@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "solver/world/world.h"
 
 /// Output about ties; nothing for a model without ties.

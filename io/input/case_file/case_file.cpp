@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/case_file/case_file.h"
 
+#include "cases/input_error.h"
 #include "geometry/nth.h"
 #include "io/input/case_file/case_document.h"
 #include "io/input/case_file/case_tables.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "cases/case.h"
 #include "io/input/motion/motion_files.h"
 
 namespace voussoir::io {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "io/input/document/case_tree.h"
 
 /// The paths to files and folders in a case: one list for the document and for the case read from it.

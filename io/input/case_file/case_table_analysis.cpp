@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/case.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/usual_ranges.h"
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
+#include "cases/tables/blocks.h"
+#include "cases/tables/loads.h"
+#include "cases/tables/motion.h"
+#include "cases/tables/output.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/usual_ranges.h"
 #include "io/input/document/history_name.h"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/tables/joint_laws.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/usual_ranges.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/case_file/case_tables.h"
 
+#include "cases/case.h"
 #include "io/input/case_file/usual_ranges.h"
 
 namespace voussoir::io {

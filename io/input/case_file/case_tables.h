@@ -2,7 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/house/house_case.h"
+#include "cases/solids/stones.h"
+#include "cases/tables/analysis.h"
+#include "cases/tables/blocks.h"
+#include "cases/tables/joint_laws.h"
+#include "cases/tables/loads.h"
+#include "cases/tables/motion.h"
+#include "cases/tables/output.h"
 #include "io/input/case_file/case_keys.h"
 
 /// The option tables of the case file; `case_table` is the root and contains the others.

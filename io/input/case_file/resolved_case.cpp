@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include "cases/case.h"
 #include "cases/solids/origin.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/case_file/case_paths.h"

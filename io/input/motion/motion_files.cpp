@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"

@@ -5,8 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "cases/motion.h"
+#include "cases/tables/motion.h"
 #include "io/input/motion/formats/read_motion.h"
 #include "io/input/motion/synthetic/built_in_record.h"
 

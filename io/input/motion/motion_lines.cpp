@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "cases/case.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"

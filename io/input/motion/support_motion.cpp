@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cases/model.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/foreign_text.h"
 #include "io/input/files/text_file.h"

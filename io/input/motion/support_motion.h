@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 
 namespace voussoir::io {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 
 namespace voussoir::io {

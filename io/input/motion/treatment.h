@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "cases/case.h"
 #include "cases/motion.h"
+#include "cases/tables/motion.h"
 
 /// Treatment of a record before use: cut to a window, baseline corrected, tapered, in this order.
 namespace voussoir::io {

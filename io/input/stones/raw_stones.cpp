@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "cases/input_error.h"
 #include "geometry/solids/shells.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"

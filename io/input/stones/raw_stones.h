@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/case.h"
+#include "cases/solids/stones.h"
 #include "io/input/stones/stone_file.h"
 
 /// From files to closed solids in metres, by name. Internal to io/input/stones/.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/solids/stones.h"
 #include "geometry/solids/mesh.h"
 
 namespace voussoir::io {

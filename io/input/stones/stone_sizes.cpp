@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "cases/case.h"
 #include "geometry/polyhedron.h"
 
 namespace voussoir::io {

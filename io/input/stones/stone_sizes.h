@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/input_error.h"
 
 namespace voussoir::io {
 

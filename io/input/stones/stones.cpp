@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/case.h"
 #include "cases/solids/origin.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"

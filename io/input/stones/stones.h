@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 
 /// Loads the stones of a case from files, and chooses the origin of its model.
 namespace voussoir::io {

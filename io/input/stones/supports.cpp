@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "cases/case.h"
 #include "io/input/stones/raw_stones.h"
 #include "io/input/stones/words.h"
 

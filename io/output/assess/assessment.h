@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/forward.h"
 #include "io/output/assess/wall_cracks.h"
 
 /// Engineering figures of a run, computed from its results; definitions in io/MEASURES.md.

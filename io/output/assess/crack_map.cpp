@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
 #include "io/output/drawing/svg.h"

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
 #include "solver/limit/mechanism.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/load_path.h"
 

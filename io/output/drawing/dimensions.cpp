@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cases/case.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "geometry/polyhedron.h"
 #include "io/output/drawing/svg.h"
 

@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "io/output/drawing/dimensions.h"
 #include "io/output/drawing/svg.h"

@@ -4,8 +4,7 @@
 
 #include <string>
 
-#include "cases/case.h"
-#include "cases/model.h"
+#include "cases/forward.h"
 
 /// A drawing of a model: four elevations and the plans of two courses, every block with its edges, as SVG.
 namespace voussoir::io {

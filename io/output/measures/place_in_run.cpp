@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "io/output/measures/capacity/capacity_file.h"
 

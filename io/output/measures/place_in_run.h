@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 
 /// Position of an unfinished run in its plan, in words.
 namespace voussoir::io {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/model.h"
 #include "io/output/measures/building.h"
 
 namespace voussoir::io {

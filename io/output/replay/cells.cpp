@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "geometry/prism.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 
 /// Elements as cells of VTK, for files that ParaView opens.
 namespace voussoir::io {

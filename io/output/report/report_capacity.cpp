@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "cases/case.h"
 #include "geometry/message.h"
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/report/report_plots.h"
 

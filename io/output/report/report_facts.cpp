@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/tables/motion.h"
 #include "geometry/message.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
 #include "io/output/replay/cells.h"

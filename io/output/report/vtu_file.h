@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "solver/analysis/modes.h"
 
 namespace voussoir::io {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "cases/case.h"
 #include "io/input/motion/motion_files.h"
 #include "solver/run/run.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "cases/motion.h"
 #include "io/output/results/results_model.h"
 

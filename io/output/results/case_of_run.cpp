@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cases/case.h"
 #include "cases/solids/origin.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"

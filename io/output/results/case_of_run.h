@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cases/case.h"
+#include "cases/forward.h"
 #include "cases/motion.h"
 #include "io/input/files/hdf5_file.h"
 

@@ -12,6 +12,7 @@
 #include <set>
 #include <vector>
 
+#include "cases/input_error.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cases/model.h"
 #include "cases/ties.h"
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "geometry/nth.h"
 #include "io/output/measures/capacity/capacity.h"
 #include "io/output/measures/measures.h"

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/model.h"
+#include "cases/forward.h"
 #include "io/input/files/hdf5_file.h"
 
 /// The group /model of run.h5, which is constant during a run.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "cases/model.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"

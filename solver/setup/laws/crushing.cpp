@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "cases/case.h"
 #include "cases/names.h"
 #include "geometry/message.h"
 #include "solver/setup/laws/optional_laws.h"

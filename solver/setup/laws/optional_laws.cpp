@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "cases/model.h"
 #include "geometry/nth.h"
 
 namespace voussoir::solver {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/forward.h"
+#include "cases/tables/joint_laws.h"
 #include "solver/world/world.h"
 
 /// The optional laws of joints, those that few models have: set-up, checkpoints, `voussoir check` and tests go through one table. What they

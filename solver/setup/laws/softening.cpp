@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/input_error.h"
+#include "cases/model.h"
 #include "cases/names.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/house/house_case.h"
 #include "cases/model.h"
 #include "geometry/grid.h"
 #include "geometry/polygon.h"

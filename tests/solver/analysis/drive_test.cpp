@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/model.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 #include "tests/cases/paper_house.h"

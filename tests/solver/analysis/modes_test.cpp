@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "cases/model.h"
 #include "solver/analysis/impulse.h"
 #include "solver/setup/setup.h"
 #include "tests/cases/paper_house.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "solver/run/simulation.h"
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "cases/case.h"
+#include "cases/model.h"
 #include "solver/limit/mechanism.h"
 #include "solver/limit/programme/linear_programme.h"
 #include "solver/run/simulation.h"

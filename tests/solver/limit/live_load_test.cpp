@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "cases/model.h"
 #include "solver/limit/load_path.h"
 #include "tests/solver/limit/masonry.h"
 

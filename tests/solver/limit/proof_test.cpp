@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "cases/model.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/limit_proof.h"
 #include "tests/solver/limit/masonry.h"

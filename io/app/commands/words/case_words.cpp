@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cases/input_error.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "io/input/document/case_values.h"
 
 namespace voussoir::io {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "geometry/nth.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/spectra.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/input/motion/spectra/figures.h"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "cases/case.h"
 #include "cases/motion.h"
+#include "cases/tables/motion.h"
 
 /// Intensity of a motion as one number, and the factor that scales it to another intensity, for incremental dynamic analysis and fragility
 /// curves.

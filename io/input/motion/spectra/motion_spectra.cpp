@@ -9,7 +9,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/whole_file.h"

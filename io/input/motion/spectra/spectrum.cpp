@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "cases/motion.h"
 #include "cases/names.h"
 #include "io/input/motion/spectra/figures.h"

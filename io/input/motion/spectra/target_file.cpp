@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/foreign_text.h"
 #include "io/input/files/text_file.h"

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "cases/input_error.h"
 #include "cases/motion.h"
 #include "cases/names.h"
 #include "cases/random.h"

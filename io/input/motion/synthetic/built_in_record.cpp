@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "io/input/motion/synthetic/bam_like.h"
 
 namespace voussoir::io {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/analysis.h"
+#include "cases/tables/analysis.h"
 
 /// Results of a quasi-static analysis: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and sources:
 /// io/MEASURES.md.

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <span>
 
-#include "cases/case.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"

@@ -7,7 +7,9 @@
 #include <limits>
 #include <string>
 
+#include "cases/input_error.h"
 #include "cases/model.h"
+#include "cases/tables/motion.h"
 #include "io/input/files/errors.h"
 #include "io/input/motion/support_motion.h"
 #include "io/input/motion/synthetic/bam_like.h"

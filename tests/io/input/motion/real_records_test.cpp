@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/motion.h"
+#include "cases/tables/motion.h"
 #include "io/input/files/errors.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"

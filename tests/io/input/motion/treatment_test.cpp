@@ -9,6 +9,9 @@
 #include <functional>
 #include <numbers>
 
+#include "cases/input_error.h"
+#include "cases/tables/motion.h"
+
 using namespace voussoir;
 using namespace voussoir::io;
 

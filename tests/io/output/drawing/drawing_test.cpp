@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 
+#include "cases/model.h"
 #include "io/output/report/vtu_file.h"
 #include "tests/cases/paper_house.h"
 

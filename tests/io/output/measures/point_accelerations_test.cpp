@@ -8,6 +8,7 @@
 #include <complex>
 #include <numbers>
 
+#include "cases/case.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/measures.h"
 #include "io/output/results/base_motion.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "cases/case.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/input/motion/synthetic/bam_like.h"
 #include "tests/io/results_fixture.h"

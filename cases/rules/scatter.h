@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "cases/tables/joints.h"
 
 /// Random strength of joints (Case::scatter).
 ///

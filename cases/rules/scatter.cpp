@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/scatter.h"
+#include "cases/rules/scatter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "cases/random.h"
 #include "geometry/nth.h"

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec3.h"
+
+/// Tables [[block]] of the case file.
+namespace voussoir::cases {
+
+struct Rotation {
+  Vec3 axis{0, 0, 1};
+  double angle = 0.0;  // degrees
+  Vec3 about;          // m
+};
+/// Motion of a fixed block: a constant velocity, or a file of t [s] and x, y, z [m].
+struct SupportMotion {
+  std::optional<Vec3> velocity;  // m/s
+  std::optional<std::string> file;
+};
+/// A free block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK order;
+/// with `faces` (loops of vertex numbers, counter-clockwise seen from outside) any convex polyhedron.
+struct BlockSpec {
+  std::string name, material;
+  std::string part;  // of a building: "front wall", "front wall, storey 2"; empty: no part
+  std::optional<std::array<Vec3, 2>> box;
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
+  std::vector<std::array<double, 2>> polygon;
+  std::optional<std::array<double, 2>> extrude;
+  bool halves = false;  // two elements, cut at mid-length; materials.<name>.inside is the law between them
+  bool fixed = false, free = false;
+  Vec3 velocity, angular_velocity;  // m/s, rad/s, global axes
+  std::optional<Rotation> rotate;
+  std::optional<SupportMotion> motion;
+};
+
+}  // namespace voussoir::cases
