@@ -13,6 +13,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/output/results/provenance.h"
 #include "solver/world/errors.h"
 
@@ -23,6 +24,7 @@ using namespace voussoir;
 int work(const io::Command& command) {
   // The only place that chooses a number of threads; all others are told.
   if (command.threads != nullptr && *command.threads == 0) *command.threads = omp_get_max_threads();
+  io::start_command();
   return io::code_after_output(command.work());
 }
 

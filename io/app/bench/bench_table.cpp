@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-
-#include "io/input/files/errors.h"
+#include <utility>
 
 namespace voussoir::io {
 
@@ -16,16 +14,15 @@ void put(Cells& cells, const char* format, double value) {
   cells.emplace_back(text);
 }
 
-BenchTable::BenchTable(Cells header, const std::string& path) : header_(std::move(header)) {
-  if (path.empty()) return;
-  file_.open(path);
-  if (!file_) throw FileError(path, "cannot be written");
+BenchTable::BenchTable(Cells header, Output file) : header_(std::move(header)), file_(std::move(file)) {
+  if (file_.path.empty()) return;
   write(header_);
+  file_.overwrite = true;  // the file is this table's own now
 }
 
 void BenchTable::add(const Cells& cells) {
   print(cells);
-  if (file_.is_open()) write(cells);
+  if (!file_.path.empty()) write(cells);
 }
 
 void BenchTable::print(const Cells& cells) const {
@@ -36,9 +33,10 @@ void BenchTable::print(const Cells& cells) const {
 }
 
 void BenchTable::write(const Cells& cells) {
-  file_ << cells.front();
-  for (std::size_t k = 1; k < cells.size(); ++k) file_ << ',' << cells[k];
-  file_ << std::endl;  // flushed at once, so that a stopped bench keeps its rows
+  text_ += cells.front();
+  for (std::size_t k = 1; k < cells.size(); ++k) text_ += ',' + cells[k];
+  text_ += '\n';
+  write_output(file_, text_);  // after each row, so that a stopped bench keeps its rows
 }
 
 }  // namespace voussoir::io

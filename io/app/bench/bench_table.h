@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "io/input/files/output_path.h"
 
 namespace voussoir::io {
 
@@ -14,11 +15,11 @@ using Cells = std::vector<std::string>;
 /// Appends a number in a printf format.
 void put(Cells& cells, const char* format, double value);
 
-/// A table printed row by row, and, if requested, also written to a CSV file.
+/// A table printed row by row, and, if requested, also written to a CSV file, whole after each row.
 class BenchTable {
  public:
-  /// \param path  of the CSV file, which is replaced; empty: none \throw FileError if it cannot be written
-  BenchTable(Cells header, const std::string& path);
+  /// \param file  the CSV file; without a path none \throw FileError if it cannot be written
+  BenchTable(Cells header, Output file);
 
   void print_header() const { print(header_); }
   void add(const Cells& cells);
@@ -28,7 +29,8 @@ class BenchTable {
   void write(const Cells& cells);
 
   Cells header_;
-  std::ofstream file_;
+  Output file_;
+  std::string text_;  // of the file
 };
 
 }  // namespace voussoir::io

@@ -18,7 +18,6 @@
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/text_file.h"
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/results/case_of_run.h"
@@ -60,7 +59,8 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
   std::set<std::string> taken;
   for (std::size_t w = 0; w < building.walls.size(); ++w) {
     const std::string file = o.maps + "/" + map_name(building.walls[w].name, a.time, taken);
-    write_text_file(file, crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen), o.overwrite);
+    write_output({file, FileKind::drawing, "--maps", o.overwrite},
+                 crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen));
     std::fprintf(stderr, "voussoir: %s\n", file.c_str());
   }
 }
@@ -68,17 +68,19 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
 /// Prints engineering figures of a run (io/MEASURES.md), writes crack maps of its walls and floor response spectra. \throw
 /// cases::InputError, FileError
 int assess(const AssessOptions& o) {
+  std::filesystem::is_directory(o.folder) ? note_run(o.folder) : note_input(o.folder);
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const cases::Case c = case_of_run(run);
   const Building building = building_of(run);
   if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
-  check_output(o.spectra, o.overwrite);
+  const Output spectra{o.spectra, FileKind::table, "--spectra", o.overwrite};
+  check_output(spectra);
   const Assessment a = assess(run, c, building, o.time, o.levels);
   const cases::GroundMotion base = base_of_run(run, c);
   const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
   std::fputs((o.json ? assessment_json(a, points, base) : assessment_text(a, points, base)).c_str(), stdout);
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
-  if (!o.spectra.empty()) write_text_file(o.spectra, spectra_csv(points, base, o.damping), o.overwrite);
+  if (!o.spectra.empty()) write_output(spectra, spectra_csv(points, base, o.damping));
   return kDone;
 }
 

@@ -125,7 +125,7 @@ void print_schedule(const solver::JointTasks& tasks, std::span<const StepSplit> 
   const double on_one = timing_of(1)->step, scale = on_one / solver::predict(tasks, measured, 1).step;
   std::printf("\nby a model of the schedule, from what was measured above; hand-over %.0f ns%s\n", 1e9 * handover,
               both ? "" : "; what one thread does alone is not known without a second one");
-  BenchTable table(schedule_header(), "");
+  BenchTable table(schedule_header(), {"", FileKind::table, ""});
   table.print_header();
   for (const int cores : kCores) {
     const auto known = timing_of(cores);
@@ -168,13 +168,10 @@ std::vector<MachineLimits> limits_of(std::span<const int> counts) {
 /// Prints all tables of one case or checkpoint.
 template <class Run>
 void bench(Run& run, const BenchOptions& o) {
-  namespace fs = std::filesystem;
-  if (!o.csv.empty() && fs::weakly_canonical(o.csv) == fs::weakly_canonical(o.stages_csv)) {
-    throw FileError(o.csv, "is named for two tables: --csv and --stages-csv");
-  }
-  for (const std::string& path : {o.csv, o.stages_csv}) check_output(path, o.overwrite);
+  const Output csv{o.csv, FileKind::table, "--csv", o.overwrite}, stages_csv{o.stages_csv, FileKind::table, "--stages-csv", o.overwrite};
+  for (const Output& output : {csv, stages_csv}) check_output(output);
   const ScratchFolder scratch;
-  BenchTable table(timing_header(), o.csv), stages(stage_header(), o.stages_csv);
+  BenchTable table(timing_header(), csv), stages(stage_header(), stages_csv);
   const cases::Census census = cases::census(run.model);
   const std::vector<int> counts = thread_counts(o.threads);
   TimingOptions timing;
@@ -221,6 +218,7 @@ int bench_case(const LoadedCase& c, const BenchOptions& o) {
 int bench_checkpoint(const std::string& path, const BenchOptions& o) {
   if (o.after > 0.0)
     throw cases::InputError("--after", "= " + cases::text(o.after) + " s; a checkpoint is measured as it stands, leave it out");
+  note_input(path);
   Checkpoint checkpoint = read_checkpoint(path);
   cases::Case value = read_case({path, checkpoint.facts.case_toml, "."}).value;
   solver::Options options;

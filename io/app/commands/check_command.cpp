@@ -29,7 +29,6 @@
 #include "io/app/session/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/text_file.h"
 #include "io/input/motion/motion_files.h"
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
@@ -281,14 +280,15 @@ int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::G
 
 /// Reads, builds and reports, without a run. \throw cases::InputError, FileError
 int check(const LoadedCase& c, const CheckOptions& o, int threads) {
-  check_output(o.draw, o.overwrite);
+  const Output drawing{o.draw, FileKind::drawing, "--draw", o.overwrite};
+  check_output(drawing);
   const cases::Model model = prepared_model(c.value, threads);
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.threads = threads;
   solver::Simulation sim(c.value, model, motion, options);
   if (o.json) {
-    if (!o.draw.empty()) write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    if (!o.draw.empty()) write_output(drawing, draw(c.value, model));
     return check_as_json(c, model, motion, sim);
   }
   const cases::Census n = cases::census(model);
@@ -313,7 +313,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_tie_bill(model);
   const bool sound = print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
-    write_text_file(o.draw, draw(c.value, model), o.overwrite);
+    write_output(drawing, draw(c.value, model));
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
   }
   const std::size_t findings = findings_of(c, model, motion).size();

@@ -23,7 +23,6 @@
 #include "io/app/session/progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/text_file.h"
 #include "io/output/assess/limit_words.h"
 #include "solver/limit/load_path.h"
 #include "solver/limit/programme/linear_programme.h"
@@ -131,11 +130,13 @@ std::function<void(int, double)> ticker(bool coulomb) {
   };
 }
 
+Output mechanism_of(const LimitCommandOptions& o) { return {o.mechanism, FileKind::table, "--mechanism", o.overwrite}; }
+
 /// Prints the result and writes the mechanism. \return the exit code
 int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::Model& model, const solver::LimitResult& found,
          const solver::LoadPath* path) {
   std::fputs((o.json ? limit_json(asked, model, found, path) : limit_text(asked, model, found, path)).c_str(), stdout);
-  if (!o.mechanism.empty()) write_text_file(o.mechanism, limit_csv(asked, model, found), o.overwrite);
+  if (!o.mechanism.empty()) write_output(mechanism_of(o), limit_csv(asked, model, found));
   bool proven = o.associated || found.coulomb_proven();
   if (path != nullptr)
     for (const solver::LoadPosition& p : path->positions) proven = proven && (o.associated || !p.found || p.found->coulomb_proven());
@@ -151,7 +152,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
         "voussoir: limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: -DVOUSSOIR_CLP=ON)\n");
     return kInputFault;
   }
-  check_output(o.mechanism, o.overwrite);
+  check_output(mechanism_of(o));
   LimitQuestion asked{c.value.title, "", {live_load(o, c.value), o.facets, o.outer, {}}};
   asked.live = words_of(asked.options.live, o);
   asked.options.coulomb = !o.associated;

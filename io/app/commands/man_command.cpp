@@ -11,7 +11,7 @@
 #include "io/app/manual/option_table.h"
 #include "io/app/session/exit_code.h"
 #include "io/input/files/errors.h"
-#include "io/input/files/text_file.h"
+#include "io/input/files/output_path.h"
 #include "io/output/results/provenance.h"
 
 namespace voussoir::io {
@@ -23,7 +23,7 @@ int write_pages(const OptionTable& table, const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
   for (const ManPage& page : man_pages(table, program_version()))
-    write_text_file((std::filesystem::path(folder) / page.file).string(), page.text, true);
+    write_output({(std::filesystem::path(folder) / page.file).string(), FileKind::manual, "FOLDER", true}, page.text);
   return kDone;
 }
 

@@ -18,7 +18,6 @@
 #include "io/app/session/progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/text_file.h"
 #include "io/output/report/vtu_file.h"
 #include "solver/analysis/impulse.h"
 #include "solver/analysis/modes.h"
@@ -105,7 +104,8 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
 /// moves most).
 /// \throw cases::InputError, FileError, solver::NumericalError
 int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
-  check_output(o.shapes, o.overwrite);
+  const Output shapes{o.shapes, FileKind::shapes, "--shapes", o.overwrite};
+  check_output(shapes);
   cases::Case c = loaded.value;
   const cases::Model model = prepared_model(c, threads);
   const std::vector<solver::Mode> modes =
@@ -113,7 +113,7 @@ int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
   std::printf("%s\n\n", c.title.c_str());
   print_modes(modes, o.closed);
-  if (!o.shapes.empty()) write_text_file(o.shapes, mode_shapes_vtu(model, modes), o.overwrite);
+  if (!o.shapes.empty()) write_output(shapes, mode_shapes_vtu(model, modes));
   std::fflush(stdout);
   if (o.no_impulse) return kDone;
   if (c.output.history.empty()) c.output.history = most_moved(model, modes);

@@ -85,6 +85,8 @@ void check_spectra(const MotionOptions& o) {
   }
 }
 
+Output spectra_of(const MotionOptions& o) { return {o.spectra.value_or(""), FileKind::table, "--spectra", o.overwrite}; }
+
 void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   if (arguments.empty())
     throw cases::InputError("", "no record named; allowed: files, folders that hold record.toml, bam-like, bam-like#N");
@@ -100,10 +102,10 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   if ((o.spectra || o.target) && o.damping.empty())
     throw cases::InputError("--damping", "no value; allowed: from 0 to below 1 (of critical)");
   std::error_code error;
-  if (o.spectra) check_output(*o.spectra, o.overwrite);
-  for (const std::string& argument : arguments) {
-    if (o.spectra && fs::equivalent(argument, *o.spectra, error)) throw FileError(*o.spectra, "is the record itself; name another file");
-  }
+  for (const std::string& argument : arguments)
+    note_input(fs::exists(argument, error) ? argument : argument.substr(0, argument.rfind('#')));
+  if (o.target) note_input(*o.target);
+  check_output(spectra_of(o));
   if (o.write && arguments.size() != 1) {
     throw cases::InputError("--write", std::to_string(arguments.size()) + " records named; allowed: one");
   }
@@ -213,6 +215,7 @@ struct MotionWords {
 }  // namespace
 
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
+  start_command();
   check(arguments, o);
   std::vector<MotionSource> sources;
   for (const std::string& argument : arguments) {
@@ -229,7 +232,7 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
   if (!o.periods.empty()) print_intensities(components, o.periods, fits);
   if (o.target) print_fits(spectra, fits);
   if (o.write) write_record(sources[0], arguments[0], o);
-  if (o.spectra) write_spectra(spectra, *o.spectra);
+  if (o.spectra) write_output(spectra_of(o), spectra_csv(spectra));
   print_table(components, out);
   if (const std::string done = described(o.treatment); !done.empty()) out << "\n" << done << "\n";
   out << fits.str();

@@ -15,6 +15,7 @@
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/views.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/input/stones/stones.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/results/case_of_run.h"
@@ -57,8 +58,9 @@ std::vector<solver::Mode> modes_of(const std::string& run, int count) {
 }  // namespace
 
 int report_command(const ReportOptions& o) {
+  start_command();
   std::vector<std::string> runs;
-  for (const std::string& folder : o.folders) runs.push_back(folder + "/run.h5");
+  for (const std::string& folder : o.folders) note_run(folder), runs.push_back(folder + "/run.h5");
   const std::string& folder = o.folders.front();
   const std::vector<double> times = numbers("--stills", o.times);
   const bool film = !o.film.file.empty();

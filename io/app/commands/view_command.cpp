@@ -20,7 +20,6 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/files/scratch_folder.h"
-#include "io/input/files/text_file.h"
 #include "io/input/stones/stones.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/report/report_data.h"
@@ -115,7 +114,9 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
   const std::string page = !o.still.empty()   ? o.still
                            : o.output.empty() ? std::filesystem::path(c.path).stem().string() + ".html"
                                               : o.output;
-  check_output(page, o.overwrite);
+  const Output output =
+      o.still.empty() ? Output{page, FileKind::page, "--output", o.overwrite} : Output{page, FileKind::picture, "--still", o.overwrite};
+  check_output(output);
   const ShownModel s = shown_model(c, threads);
   const ScratchFolder scratch;
   {
@@ -129,11 +130,11 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
   findings.insert(findings.end(), slips.begin(), slips.end());
   const std::string text = model_html(scratch.path() + "/run.h5", in_page(s.fault, findings), s.at_fault);
   if (o.still.empty()) {
-    write_text_file(page, text, o.overwrite);
+    write_output(output, text);
     std::printf("%s  %.1f MB%s\n", page.c_str(), 1e-6 * static_cast<double>(text.size()),
                 findings.empty() ? "" : ("; warnings: " + std::to_string(findings.size())).c_str());
   } else {
-    write_still(text, o.view, page);
+    write_still(text, o.view, output);
   }
   if (s.fault.empty()) return kDone;
   std::fprintf(stderr, "voussoir: %s\n", s.fault.c_str());

@@ -9,16 +9,16 @@
 
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/text_file.h"
 #include "io/output/report/paraview_files.h"
 #include "io/output/report/report_data.h"
 
 namespace voussoir::io {
 
 void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
-  check_output(page, overwrite);
+  const Output output{page, FileKind::page, "the page", overwrite};
+  check_output(output);
   const std::string text = report_html(runs, modes);
-  write_text_file(page, text, overwrite);
+  write_output(output, text);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));
 }
 
@@ -36,7 +36,7 @@ void LivePage::look(double now) {
   if (every_ <= 0 || now < next_) return;
   const auto start = std::chrono::steady_clock::now();
   try {
-    write_text_file(folder_ + "/report.html", report_html({folder_ + "/run.h5"}), true);
+    write_output({folder_ + "/report.html", FileKind::page, "the page", true}, report_html({folder_ + "/run.h5"}));
   } catch (const std::exception& e) {
     std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this page\n", e.what());
   }

@@ -13,6 +13,7 @@
 #include "io/input/case_file/catalogue.h"
 #include "io/input/document/case_values.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/input/motion/motion_keys.h"
 
 namespace voussoir::io {
@@ -35,6 +36,7 @@ CaseText read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::string text(size, '\0');
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(size))) throw FileError(path, "cannot be read");
+  note_input(path);
   const std::string folder = fs::path(path).parent_path().string();
   return {path, std::move(text), folder.empty() ? "." : folder};
 }

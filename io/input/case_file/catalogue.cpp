@@ -11,6 +11,7 @@
 #include "io/input/case_file/built_in_cases.h"
 #include "io/input/document/case_tree.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 
 namespace voussoir::io {
 namespace {
@@ -43,6 +44,7 @@ void add_folder(const std::string& folder, std::map<std::string, CatalogueEntry>
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     if (!in) throw FileError(path.string(), "cannot be read");
+    note_input(path.string());
     const std::string name = path.stem().string();
     entries[name] = {name, title_of(text), text, path.string(), folder, false};
   }

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 
 #include "io/input/files/descriptor.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/input/files/whole_file.h"
 
 namespace voussoir::io {
@@ -89,6 +91,7 @@ bool is_own_case(const std::string& path) {
 
 /// Refuses a folder with other contents than a run's. \throw FileError
 void check_folder(const std::string& path, bool used, bool overwrite) {
+  refuse_odd_file(path + "/case.toml");
   if (is_own_case(path + "/case.toml"))
     throw FileError(path + "/case.toml", "is no case that a run wrote, and would be replaced by one; give another folder");
   if (overwrite) return;
@@ -98,6 +101,27 @@ void check_folder(const std::string& path, bool used, bool overwrite) {
   const std::string more = foreign.size() > 1 ? " and " + std::to_string(foreign.size() - 1) + " more" : "";
   throw FileError(path, "holds what is of no run (" + foreign.front() + more +
                             "); give a new or empty folder, or --overwrite to put the results beside it");
+}
+
+/// Refuses links in place of folders, in which a run writes and removes files. \throw FileError
+void refuse_links(const std::string& folder) {
+  for (const std::string& inner : {folder + "/parts", folder + "/stills"})
+    if (fs::is_symlink(inner)) throw FileError(inner, "is a symbolic link, which results do not follow; give another folder");
+}
+
+/// Refuses a folder in which results would replace what is not a regular file, or an input of the command. \throw FileError
+void check_files(const std::string& folder) {
+  refuse_links(folder);
+  const auto check = [](const std::string& in, bool (*chosen)(const std::string&)) {
+    for (const std::string& name : names_in(in, chosen)) {
+      const std::string path = in + "/" + name;
+      refuse_odd_file(path);
+      if (is_input(path)) throw FileError(path, "is an input of this command, which its results would replace; give another folder");
+    }
+  };
+  check(folder, is_result);
+  check(folder + "/parts", is_part);
+  check(folder + "/stills", is_still);
 }
 
 void remove_results(const std::string& folder) {
@@ -119,8 +143,20 @@ std::string holder(int lock) {
   return digits_only(text) ? "process " + text : "another process";
 }
 
+/// Whether an open file is a lock of a run: a regular file, empty or with the number of a process.
+bool is_lock(int file) {
+  struct stat is {};
+  std::string text(32, '\0');
+  if (::fstat(file, &is) != 0 || !S_ISREG(is.st_mode)) return false;
+  const ssize_t n = ::pread(file, text.data(), text.size(), 0);
+  text.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  return is.st_size == 0 || (text.ends_with('\n') && digits_only(text.substr(0, text.size() - 1)));
+}
+
 int take_lock(const std::string& folder) {
-  Descriptor lock(folder + "/.lock", O_RDWR | O_CREAT);
+  refuse_odd_file(folder + "/.lock");
+  Descriptor lock(folder + "/.lock", O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK);
+  if (!is_lock(lock.id())) throw FileError(folder + "/.lock", "is no lock of a run, and would be overwritten by one; give another folder");
   if (::flock(lock.id(), LOCK_EX | LOCK_NB) != 0) {
     if (errno == EWOULDBLOCK) throw FileError(folder, "is in use by " + holder(lock.id()) + "; give another folder or wait for it to end");
     throw FileError(folder + "/.lock", "cannot lock: " + system_words(errno));
@@ -162,6 +198,7 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
   const auto check = [&] {
     const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
     check_folder(path, used, overwrite);
+    check_files(path);
     return used;
   };
   try {
@@ -179,6 +216,7 @@ void RunFolder::write_case(const std::string& toml) const { write_text_file(file
 RunFolder RunFolder::open(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) throw FileError(path, "is no folder of a run");
+  check_files(path);
   return RunFolder(path);
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/input/files/output_path.h"
 #include "io/input/files/whole_file.h"
 #include "solver/state/hash.h"
 
@@ -116,7 +117,7 @@ void check_seal(const std::string& path, const std::string& what, std::int64_t v
 }
 
 SealedFile::SealedFile(std::string path, std::uint64_t room)
-    : path_(std::move(path)), temporary_(path_ + ".tmp"), contents_(Hdf5File::create(temporary_, kSealBytes)) {
+    : path_(std::move(path)), temporary_(path_ + ".tmp"), contents_(Hdf5File::create(cleared(temporary_), kSealBytes)) {
   try {
     claim_room(temporary_, kSealBytes + room);
   } catch (...) {

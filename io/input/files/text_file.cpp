@@ -11,7 +11,6 @@
 
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
-#include "io/input/files/whole_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -30,16 +29,8 @@ std::string read_text_file(const std::string& path, std::size_t largest) {
   std::string text(static_cast<std::size_t>(size), '\0');
   std::ifstream in(path, std::ios::binary);
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(text.size()))) throw FileError(path, "cannot be read");
+  note_input(path);
   return text;
-}
-
-void write_text_file(const std::string& path, std::string_view text, bool overwrite) {
-  refuse_to_replace(path, overwrite);
-  std::error_code error;
-  if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return write_text_file(path, std::string(text));
-  std::ofstream out(path, std::ios::binary);  // for a pipe or a device
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!out.flush()) throw FileError(path, "cannot be written");
 }
 
 LineReader::LineReader(std::string_view text) : rest_(text) {

@@ -10,12 +10,9 @@
 /// Helpers for readers of text files from other programs, possibly damaged.
 namespace voussoir::io {
 
-/// The bytes of a regular file; memory use is bounded by its size.
+/// The bytes of a regular file, which is noted as an input (output_path.h); memory use is bounded by its size.
 /// \throw FileError if it is missing, a folder, not a regular file, larger than `largest` bytes, or unreadable.
 std::string read_text_file(const std::string& path, std::size_t largest);
-
-/// Writes a text file. \throw FileError if the file exists and `overwrite` is false, or if it cannot be written.
-void write_text_file(const std::string& path, std::string_view text, bool overwrite);
 
 /// Reads a text line by line; LF, CRLF and a single CR end a line, a UTF-8 byte order mark is skipped.
 class LineReader {

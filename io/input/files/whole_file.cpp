@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/input/files/descriptor.h"
+#include "io/input/files/output_path.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -50,12 +51,13 @@ void remove_leftovers(const std::string& path) {
 
 std::string own_temporary(const std::string& path) {
   remove_leftovers(path);
-  return path + "." + std::to_string(::getpid()) + ".tmp";
+  return cleared(path + "." + std::to_string(::getpid()) + ".tmp");
 }
 
 void replace_file(const std::string& temporary, const std::string& path) {
   try {
     sync(temporary);
+    refuse_odd_file(path);
     if (::rename(temporary.c_str(), path.c_str()) != 0) throw FileError(path, "cannot replace: " + system_words(errno));
   } catch (...) {
     ::unlink(temporary.c_str());
@@ -68,7 +70,7 @@ void replace_file(const std::string& temporary, const std::string& path) {
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
   const std::string temporary = own_temporary(path);
   try {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
     write_all(file.id(), reinterpret_cast<const char*>(bytes.data()), bytes.size(), path);
   } catch (...) {
     ::unlink(temporary.c_str());

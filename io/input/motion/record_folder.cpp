@@ -12,7 +12,6 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/files/text_file.h"
-#include "io/input/files/whole_file.h"
 #include "io/input/motion/formats/motion_text.h"
 #include "io/input/motion/motion_files.h"
 
@@ -103,21 +102,21 @@ Record read_record_folder(const std::string& folder, const Unstated& unstated) {
 }
 
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite) {
-  std::vector<std::pair<std::string, std::string>> files;
+  std::vector<std::pair<Output, std::string>> files;
   std::string description =
       "# Accelerations in m/s2 against time in s, by voussoir motion --write.\nname = " + toml_string(record.name) + "\n";
   for (std::size_t i = 0; i < 3; ++i) {
     if (record.ltv[i].acceleration.empty()) continue;
     const std::string file = std::string(kComponents[i]) + ".csv";
     description += std::string(kComponents[i]) + " = " + toml_string(file) + "\n";
-    files.emplace_back((fs::path(folder) / file).string(), csv_of(record.ltv[i]));
+    files.emplace_back(Output{(fs::path(folder) / file).string(), FileKind::table, "--write", overwrite}, csv_of(record.ltv[i]));
   }
-  files.emplace_back((fs::path(folder) / "record.toml").string(), description);
+  files.emplace_back(Output{(fs::path(folder) / "record.toml").string(), FileKind::record, "--write", overwrite}, description);
   std::error_code error;
-  for (const auto& [path, text] : files) refuse_to_replace(path, overwrite);
+  for (const auto& [output, text] : files) refuse_to_replace(output);
   fs::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
-  for (const auto& [path, text] : files) write_text_file(path, text);
+  for (const auto& [output, text] : files) write_output(output, text);
 }
 
 }  // namespace voussoir::io

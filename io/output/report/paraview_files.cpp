@@ -164,7 +164,8 @@ class ParaviewWriter {
 
 void write_paraview(const std::string& folder, bool overwrite) {
   const std::string xdmf = folder + "/run.xdmf", data = folder + "/" + kData;
-  for (const std::string& path : {xdmf, data}) refuse_to_replace(path, overwrite);
+  const Output description{xdmf, FileKind::xdmf, "--paraview", overwrite};
+  for (const Output& output : {description, Output{data, FileKind::hdf5, "--paraview", overwrite}}) refuse_to_replace(output);
   const Hdf5File run = Hdf5File::open(folder + "/run.h5");
   const FrameReader frames(run);
   if (frames.frames() == 0) throw FileError(run.path(), "holds no frames");
@@ -177,7 +178,7 @@ void write_paraview(const std::string& folder, bool overwrite) {
     text = out.xdmf();
   };
   write_file(data, fill, own_temporary(data));
-  write_text_file(xdmf, text);
+  write_output(description, text);
 }
 
 }  // namespace voussoir::io

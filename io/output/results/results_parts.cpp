@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "io/input/files/output_path.h"
 #include "io/input/files/whole_file.h"
 
 namespace voussoir::io {
@@ -94,7 +95,7 @@ RowCounts rows_of(std::span<const Part> parts) noexcept {
 }
 
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary) {
-  if (temporary.empty()) temporary = path + ".tmp";
+  if (temporary.empty()) temporary = cleared(path + ".tmp");
   try {
     Hdf5File file = Hdf5File::create(temporary);
     fill(file);

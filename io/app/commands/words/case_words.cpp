@@ -11,8 +11,10 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/input/case_file/case_paths.h"
 #include "io/input/document/case_values.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/stones/stones.h"
 
@@ -49,6 +51,11 @@ std::vector<std::string> overrides(const CaseWords& w) {
   return all;
 }
 
+/// Notes all files that the case names as inputs of the command, also those that it does not read.
+void note_files_of(cases::Case value) {
+  for_each_path(value, [&](std::string& path) { note_input((std::filesystem::path(value.folder) / path).string()); });
+}
+
 }  // namespace
 
 void add_case(CLI::App& command, CaseWords& w) {
@@ -71,6 +78,7 @@ int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& u
   LoadedCase c = load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   warn_of(c.findings);
+  note_files_of(c.value);
   try {
     if (!raw_stones) {
       load_stones(c.value);

@@ -129,7 +129,7 @@ std::vector<HorizontalPair> horizontal_pairs(const std::vector<Component>& compo
   return pairs;
 }
 
-void write_spectra(const Spectra& s, const std::string& path) {
+std::string spectra_csv(const Spectra& s) {
   std::vector<double> frequencies;
   for (int i = 0; i < kFrequencies; ++i) frequencies.push_back(kLowest * std::pow(kHighest / kLowest, i / (kFrequencies - 1.0)));
   std::ostringstream out;
@@ -144,7 +144,7 @@ void write_spectra(const Spectra& s, const std::string& path) {
     }
   }
   if (s.target) write_target(out, s, frequencies);
-  write_text_file(path, out.str());
+  return out.str();
 }
 
 void print_fits(const Spectra& s, std::ostream& out) {

@@ -45,8 +45,7 @@ struct Spectra {
 /// A CSV table: for each component and damping, relative displacement, pseudo-velocity and pseudo-acceleration at 271 frequencies from 0.1
 /// to 50 Hz, 100 a decade; then the same columns for each pair (components "geomean", "RotD50", "RotD100"), and for the target within its
 /// range.
-/// \throw FileError
-void write_spectra(const Spectra& s, const std::string& path);
+std::string spectra_csv(const Spectra& s);
 
 /// Prints a line for each component, pair and damping: the factor that best fits its pseudo-accelerations to the target (fit, at 101
 /// periods in equal ratios), the remaining misfit, and the least ratio to the target with its period.

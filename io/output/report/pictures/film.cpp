@@ -67,7 +67,8 @@ Stretch stretch_of(const std::vector<std::string>& runs) {
 
 void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
   coding(o.file);
-  check_output(o.file, o.overwrite);
+  const Output film{o.file, FileKind::film, "--film", o.overwrite};
+  check_output(film);
   const Stretch time = stretch_of(runs);
   const ScratchFolder scratch;
   const std::string made = scratch.path() + "/film" + fs::path(o.file).extension().string();
@@ -84,6 +85,7 @@ void write_film(const std::vector<std::string>& runs, const FilmOptions& o) {
     ffmpeg.write(from_base64(browser.evaluate("opened.then((report) => report.shot(" + at(i) + ", " + view + ", " + kSize + next + "))")));
   }
   ffmpeg.finish();
+  check_output(film);
   const std::string beside = own_temporary(o.file);
   std::error_code none;
   if (!fs::copy_file(made, beside, fs::copy_options::overwrite_existing, none)) {

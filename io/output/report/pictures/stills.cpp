@@ -25,7 +25,8 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1000;  // pixels
 
 struct ShownStill {
-  std::string view, file;
+  std::string view;
+  Output output;
   double time;  // s
 };
 
@@ -46,8 +47,8 @@ std::vector<ShownStill> planned(const StillsOptions& o) {
   for (const std::string& view : o.views)
     for (const double t : o.times) {
       const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
-      refuse_to_replace(file, o.overwrite);
-      all.push_back({view, file, t});
+      all.push_back({view, {file, FileKind::picture, "--stills", o.overwrite}, t});
+      refuse_to_replace(all.back().output);
     }
   return all;
 }
@@ -56,8 +57,9 @@ void take(Browser& browser, const ShownStill& s) {
   const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
   const std::string png =
       browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
-  write_whole_file(s.file, from_base64(png));
-  std::printf("%s\n", s.file.c_str());
+  const std::vector<std::byte> bytes = from_base64(png);
+  write_output(s.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  std::printf("%s\n", s.output.path.c_str());
 }
 
 /// A page in a separate browser, which draws frames only on request.
@@ -88,9 +90,9 @@ void write_stills(const std::vector<std::string>& runs, const StillsOptions& o) 
   for (const ShownStill& s : stills) take(studio.browser, s);
 }
 
-void write_still(const std::string& html, const std::string& view, const std::string& file) {
+void write_still(const std::string& html, const std::string& view, const Output& picture) {
   Studio studio(html);
-  take(studio.browser, {view, file, 0.0});
+  take(studio.browser, {view, picture, 0.0});
 }
 
 std::string view_names() {

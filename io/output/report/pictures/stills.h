@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/input/files/output_path.h"
+
 namespace voussoir::io {
 
 /// Views of the page.
@@ -26,6 +28,6 @@ struct StillsOptions {
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o);
 
 /// Writes a picture of a page with a single frame, as of the model of a case. \param html  the page \throw FileError if Chromium is missing
-void write_still(const std::string& html, const std::string& view, const std::string& file);
+void write_still(const std::string& html, const std::string& view, const Output& picture);
 
 }  // namespace voussoir::io

@@ -105,16 +105,17 @@ TEST_CASE("a table is on the disk row by row, and a file is replaced only if ask
     all << std::ifstream(path).rdbuf();
     return all.str();
   };
-  io::refuse_to_replace(path, false);  // nothing there
-  io::BenchTable table({"who", "what"}, path);
+  const auto output = [](const std::string& file, bool overwrite) { return io::Output{file, io::FileKind::table, "--csv", overwrite}; };
+  io::refuse_to_replace(output(path, false));  // nothing there
+  io::BenchTable table({"who", "what"}, output(path, false));
   io::Cells cells{"a"};
   io::put(cells, "%.2f", 1.0 / 3.0);
   table.add(cells);
   table.add({"b", ""});
   CHECK(text() == "who,what\na,0.33\nb,\n");
-  CHECK_THROWS_AS(io::refuse_to_replace(path, false), io::FileError);
-  io::refuse_to_replace(path, true);
-  const io::BenchTable other({"new"}, path);
-  CHECK(text() == "new\n");
-  CHECK_THROWS_AS(io::BenchTable({"new"}, folder.file("none/table.csv")), io::FileError);
+  CHECK_THROWS_AS(io::refuse_to_replace(output(path, false)), io::FileError);
+  io::refuse_to_replace(output(path, true));
+  const io::BenchTable other({"new", "row"}, output(path, true));
+  CHECK(text() == "new,row\n");
+  CHECK_THROWS_AS(io::BenchTable({"new"}, output(folder.file("none/table.csv"), true)), io::FileError);
 }

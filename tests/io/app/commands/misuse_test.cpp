@@ -93,7 +93,8 @@ TEST_CASE("--overwrite removes what runs write, not a copy of a checkpoint; a ta
   CHECK(pillar.run("results", "--overwrite").code == 0);
   CHECK(text_of(pillar.folder.path("results/checkpoint-keep.h5")) == "mine");
   const std::string record = pillar.folder.write("a.csv", "t [s], a [m/s2]\n0.0, 0.0\n0.1, 1.0\n0.2, 0.0\n"), was = text_of(record);
-  refused(voussoir("motion " + shell::quoted(record) + " --spectra " + shell::quoted(record) + " --overwrite"), 3, "is the record itself");
+  refused(voussoir("motion " + shell::quoted(record) + " --spectra " + shell::quoted(record) + " --overwrite"), 3,
+          "is an input of this command");
   CHECK(text_of(record) == was);
 }
 

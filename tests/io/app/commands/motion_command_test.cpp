@@ -128,11 +128,11 @@ TEST_CASE("motion: files of one name are called by their paths") {
 TEST_CASE("motion: nothing that exists is written over unless told to") {
   const TempFolder folder;
   MotionOptions o;
-  o.spectra = folder.write("spectra.csv", "mine\n");
+  o.spectra = folder.write("spectra.csv", "mine, too\n");
   std::stringstream out;
   CHECK_THROWS_WITH_AS(motion_command({"bam-like"}, o, out), doctest::Contains("exists; --overwrite replaces it"), FileError);
   CHECK(out.str().empty());
-  CHECK(lines_of_file(*o.spectra) == std::vector<std::string>{"mine"});
+  CHECK(lines_of_file(*o.spectra) == std::vector<std::string>{"mine, too"});
   o.overwrite = true;
   printed({"bam-like"}, o);
   CHECK(lines_of_file(*o.spectra).size() == 1 + 3 * 271);

@@ -88,7 +88,8 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
 
 TEST_CASE("results do not mix with files of something else unless told to, and never replace a case of the user's") {
   const TempFolder dir;
-  for (const char* hidden : {".gitignore", ".lock"}) touch(dir.file(hidden));
+  touch(dir.file(".gitignore"));
+  touch(dir.file(".lock"), "12\n");
   fs::create_directory(dir.file("parts"));  // as a run that has merged its parts may leave it
   CHECK_NOTHROW(RunFolder::create(dir.path(), false));
   for (const char* foreign : {"notes.txt", "photos/wall.jpg", "parts/plan.h5", "stills/plan.png"}) {

@@ -11,6 +11,7 @@
 #include "cases/model.h"
 #include "cases/tables/motion.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/output_path.h"
 #include "io/input/motion/support_motion.h"
 #include "io/input/motion/synthetic/bam_like.h"
 #include "tests/io/temp_folder.h"
@@ -214,6 +215,8 @@ TEST_CASE("a record written is the record read") {
     CHECK(back.ltv[i].acceleration == record.ltv[i].acceleration);
     CHECK(back.ltv[i].dt == doctest::Approx(record.ltv[i].dt).epsilon(1e-12));
   }
+  CHECK_THROWS_WITH_AS(io::write_record_folder(record, folder.path("out/copy"), true), doctest::Contains("is an input"), FileError);
+  io::start_command();
   CHECK_THROWS_WITH_AS(io::write_record_folder(record, folder.path("out/copy"), false),
                        doctest::Contains("exists; --overwrite replaces it"), FileError);
   io::write_record_folder({"other", {}}, folder.path("out/copy"), true);

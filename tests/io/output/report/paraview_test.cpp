@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"
+#include "io/input/files/whole_file.h"
 #include "io/output/report/paraview_files.h"
 #include "tests/io/results_fixture.h"
 
@@ -90,7 +91,7 @@ TEST_CASE("run.xdmf has a grid for every frame, and refers to its neighbour by n
 TEST_CASE("files for ParaView are not replaced unasked, and need frames") {
   const TempFolder folder;
   write_run(folder);
-  write_text_file(folder.file("run.xdmf"), "mine", false);
+  write_text_file(folder.file("run.xdmf"), "<Xdmf/>");
   CHECK_THROWS_WITH_AS(write_paraview(folder.path(), false), doctest::Contains("--overwrite"), FileError);
   write_paraview(folder.path(), true);
   CHECK(count(read_text_file(folder.file("run.xdmf"), 1U << 20U), "<Grid Name=\"house\"") == 2);

@@ -11,6 +11,7 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/packed_text.h"
 #include "io/input/files/text_file.h"
+#include "io/input/files/whole_file.h"
 #include "io/output/measures/debris/bodies.h"
 #include "io/output/replay/covered_faces.h"
 #include "io/output/replay/joint_cracks.h"
@@ -361,9 +362,9 @@ TEST_CASE("two runs stand in one page, each under its own names") {
 TEST_CASE("an existing page stays unless it may be replaced") {
   const TempFolder folder;
   write_run(folder, 2);
-  write_text_file(folder.file("report.html"), "mine", false);
+  write_text_file(folder.file("report.html"), "<!DOCTYPE html>");
   CHECK_THROWS_WITH_AS(report_command(page_of(folder)), doctest::Contains("--overwrite"), FileError);
-  CHECK(read_text_file(folder.file("report.html"), 100) == "mine");
+  CHECK(read_text_file(folder.file("report.html"), 100) == "<!DOCTYPE html>");
   ReportOptions again = page_of(folder);
   again.overwrite = true;
   CHECK(report_command(again) == 0);

@@ -6,6 +6,7 @@
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/text_file.h"
+#include "io/input/files/whole_file.h"
 #include "io/output/report/report_capacity.h"
 #include "tests/io/results_fixture.h"
 
@@ -34,7 +35,7 @@ std::string opinion_on(const std::string& limit) {
     writer.assessment({t, factor, 0.001 * i, 0.002 * i, 0.001 * i, 100.0 * factor, 0.0, 0.0});
   }
   writer.finish();
-  if (!limit.empty()) write_text_file(folder.file("limit.json"), limit, true);
+  if (!limit.empty()) write_text_file(folder.file("limit.json"), limit);
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   const LoadedCase c = read_case({"case.toml", run.attribute_text("/case", "toml")});
   std::vector<page::Plot> plots;
