@@ -6,8 +6,27 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace voussoir::geometry {
+namespace {
+
+/// Calls `work` on so many threads, this one among them, of which the system may give fewer than are asked for.
+template <class Work>
+void on_threads(std::size_t threads, const Work& work) {
+  std::vector<std::thread> hired;
+  hired.reserve(threads - 1);
+  try {
+    while (hired.size() + 1 < threads) hired.emplace_back(work);
+  } catch (const std::system_error&) {  // those that there are do all of it
+  }
+  work();
+  for (std::thread& t : hired) t.join();
+}
+
+}  // namespace
 
 void for_ranges(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t, std::size_t)>& work) {
   const std::size_t ranges = range_count(count);
@@ -27,13 +46,8 @@ void for_ranges(std::size_t count, int threads, const std::function<void(std::si
       }
     }
   };
-  const int team = static_cast<int>(std::min<std::size_t>(ranges, static_cast<std::size_t>(std::max(threads, 1))));
-  if (team < 2) {
-    take_ranges();
-  } else {
-#pragma omp parallel num_threads(team)
-    take_ranges();
-  }
+  const std::size_t team = std::min(ranges, static_cast<std::size_t>(std::max(threads, 1)));
+  on_threads(std::max<std::size_t>(team, 1), take_ranges);
   if (error) std::rethrow_exception(error);
 }
 

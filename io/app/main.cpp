@@ -23,8 +23,10 @@ using namespace voussoir;
 
 int work(const io::Command& command) {
   // The only place that chooses a number of threads; all others are told.
-  if (command.threads != nullptr && *command.threads == 0) *command.threads = omp_get_max_threads();
+  if (command.threads != nullptr && *command.threads == 0) *command.threads = std::min(omp_get_max_threads(), io::kMostThreads);
+  if (command.threads != nullptr) *command.threads = io::threads_to_be_had(*command.threads);
   io::start_command();
+  io::now_doing("working");
   return io::code_after_output(command.work());
 }
 

@@ -15,6 +15,7 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
+#include "io/app/session/process.h"
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
@@ -68,6 +69,7 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
 /// Prints engineering figures of a run (io/MEASURES.md), writes crack maps of its walls and floor response spectra. \throw
 /// cases::InputError, FileError
 int assess(const AssessOptions& o) {
+  now_doing("reading the results");
   std::filesystem::is_directory(o.folder) ? note_run(o.folder) : note_input(o.folder);
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const cases::Case c = case_of_run(run);

@@ -10,6 +10,7 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/summary_command.h"
 #include "io/app/commands/words/common_words.h"
+#include "io/app/session/process.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/compared_measures.h"
@@ -46,6 +47,7 @@ std::string as_json(const Comparison& c, const std::string& a, const std::string
 /// \param a,  b folders of runs, or files. \param json  one JSON object: identical, datasets, differing, first, measures (always; null if a
 /// file is no run). \return 0: equal; 1: not \throw FileError
 int compare(const std::string& a, const std::string& b, bool json) {
+  now_doing("reading the results");
   const Comparison c = compare_files(results_of(a), results_of(b));
   const bool same = c.differing == 0;
   if (json) {

@@ -20,6 +20,7 @@
 #include "io/app/commands/words/number_range.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/app/session/progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
@@ -158,7 +159,9 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   if (on_terminal) asked.options.tick = ticker(asked.options.coulomb);
+  now_doing("building the model");
   const cases::Model model = cases::build_model(c.value, threads);
+  now_doing("looking for the multiplier");
   if (!model.ties.empty())
     std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
   if (o.path.empty()) {

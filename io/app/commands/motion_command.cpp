@@ -18,6 +18,7 @@
 #include "cases/names.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/number_range.h"
+#include "io/app/session/process.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/files/text_file.h"
@@ -216,6 +217,7 @@ struct MotionWords {
 
 int motion_command(const std::vector<std::string>& arguments, const MotionOptions& o, std::ostream& out) {
   start_command();
+  now_doing("reading the records");
   check(arguments, o);
   std::vector<MotionSource> sources;
   for (const std::string& argument : arguments) {

@@ -15,6 +15,7 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
+#include "io/app/session/process.h"
 #include "io/app/session/restored_run.h"
 #include "io/app/session/session.h"
 #include "io/app/session/views.h"
@@ -129,6 +130,7 @@ void set_end(cases::Case& c, const std::optional<double>& until, double time, co
 int resume(const ResumeOptions& o) {
   const RunFolder folder = RunFolder::open(o.folder);
   const std::string run = folder.file("run.h5");
+  now_doing("reading the checkpoint");
   Found found = newest_good(folder.path());
   if (!fs::exists(run)) throw FileError(run, "is missing: there are no results to go on with");
   cases::Case c = read_case({found.path, found.checkpoint.facts.case_toml, folder.path()}).value;

@@ -16,6 +16,7 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
+#include "io/app/session/process.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/measures_file.h"
@@ -189,6 +190,7 @@ struct SummaryOptions {
 /// Prints the results of a run, with all measures (measures.h), computed anew from its frames; thus also for an unfinished run, a killed
 /// one, or one of an earlier version of the program. \throw FileError
 int print_summary(const SummaryOptions& o) {
+  now_doing("reading the results");
   const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
   const Measures m = measure(run);
   const std::optional<Capacity> capacity = capacity_of(run);

@@ -93,7 +93,7 @@ numerical failure; of \fBcompare\fR and \fBrun \-\-verify\fR: not the same
 usage or input
 .TP
 3
-files
+files; memory or a stack that cannot be had
 .TP
 4
 this processor lacks instructions that the program was built for

@@ -8,15 +8,18 @@
 #include "cases/case.h"
 #include "cases/followed_points.h"
 #include "io/app/session/likely_slips.h"
+#include "io/app/session/process.h"
 #include "io/input/motion/support_motion.h"
 #include "solver/analysis/main_modes.h"
 
 namespace voussoir::io {
 
 cases::Model prepared_model(const cases::Case& c, int threads) {
+  now_doing("building the model");
   cases::Model model = cases::build_model(c, threads);
   load_support_motions(model, c.folder);
   cases::check_followed_points(c, model);
+  now_doing("setting up the computation");
   return model;
 }
 

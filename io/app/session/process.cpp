@@ -2,13 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/session/process.h"
 
+#include <malloc.h>
+#include <pthread.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "io/app/session/exit_code.h"
 
@@ -21,6 +31,57 @@ void open_many_files() {
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
   setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+constexpr rlim_t kLeastStack = 1U << 20U, kUsualStack = 8U << 20U;  // bytes
+
+/// Raises a small limit of the stack, for this thread and those to come, as far as may be.
+void take_stack() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kLeastStack) return;
+  const rlim_t before = limit.rlim_cur;
+  limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? kUsualStack : std::min(limit.rlim_max, kUsualStack);
+  if (limit.rlim_cur < kLeastStack || setrlimit(RLIMIT_STACK, &limit) != 0) {
+    std::fprintf(stderr, "voussoir: the stack is limited to %llu kB (ulimit -s); 1024 kB at least are needed\n",
+                 static_cast<unsigned long long>(before >> 10U));
+    std::_Exit(kFileFault);
+  }
+  pthread_attr_t usual;
+  if (pthread_attr_init(&usual) != 0) return;
+  if (pthread_attr_setstacksize(&usual, limit.rlim_cur) == 0) pthread_setattr_default_np(&usual);
+  pthread_attr_destroy(&usual);
+}
+
+std::atomic<const char*> doing{"starting"};
+
+/// "388 MB are in use, ulimit -v allows 400 MB": what is known without memory.
+void print_memory() {
+  unsigned long long pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  const double used = 1e-6 * static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  if (pages > 0) std::fprintf(stderr, "; %.0f MB are in use", used);
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    std::fprintf(stderr, ", ulimit -v allows %.0f MB", 1e-6 * static_cast<double>(limit.rlim_cur));
+}
+
+/// How many threads the system gives at a time, of so many; and the error that ends them.
+int threads_given(int wanted, std::string& why) {
+  std::vector<std::thread> given;
+  given.reserve(static_cast<std::size_t>(wanted));
+  std::atomic<bool> go{false};
+  try {
+    while (static_cast<int>(given.size()) < wanted) given.emplace_back([&] { go.wait(false); });
+  } catch (const std::system_error& e) {
+    why = e.code().message();
+  }
+  go = true;
+  go.notify_all();
+  for (std::thread& t : given) t.join();
+  return static_cast<int>(given.size());
 }
 
 std::terminate_handler handler_before = nullptr;
@@ -39,9 +100,13 @@ std::terminate_handler handler_before = nullptr;
 }  // namespace
 
 void prepare_process() {
+  take_stack();
   handler_before = std::set_terminate(end_by_terminate);
   std::signal(SIGXFSZ, SIG_IGN);
   open_many_files();
+  rlimit memory{};
+  // Each thread would set aside 64 MB of addresses to allocate from.
+  if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
 }
 
 int code_after_output(int code) {
@@ -51,9 +116,28 @@ int code_after_output(int code) {
   return code == kDone ? kFileFault : code;
 }
 
+void now_doing(const char* what) { doing = what; }
+
+int threads_to_be_had(int wanted) {
+  std::string why;
+  const int given = threads_given(wanted - 1, why);
+  if (given == wanted - 1) return wanted;
+  const int taken = 1 + given / 4;
+  std::fprintf(stderr, "voussoir: warning: of %d threads the system gives %d (%s; ulimit -v, -u); going on with %d\n", wanted, 1 + given,
+               why.c_str(), taken);
+  return taken;
+}
+
 int end_unexpectedly(const std::exception& e) {
-  const bool memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr;
-  std::fprintf(stderr, "voussoir: %s\n", memory ? "out of memory" : e.what());
+  // A length_error is a size that is beyond any memory.
+  const bool memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr || dynamic_cast<const std::length_error*>(&e) != nullptr;
+  if (!memory) {
+    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    return kFileFault;
+  }
+  std::fprintf(stderr, "voussoir: out of memory while %s", doing.load());
+  print_memory();
+  std::fputs("\n", stderr);
   return kFileFault;
 }
 

@@ -7,9 +7,19 @@
 /// Set-up of the process before a command, and its end.
 namespace voussoir::io {
 
-/// Raises the limit of open files. Makes a file at the size limit an error like a full disk instead of a signal. Makes the program end with
-/// a message and an exit code when memory runs out within a team of threads, where no handler is reached.
+inline constexpr int kMostThreads = 1024;
+
+/// Raises the limits of open files and of the stack; ends the program with a message if the stack is too small to work with. Makes a file
+/// at the size limit an error like a full disk instead of a signal. Makes the program end with a message and an exit code when memory runs
+/// out within a team of threads, where no handler is reached.
 void prepare_process();
+
+/// Number of threads to work with: as many as wanted; under limits on memory or processes a quarter of those that could be had, with a
+/// warning, since threads are not all that takes memory.
+int threads_to_be_had(int wanted);
+
+/// Notes what the command does now, for the message if memory runs out. \param what  a literal: "building the model"
+void now_doing(const char* what);
 
 /// \return `code`, or that of a file fault if standard output has been lost, as on a full disk
 int code_after_output(int code);

@@ -7,6 +7,7 @@
 #include "cases/model.h"
 #include "cases/solids/origin.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
 #include "solver/world/errors.h"
@@ -59,6 +60,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   r->value = std::move(value);
   cases::move_origin(r->value, r->facts.origin);
   fill_stones(*r);
+  now_doing("building the model");
   r->model = cases::build_model(r->value, options.threads);
   fill_supports(*r);
   options.reference_kernels = r->facts.reference_kernels;

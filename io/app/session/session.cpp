@@ -12,6 +12,7 @@
 #include "cases/case.h"
 #include "cases/model.h"
 #include "io/app/session/exit_code.h"
+#include "io/app/session/process.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/stop_words.h"
 #include "io/app/session/tie_lines.h"
@@ -81,6 +82,7 @@ void print_stages(const solver::StageTimes& times) {
 
 /// Computes the measures. On failure only warns: results are valid without measures, and `voussoir summary` computes them anew.
 void take_measures(ResultsWriter& results) {
+  now_doing("taking the measures");
   try {
     results.measure();
   } catch (const FileError& e) {
@@ -227,6 +229,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
   std::optional<Signals> signals(std::in_place);
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   try {
+    now_doing("running");
     const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
     watch.finish();
     const std::uint64_t hash = solver::state_hash(sim.world());

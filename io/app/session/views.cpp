@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "io/app/session/process.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/output/report/paraview_files.h"
@@ -17,6 +18,7 @@ namespace voussoir::io {
 void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
   const Output output{page, FileKind::page, "the page", overwrite};
   check_output(output);
+  now_doing("making the page");
   const std::string text = report_html(runs, modes);
   write_output(output, text);
   std::printf("%s  %.1f MB\n", page.c_str(), 1e-6 * static_cast<double>(text.size()));

@@ -3,6 +3,9 @@
 #include "io/input/files/hdf5_handle.h"
 
 #include <hdf5.h>
+#include <sys/mman.h>
+
+#include <new>
 
 #include "io/input/files/errors.h"
 
@@ -31,7 +34,15 @@ std::string reason() {
   return text.empty() ? "unknown HDF5 error" : essence(text);
 }
 
+constexpr std::size_t kRoom = 8U << 20U;  // bytes, more than HDF5 takes for one call with the chunks used here
+
 }  // namespace
+
+Room::Room() {
+  void* room = ::mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(room, kRoom);
+}
 
 void Doing::fail() const {
   const std::string why = reason();

@@ -30,11 +30,18 @@ class Handle {
   Close close_;
 };
 
+/// Memory for one call of HDF5, tried before it: the library itself ends in a segmentation fault where it gets none.
+struct Room {
+  /// \throw std::bad_alloc if little is left
+  Room();
+};
+
 /// The current action, object and file, for messages.
 struct Doing {
   const std::string& path;
   const char* action;
   const std::string& object;
+  Room room{};
 
   /// \throw FileError with HDF5's reason if the status is negative
   void check(int status) const {

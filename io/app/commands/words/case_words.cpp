@@ -11,6 +11,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/input/case_file/case_paths.h"
 #include "io/input/document/case_values.h"
 #include "io/input/files/errors.h"
@@ -75,12 +76,14 @@ void add_short_keys(CLI::App& command, CaseWords& w) {
 }
 
 int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, bool raw_stones) {
+  now_doing("reading the case");
   LoadedCase c = load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   warn_of(c.findings);
   note_files_of(c.value);
   try {
     if (!raw_stones) {
+      now_doing("reading the stones");
       load_stones(c.value);
       fill_own_frequency(c.value, w.threads);
     }

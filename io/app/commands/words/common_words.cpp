@@ -6,11 +6,12 @@
 #include <string>
 
 #include "io/app/commands/words/number_range.h"
+#include "io/app/session/process.h"
 
 namespace voussoir::io {
 
 void add_threads(CLI::App& command, int& threads) {
-  command.add_option("-j,--threads", threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, 1024));
+  command.add_option("-j,--threads", threads, "threads (default: OMP_NUM_THREADS, else all cores)")->check(CLI::Range(1, kMostThreads));
 }
 
 void add_format(CLI::App& command, bool& json) {
