@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/files/file_kind.h"
-
 #include <algorithm>
 
+#include "io/input/files/output_path.h"
 #include "io/input/files/text_file.h"
 
 namespace voussoir::io {

@@ -15,7 +15,6 @@
 
 #include "io/input/files/descriptor.h"
 #include "io/input/files/errors.h"
-#include "io/input/files/file_kind.h"
 #include "io/input/files/whole_file.h"
 
 namespace voussoir::io {

@@ -15,6 +15,11 @@ namespace voussoir::io {
 /// Kinds of files, told apart by their first bytes.
 enum class FileKind { page, drawing, table, picture, film, shapes, record, xdmf, hdf5, manual };
 
+/// "page (HTML)", for messages.
+std::string name_of(FileKind kind);
+/// Whether a file that begins with `head` (some kB, or all of it) is of that kind. An empty file is of any kind.
+bool is_of_kind(FileKind kind, std::string_view head);
+
 /// A file to be written, and the option that names it.
 struct Output {
   std::string path;  // empty: none
