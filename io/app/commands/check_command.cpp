@@ -26,6 +26,7 @@
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/progress.h"
+#include "io/app/session/run_extent.h"
 #include "io/app/session/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
@@ -287,6 +288,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   solver::Options options;
   options.threads = threads;
   solver::Simulation sim(c.value, model, motion, options);
+  refuse_endless(c.value, model, sim);
   if (o.json) {
     if (!o.draw.empty()) write_output(drawing, draw(c.value, model));
     return check_as_json(c, model, motion, sim);

@@ -17,6 +17,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
 #include "io/app/session/restored_run.h"
+#include "io/app/session/run_extent.h"
 #include "io/app/session/session.h"
 #include "io/app/session/views.h"
 #include "io/input/case_file/case_file.h"
@@ -147,6 +148,7 @@ int resume(const ResumeOptions& o) {
   solver::Options options;
   options.threads = o.threads, options.own_pace = true;
   const std::unique_ptr<RestoredRun> r = restore_run(found.path, std::move(found.checkpoint), std::move(c), options);
+  refuse_endless(r->value, r->model, *r->sim);
 
   const std::string resolved = resolved_toml(r->value);
   ResultsOptions keep;

@@ -18,6 +18,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/run_extent.h"
 #include "io/app/session/session.h"
 #include "io/app/session/tie_lines.h"
 #include "io/input/files/errors.h"
@@ -58,6 +59,7 @@ int run(const LoadedCase& c, const RunOptions& o) {
   options.threads = o.threads, options.own_pace = true;
   solver::Simulation sim(c.value, model, motion, options);
   choose_drive(sim, c.value);
+  refuse_endless(c.value, model, sim);
   print_bounded_ties(sim.world().ties, model);
   warn_of(likely_slips(c, model, motion));
   warn_of_step(c.value, model, sim.world().dt);

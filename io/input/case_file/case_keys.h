@@ -325,10 +325,10 @@ Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::st
           [=](const S& s) { return value_text(std::invoke(get, s)); }, nullptr, nullptr};
 }
 
-/// A key for a positive number, or the word "auto" for none.
+/// A key for a number, or the word "auto" for none.
 template <class S>
-Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::string unit, std::string sentence) {
-  Key<S> key = value<S>(std::move(name), get, std::move(unit), above(0.0), std::move(sentence));
+Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::string unit, Limits limits, std::string sentence) {
+  Key<S> key = value<S>(std::move(name), get, std::move(unit), limits, std::move(sentence));
   key.info.shape = "\"auto\" or a number";
   key.read = [get, info = key.info](const Node& node, S& s, Reading& reading, const std::string& path) {
     if (same_word(node, "\"auto\"")) {

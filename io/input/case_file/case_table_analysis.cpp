@@ -62,12 +62,12 @@ Table<Analysis> analysis_table() {
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
        value<S>("direction", &S::direction, "", any(), "x and y of the push (where gravity turns to); of any length, -x pushes back"),
        value<S>(
-           "control", &S::control, "m", any(),
+           "control", &S::control, "m", any().possibly(0.0, usual::kFarthest),
            "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass"),
        value<S>("drop", &S::drop, "", inside(0.0, 1.0),
                 "the run ends when the base shear (tilt: the multiplier) has lost this share of its largest value"),
        value<S>(
-           "share", &S::share, "", above(0.0),
+           "share", &S::share, "", above(0.0).possibly(1e-6, 1e6),
            "stiffness of the loading spring over the initial one of the structure: displacement control begins where the tangent of the "
            "structure falls below that of the spring; none: 0.5, cyclic: 5"),
        value<S>("pace", &S::pace, "s", above(0.0).usually(usual::kDuration),
@@ -77,8 +77,9 @@ Table<Analysis> analysis_table() {
                 "weight"),
        value<S>("longest", &S::longest, "s", within(0.0, kLongestRun),
                 "the run ends then at the latest, after settling; in place of time.duration"),
-       value<S>("largest_factor", &S::largest_factor, "", above(0.0), "the run ends when the load factor (tangent of the tilt) gets there"),
-       value<S>("largest_drift", &S::largest_drift, "", above(0.0),
+       value<S>("largest_factor", &S::largest_factor, "", above(0.0).possibly(1e-9, 1e9),
+                "the run ends when the load factor (tangent of the tilt) gets there"),
+       value<S>("largest_drift", &S::largest_drift, "", above(0.0).possibly(1e-9, 1e6),
                 "the run ends when the control point has moved by this share of its height in `direction`"),
        value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
                 "cyclic: of the displacement of the loads that grow, one after another"),

@@ -19,8 +19,8 @@ Table<Rotation> rotation_table() {
   using S = Rotation;
   return {"turns the block before the start",
           {value<S>("axis", &S::axis, "", any(), "direction of the axis; need not be a unit vector"),
-           value<S>("angle", &S::angle, "degrees", any(), "angle, by the right hand"),
-           value<S>("about", &S::about, "m", any(), "a point of the axis")},
+           value<S>("angle", &S::angle, "degrees", any().possibly(0.0, usual::kMostTurn), "angle, by the right hand"),
+           value<S>("about", &S::about, "m", any().possibly(0.0, usual::kFarthest), "a point of the axis")},
           [](const S& s, const RuleCheck& check) {
             if (norm(s.axis) < kShortestVector) check.fault("axis", "has no direction");
           }};
@@ -89,7 +89,7 @@ Key<Motion> scale_key() {
 /// Key `taper`: one length for both ends, or one each.
 Key<Motion> taper_key() {
   Key<Motion> key = value<Motion>(
-      "taper", [](auto& motion) -> auto& { return motion.treatment.taper; }, "s", at_least(0.0),
+      "taper", [](auto& motion) -> auto& { return motion.treatment.taper; }, "s", at_least(0.0).possibly(0.0, kLongestRun),
       "half a cosine from zero at the start and to zero at the end of each component, after cut and baseline; or one each");
   key.info.shape = "a number or an array [start, end]";
   key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
@@ -118,8 +118,8 @@ Table<MotionIntensity> intensity_table() {
       {required(choice<S>("measure", &S::measure, "", measures,
                           "peak ground acceleration, peak ground velocity, or spectral acceleration at `period` with 5 % of damping: the "
                           "geometric mean of both horizontal components (L and T, wherever `direction` sends them, or x and y)")),
-       required(
-           value<S>("level", &S::level, "", above(0.0), "PGA: m/s2 (not g), usually 0.5 to 45; PGV: m/s, usually 0.01 to 5; Sa: m/s2")),
+       required(value<S>("level", &S::level, "", above(0.0).possibly(1e-6, 1e4),
+                         "PGA: m/s2 (not g), usually 0.5 to 45; PGV: m/s, usually 0.01 to 5; Sa: m/s2")),
        value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone")},
       [](const S& s, const RuleCheck& check) {
         const bool sa = s.measure == IntensityMeasure::sa;
@@ -156,7 +156,8 @@ Table<HistoryPoint> history_table() {
   using S = HistoryPoint;
   return {"an element whose motion is written",
           {required(value<S>("name", &S::name, "", filled(), "its name in the results: /history/<name>")),
-           required(value<S>("point", &S::point, "m", any(), "the element whose centroid is nearest at the start is followed"))},
+           required(value<S>("point", &S::point, "m", any().possibly(0.0, usual::kFarthest),
+                             "the element whose centroid is nearest at the start is followed"))},
           [](const S& s, const RuleCheck& check) {
             if (!can_name_history(s.name))
               check.fault("name", "cannot name a group of the results; avoid \"time\", '/' and control characters");
@@ -167,10 +168,10 @@ Table<Cut> cut_table() {
   using S = Cut;
   return {"a plane; the force and the moment that pass it are written",
           {required(value<S>("name", &S::name, "", filled(), "its name in the results: /cuts/<name>")),
-           required(value<S>("point", &S::point, "m", any(), "a point of the plane; moments are about it")),
+           required(value<S>("point", &S::point, "m", any().possibly(0.0, usual::kFarthest), "a point of the plane; moments are about it")),
            value<S>("normal", &S::normal, "", any(),
                     "across the plane, need not be a unit vector; what lies there (by centroids) acts on what lies behind"),
-           value<S>("box", &S::box, "m", any(),
+           value<S>("box", &S::box, "m", any().possibly(0.0, usual::kFarthest),
                     "two opposite corners: only pairs of elements across the plane with their midpoint in the box count; none: all")},
           [](const S& s, const RuleCheck& check) {
             if (!can_name_history(s.name))
@@ -218,7 +219,8 @@ Table<Load> load_table() {
       {required(value<S>("block", &S::block, "", filled(), "name of the block")),
        value<S>("force", &S::force, "N", any().usually(usual::kForce), "force"),
        value<S>("moment", &S::moment, "N m", any().usually(usual::kForce), "moment"),
-       value<S>("at", &S::at, "m", any(), "point of the block where the force acts, moving with it; none: the centroid"),
+       value<S>("at", &S::at, "m", any().possibly(0.0, usual::kFarthest),
+                "point of the block where the force acts, moving with it; none: the centroid"),
        value<S>("ramp", &S::ramp, "s", any().usually(usual::kDuration), "grows linearly from the first time to the second"),
        value<S>("history", &S::history, "", filled(), "CSV of t, x, y, z in s and N: the force over time, in place of `force` and `ramp`"),
        value<S>("follows", &S::follows, "", any(), "force and moment turn with the block; false: a dead load, which keeps its direction"),
@@ -254,10 +256,10 @@ Table<Motion> motion_table() {
        value<S>("dt", &S::dt, "s", within(1e-6, 10.0).usually(usual::kSample),
                 "between samples of the files, where a format does not say (one column)"),
        value<S>(
-           "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0),
+           "from", [](auto& s) -> auto& { return s.treatment.from; }, "s", at_least(0.0).possibly(0.0, kLongestRun),
            "of the record: the sample nearest to it shakes first, at time zero; none: its start"),
        value<S>(
-           "to", [](auto& s) -> auto& { return s.treatment.to; }, "s", above(0.0),
+           "to", [](auto& s) -> auto& { return s.treatment.to; }, "s", above(0.0).possibly(0.0, kLongestRun),
            "of the record: the last sample that shakes; none: its end"),
        choice<S>(
            "baseline", [](auto& s) -> auto& { return s.treatment.baseline; }, "", baselines,
@@ -273,7 +275,7 @@ Table<Output> output_table() {
       "what is written, and how often",
       {value<S>("history_interval", &S::history_interval, "s", above(0.0).usually(usual::kInterval),
                 "between rows of histories; time.step = \"auto\" takes a step that divides it"),
-       auto_or_number<S>("frame_interval", &S::frame_interval, "s",
+       auto_or_number<S>("frame_interval", &S::frame_interval, "s", above(0.0).possibly(usual::kInterval.least, 1e9),
                          "between frames of the whole model; auto: 0.02, or for large models the least of 0.05, 0.1, 0.2, 0.5, ... with "
                          "which elements times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02"),
        value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0).usually(usual::kInterval),

@@ -243,7 +243,7 @@ Table<House> house_table() {
        value<S>("halves", &S::halves, "", any(),
                 "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them"),
        table<S>("wood", &S::wood, wood_table()),
-       value<S>("origin", &S::origin, "m", any(), "x and y of the outer corner"),
+       value<S>("origin", &S::origin, "m", any().possibly(0.0, usual::kFarthest), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
        value<S>("copies", &S::copies, "", within(1.0, 1000.0), "number of houses along x and y"),
        value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kHouse), "from house to house along x and y"),

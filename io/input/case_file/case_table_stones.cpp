@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/case_file/case_tables.h"
+#include "io/input/case_file/usual_ranges.h"
 
 namespace voussoir::io {
 namespace {
@@ -12,8 +13,8 @@ Key<StonesSpec> turn_key() {
   using S = StoneTurn;
   const Table<S> turn{"turns the stones about an axis, before they are moved by place; a number: degrees about the file's z axis",
                       {value<S>("axis", &S::axis, "", any(), "direction of the axis; need not be a unit vector"),
-                       value<S>("angle", &S::angle, "degrees", any(), "angle, by the right hand"),
-                       value<S>("about", &S::about, "m", any(), "a point of the axis")},
+                       value<S>("angle", &S::angle, "degrees", any().possibly(0.0, usual::kMostTurn), "angle, by the right hand"),
+                       value<S>("about", &S::about, "m", any().possibly(0.0, usual::kFarthest), "a point of the axis")},
                       [](const S& s, const RuleCheck& check) {
                         if (norm(s.axis) < kShortestVector) check.fault("axis", "has no direction");
                       }};
@@ -35,7 +36,7 @@ Key<StonesSpec> supports_key() {
               "stones that are fixed: all that touch the lowest level of the file (\"ground\"), none of them (\"none\"), all that "
               "reach below a height [m], or those of the names and groups in an array; none: those that the file marks as supports, and if "
               "it marks none and the case has neither [base] nor a fixed block: \"ground\"",
-              any(),
+              any().possibly(0.0, usual::kFarthest),
               "\"ground\" | \"none\", a number or an array of names",
               false};
   key.read = [info = key.info](const Node& node, StonesSpec& s, Reading& reading, const std::string& path) {

@@ -13,7 +13,7 @@ using namespace cases;
 Table<Gravity> gravity_table() {
   using S = Gravity;
   return {"body force and the settling before time zero",
-          {value<S>("acceleration", &S::acceleration, "m/s2", any(), "acceleration of free fall"),
+          {value<S>("acceleration", &S::acceleration, "m/s2", any().possibly(0.0, 1e3), "acceleration of free fall"),
            value<S>("settle", &S::settle, "", any(), "ramp gravity and wait for rest before time zero"),
            value<S>("ramp", &S::ramp, "s", at_least(0.0).usually(usual::kWait),
                     "length of the ramp; none: five periods of damping.frequency, else 1 s"),
@@ -30,7 +30,8 @@ Table<Gravity> gravity_table() {
 Table<Time> time_table() {
   using S = Time;
   return {"time step and duration",
-          {auto_or_number<S>("step", &S::step, "s", "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval"),
+          {auto_or_number<S>("step", &S::step, "s", above(0.0).usually(usual::kStep),
+                             "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval"),
            value<S>("duration", &S::duration, "s", within(0.0, kLongestRun).usually(usual::kDuration), "of the run, after settling"),
            value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0).usually(usual::kWait),
                     "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),

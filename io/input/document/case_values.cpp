@@ -90,9 +90,19 @@ std::string Limits::usual_text() const {
   return "usually " + short_number(usual_low) + " to " + short_number(usual_high);
 }
 
+std::string Limits::possible_text() const {
+  const bool below = least > 0.0, above = std::isfinite(most);
+  if (below && above) return short_number(least) + " to " + short_number(most);
+  if (above) return "at most " + short_number(most) + (low < 0.0 ? " in magnitude" : "");
+  return below ? "at least " + short_number(least) : "";
+}
+
 std::string Limits::full_text() const {
-  const std::string range = text(), usual = usual_text();
-  return range.empty() || usual.empty() ? range + usual : range + ", " + usual;
+  std::string all;
+  const std::string possible = possible_text();
+  for (const std::string& part : {text(), usual_text(), (possible.find(" to ") == std::string::npos ? "" : "possible ") + possible})
+    all += (all.empty() || part.empty() ? "" : ", ") + part;
+  return all;
 }
 
 std::string Limits::text() const {
@@ -240,6 +250,9 @@ bool read_value(const Node& node, double& out, const KeyInfo& info, Reading& rea
     reading.bad_value(node, path, info, "must be finite");
   } else if (!info.limits.contains(v)) {
     reading.bad_value(node, path, info, "must be " + info.limits.text());
+  } else if (!info.limits.is_possible(v)) {
+    reading.bad_value(node, path, info,
+                      "is impossible; allowed: " + info.limits.possible_text() + (info.unit.empty() ? "" : " " + info.unit));
   } else {
     if (!info.limits.is_usual(v)) {
       const std::string unit = info.unit.empty() ? "" : " " + info.unit;

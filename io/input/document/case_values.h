@@ -16,9 +16,12 @@
 /// Elements of the option tables: limits, faults, and conversion of nodes to typed values and back to text.
 namespace voussoir::io {
 
-/// Usual range of the absolute value of a quantity in buildings.
+/// Usual range of the absolute value of a quantity in buildings, and the range beyond which it is impossible: unless given, a thousandth of
+/// the lower end and a thousand times the upper one.
 struct Usual {
-  double low, high;
+  constexpr Usual(double from, double to) : Usual(from, to, from / 1e3, to * 1e3) {}
+  constexpr Usual(double from, double to, double lowest, double highest) : low(from), high(to), least(lowest), most(highest) {}
+  double low, high, least, most;
 };
 
 /// The allowed range of a number, or of each number of an array. Every number must also be finite.
@@ -28,19 +31,31 @@ struct Limits {
   bool filled = false;  // a string must not be empty
   // Usual absolute values; 0 is always usual, as it mostly means "none". Values outside are accepted but reported: their unit may be wrong.
   double usual_low = -std::numeric_limits<double>::infinity(), usual_high = std::numeric_limits<double>::infinity();
+  // Possible absolute values; values outside are refused: no run with them makes sense, or ends.
+  double least = 0.0, most = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool contains(double v) const noexcept { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
   [[nodiscard]] bool is_usual(double v) const noexcept { return v == 0.0 || (std::abs(v) >= usual_low && std::abs(v) <= usual_high); }
+  [[nodiscard]] bool is_possible(double v) const noexcept { return std::abs(v) >= least && std::abs(v) <= most; }
   [[nodiscard]] Limits usually(Usual range) const {
-    Limits l = *this;
+    Limits l = possibly(range.least, range.most);
     l.usual_low = range.low, l.usual_high = range.high;
+    return l;
+  }
+  /// \param lowest  counts only where 0 is not allowed: elsewhere what is next to nothing does no harm
+  [[nodiscard]] Limits possibly(double lowest, double highest) const {
+    Limits l = *this;
+    l.least = low_open && low == 0.0 ? lowest : 0.0;
+    if (!(high <= highest)) l.most = highest;
     return l;
   }
   /// Text such as ">= 0", "in [0, 0.5)"; empty: any value.
   [[nodiscard]] std::string text() const;
   /// Text such as "usually 200 to 12000"; empty: no usual range.
   [[nodiscard]] std::string usual_text() const;
-  /// Both texts: "> 0, usually 200 to 12000".
+  /// Text such as "0.1 to 1e5", "at most 1e7 in magnitude"; empty: no such range beyond that of text().
+  [[nodiscard]] std::string possible_text() const;
+  /// All of them: "> 0, usually 200 to 12000, possible 0.1 to 1e5".
   [[nodiscard]] std::string full_text() const;
 };
 inline Limits any() { return {}; }

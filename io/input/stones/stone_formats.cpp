@@ -37,10 +37,10 @@ bool is_damaged_stl(const std::string& path, std::string_view text) {
   return upper(std::filesystem::path(path).extension().string()) == ".STL" && text.find('\0') != std::string_view::npos;
 }
 
-}  // namespace
+constexpr std::size_t kMostCorners = 1000;  // of a face: what is done with a face takes the square of them
 
-StoneFile read_stone_file(const std::string& path, std::string_view text) {
-  if (utf16_of(text) != Utf16::no && !is_binary_stl(text)) return read_stone_file(path, as_utf8(path, std::string(text)));
+StoneFile read_by_format(const std::string& path, std::string_view text) {
+  if (utf16_of(text) != Utf16::no && !is_binary_stl(text)) return read_by_format(path, as_utf8(path, std::string(text)));
   text = without_utf8_mark(text);
   const std::string_view start = trimmed(text.substr(0, 4096));
   if (start.empty()) throw FileError(path, "is empty");
@@ -51,6 +51,19 @@ StoneFile read_stone_file(const std::string& path, std::string_view text) {
   if (start.starts_with("<")) return read_vtu(path, text);
   if (looks_like_obj(text)) return read_text(read_obj, path, text);
   throw FileError(path, "is of no format that is read: OBJ, PLY, STL, VTU, JSON of COMPAS");
+}
+
+}  // namespace
+
+StoneFile read_stone_file(const std::string& path, std::string_view text) {
+  StoneFile file = read_by_format(path, text);
+  for (const FileSolid& solid : file.solids)
+    for (const auto& face : solid.mesh.faces)
+      if (face.size() > kMostCorners)
+        throw FileError(path, "holds a face of " + std::to_string(face.size()) + " corners" +
+                                  (solid.name.empty() ? "" : ", of " + shown(solid.name)) + "; allowed: at most " +
+                                  std::to_string(kMostCorners));
+  return file;
 }
 
 }  // namespace voussoir::io

@@ -314,6 +314,7 @@ TEST_CASE("resolved case: numbers come back bit for bit") {
     double v = 0.0;
     std::memcpy(&v, &bits, sizeof v);
     if (!std::isfinite(v)) continue;
+    if (std::abs(v) > 1e3) v = 1.0 / v;  // possible ones
     cases::Case c;
     c.gravity.acceleration = {v, -v, v * 0x1p-900};
     const cases::Case again = read(io::resolved_toml(c));

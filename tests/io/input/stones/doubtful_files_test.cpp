@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/io/input/stones/written_files.h"
@@ -79,4 +80,16 @@ TEST_CASE("doubts: COMPAS with solids of other kinds; a transformation without a
         "left out: 2 of 'compas.geometry/Cylinder', which are no mesh, polyhedron or box");
   const std::string moved = R"([{"transformation": {"data": {"matrix": [[1, 0, 0, 5]]}}, "geometry": )" + box_data + "}]";
   CHECK(refusal(folder.write("a.json", moved)).find("has a transformation without a matrix") != std::string::npos);
+}
+
+TEST_CASE("a face of more corners than any stone has is refused by name, at once") {
+  const TempFolder folder;
+  constexpr int kCorners = 300000;
+  std::string text = "o disc\n", face = "f";
+  for (int i = 0; i < kCorners; ++i) {
+    text += "v " + std::to_string(std::cos(6.28 * i / kCorners)) + " " + std::to_string(std::sin(6.28 * i / kCorners)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  CHECK(refusal(folder.write("a.obj", text + face + "\n")).find("holds a face of 300000 corners, of 'disc'; allowed: at most 1000") !=
+        std::string::npos);
 }

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/app/session/run_extent.h"
+
+#include <algorithm>
+#include <string>
+
+#include "cases/census.h"
+#include "cases/names.h"
+#include "geometry/nth.h"
+
+namespace voussoir::io {
+namespace {
+
+constexpr double kMostSteps = 1e10;  // a step of a single block takes half a microsecond: hours; of a house, months
+constexpr double kMostRows = 1e9;    // of one table: some 50 GB
+constexpr double kMostFrameBytes = 1e13;
+constexpr double kFrameBytes = 32.0;    // of an element in a frame
+constexpr double kFineStep = 1e-7;      // s: no building has so short a step
+constexpr double kShortestStep = 1e-9;  // s, as for time.step
+
+const char* end_key(const cases::Case& c) { return cases::is_assessment(c.analysis) ? "analysis.longest" : "time.duration"; }
+
+/// The time that a run may take before it shakes.
+double settling(const cases::Case& c) { return c.gravity.settle ? c.gravity.ramp.value_or(0.0) + c.gravity.settle_limit : 0.0; }
+
+/// Refuses the short step of an element: a quotient of its size, density and stiffness.
+[[noreturn]] void refuse_step(const cases::Model& model, double dt, const std::string& so_many) {
+  const auto element = static_cast<std::size_t>(std::max(cases::census(model).step_element, 0));
+  const cases::Block& block = model.blocks.at(element);
+  const cases::NamedMaterial& material = nth(model.materials, block.material);
+  throw cases::InputError("materials." + material.name + ".young",
+                          "= " + cases::text(material.value.young) + " Pa, with density = " + cases::text(material.value.density) +
+                              " kg/m3 and the size of " + cases::describe(block, element) + ", makes a step of " + cases::text(dt) +
+                              " s (Eq. 19), and " + so_many);
+}
+
+void refuse_steps(const cases::Case& c, const cases::Model& model, double dt) {
+  const double before = settling(c), steps = (c.end() + before) / dt;
+  if (steps <= kMostSteps && dt >= kShortestStep) return;
+  const std::string so_many = cases::text(steps) + " steps; allowed: at most 1e10, of at least 1e-9 s";
+  const auto seconds = [](double t) { return "= " + cases::text(t) + " s "; };
+  if (c.time.step) throw cases::InputError("time.step", seconds(*c.time.step) + "makes " + so_many);
+  if (dt > 0.99 * c.output.history_interval)
+    throw cases::InputError("output.history_interval",
+                            seconds(c.output.history_interval) + "is the step that divides it, and makes " + so_many);
+  if (dt < kFineStep) refuse_step(model, dt, so_many);
+  if (c.end() >= before) throw cases::InputError(end_key(c), seconds(c.end()) + "makes " + so_many);
+  if (c.gravity.settle_limit > 0.5 * before)
+    throw cases::InputError("gravity.settle_limit", seconds(c.gravity.settle_limit) + "makes " + so_many);
+  throw cases::InputError("gravity.ramp", seconds(before - c.gravity.settle_limit) + "makes " + so_many);
+}
+
+void refuse_rows(const cases::Case& c, std::size_t elements, double dt) {
+  const auto rows = [&](double interval) { return c.end() / std::max(interval, dt); };
+  const auto refuse = [](const char* key, double interval, const std::string& what) {
+    throw cases::InputError(key, "= " + cases::text(interval) + " s makes " + what);
+  };
+  const double frame = cases::frame_interval(c, elements), frames = rows(frame);
+  for (const auto& [key, interval] :
+       {std::pair{"output.history_interval", c.output.history_interval}, std::pair{"output.ledger_interval", c.output.ledger_interval},
+        std::pair{"output.frame_interval", frame}})
+    if (!(rows(interval) <= kMostRows)) refuse(key, interval, cases::text(rows(interval)) + " rows; allowed: at most 1e9");
+  const double bytes = frames * kFrameBytes * static_cast<double>(elements);
+  if (!(bytes <= kMostFrameBytes)) refuse("output.frame_interval", frame, cases::text(bytes) + " bytes of frames; allowed: at most 1e13");
+}
+
+}  // namespace
+
+void refuse_endless(const cases::Case& c, const cases::Model& model, const solver::Simulation& sim) {
+  refuse_steps(c, model, sim.dt());
+  refuse_rows(c, model.blocks.size(), sim.dt());
+}
+
+}  // namespace voussoir::io
