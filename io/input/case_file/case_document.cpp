@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -164,8 +165,11 @@ class Reader {
       return;
     }
     under.source = top.source;
+    std::map<std::string, std::size_t> known_at;  // a search for each entry would take the square of their number
+    for (std::size_t i = 0; i < to->size(); ++i) known_at.emplace((*to)[i].name, i);
     for (Entry& entry : *from) {
-      if (Entry* known = find_entry(*to, entry.name)) {
+      if (const auto at = known_at.find(entry.name); at != known_at.end()) {
+        Entry* known = &(*to)[at->second];
         const auto* array = entry.node.as<Node::Array>();
         if (array != nullptr && array->empty() && known->node.as<Node::Array>() == nullptr) {
           known->node = {Node::Removed{}, entry.node.source};  // `key = []` removes the included value, even if it is no array

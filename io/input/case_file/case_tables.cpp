@@ -237,7 +237,12 @@ Table<Base> base_table() {
           nullptr};
 }
 
+constexpr std::size_t kMostMaterials = 2000;  // there is an entry for each pair of them
+
 void check_reserved_names(const Case& c, const RuleCheck& check) {
+  if (c.materials.size() > kMostMaterials)
+    check.fault("materials",
+                "has " + std::to_string(c.materials.size()) + " materials; allowed: at most " + std::to_string(kMostMaterials));
   if (c.materials.contains("base")) check.fault("materials.base", "is a reserved name: \"base\" stands for the fixed base");
   if (c.joint_laws.contains("dry")) check.fault("joint_laws.dry", "is a reserved name: \"dry\" stands for no bond");
 }

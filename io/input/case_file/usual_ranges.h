@@ -64,7 +64,7 @@ inline constexpr Usual kSection{0.01, 2.0};              // m, of timber, lintel
 inline constexpr Usual kMember{0.02, 30.0};              // m, along timber, lintels, springers, spans
 inline constexpr Usual kBeamSpacing{0.1, 3.0};           // m, of the axes of floor beams
 inline constexpr Usual kRadius{0.2, 60.0};               // m, of a vault
-inline constexpr Usual kGround{1e-3, 9000.0, 0.0, 1e7};  // m, above or below zero: no house is higher
+inline constexpr Usual kGround{1e-3, 9000.0, 0.0, 1e9};  // m, above or below zero: no house is higher
 inline constexpr Usual kSegment{1e-3, 2.0};              // m
 
 // Ties, meshes and decks.
@@ -78,7 +78,7 @@ inline constexpr Usual kStripStiffness{1e2, 1e10};  // N/m
 inline constexpr Usual kStripStrength{10.0, 1e8};   // N/m
 
 // Bounds without a usual range.
-inline constexpr double kFarthest = 1e7;  // m, of any coordinate: beyond, doubles are coarser than what is computed with
+inline constexpr double kFarthest = 1e9;  // m, of any coordinate; what is built lies within 1e7 m of the origin (cases/solids/origin.h)
 inline constexpr double kMostTurn = 1e6;  // degrees
 
 }  // namespace voussoir::io::usual

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "geometry/nth.h"
 #include "io/input/files/errors.h"
@@ -116,6 +117,7 @@ class ObjReader {
   struct Solid {
     FileSolid of;
     std::map<std::int32_t, std::int32_t> number;
+    std::set<std::string> in_groups;
     std::int32_t add(std::int32_t vertex, const std::vector<Vec3>& all) {
       const auto [at, is_new] = number.try_emplace(vertex, static_cast<std::int32_t>(of.mesh.vertices.size()));
       if (is_new) of.mesh.vertices.push_back(nth(all, vertex));
@@ -135,8 +137,7 @@ class ObjReader {
     }
     current_ = &solids_[at->second];
     for (const std::string& g : groups_) {
-      auto& groups = current_->of.groups;
-      if (g != current_->of.name && std::find(groups.begin(), groups.end(), g) == groups.end()) groups.push_back(g);
+      if (g != current_->of.name && current_->in_groups.insert(g).second) current_->of.groups.push_back(g);
     }
     return *current_;
   }

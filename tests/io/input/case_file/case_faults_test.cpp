@@ -377,3 +377,11 @@ TEST_CASE("random garbage never gets through as anything but a refusal or a case
   CHECK(refused > 1000);
   CHECK(refused < 3000);
 }
+
+TEST_CASE("faults: many keys take time in proportion, too many materials are refused before memory is taken for their pairs") {
+  std::string keys, materials;
+  for (int i = 0; i < 300000; ++i) keys += "k" + std::to_string(i) + " = 1\n";
+  CHECK(refusal(keys).starts_with("test.toml:1: k0: unknown key"));
+  for (int i = 0; i < 2001; ++i) materials += "[materials.m" + std::to_string(i) + "]\ndensity = 2000\nyoung = 1e9\npoisson = 0.2\n";
+  CHECK(refusal(materials).find("materials has 2001 materials; allowed: at most 2000") != std::string::npos);
+}

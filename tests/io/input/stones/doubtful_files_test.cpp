@@ -93,3 +93,11 @@ TEST_CASE("a face of more corners than any stone has is refused by name, at once
   CHECK(refusal(folder.write("a.obj", text + face + "\n")).find("holds a face of 300000 corners, of 'disc'; allowed: at most 1000") !=
         std::string::npos);
 }
+
+TEST_CASE("a face of many groups takes time in proportion") {
+  const TempFolder folder;
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng";
+  for (int i = 0; i < 200000; ++i) text += " n" + std::to_string(i);
+  const auto c = load(folder.write("a.obj", text + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"));
+  CHECK(c.stones[0].stones.size() == 1);
+}

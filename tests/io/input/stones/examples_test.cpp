@@ -7,6 +7,7 @@
 
 #include "io/app/commands/view_command.h"
 #include "io/app/session/prepared_case.h"
+#include "io/input/files/output_path.h"
 #include "tests/io/input/stones/stones_fixture.h"
 #include "tests/io/shell.h"
 
@@ -71,6 +72,7 @@ TEST_CASE("view: a page of the model with its laws; a model that is refused with
   CHECK(element_of(shell::text_of(page), "facts")["title"] == "A column of six drums under an abacus");
   CHECK_THROWS(io::view_command(loaded(folder.path("column.toml")), {page, false}));
 
+  io::start_command();  // another one
   folder.write("bad.obj", stones::obj({{"low", stones::box({0, 0, 0}, {1, 1, 1})},
                                        {"high", stones::box({0, 0, 0.9}, {1, 1, 2})},
                                        {"far", stones::box({0, 5, 0}, {1, 6, 2})}}));
