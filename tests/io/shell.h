@@ -24,6 +24,15 @@ inline const std::string kProgram = quoted(VOUSSOIR_PROGRAM);
 /// A file of the project.
 inline std::string source(const std::string& path) { return quoted(VOUSSOIR_SOURCE_DIR "/" + path); }
 
+// Whether the tests, and so the program, are built with a sanitizer that reserves terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitizer = true;
+#elif defined(__has_feature)
+inline constexpr bool kSanitizer = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kSanitizer = false;
+#endif
+
 struct Outcome {
   int code = -1;  // 1000 and its number if a signal ended it
   std::string text;

@@ -17,13 +17,6 @@ namespace {
 using shell::Outcome;
 using shell::voussoir;
 
-// Sanitizers reserve terabytes of addresses.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitizer = true;
-#else
-constexpr bool kSanitizer = false;
-#endif
-
 constexpr const char* kCase = R"(title = "a block"
 [gravity]
 settle = false
@@ -56,7 +49,7 @@ std::string hash_in(const std::string& text) { return text.substr(std::min(text.
 }  // namespace
 
 TEST_CASE("limits: more threads than a limit on memory or processes allows are fewer, with a warning and the same bits") {
-  if (kSanitizer) return;
+  if (shell::kSanitizer) return;
   const Place place;
   const std::string hash = hash_in(voussoir(place.run("-j 1")).text);
   REQUIRE(hash.size() == 40);
@@ -80,7 +73,7 @@ TEST_CASE("limits: more threads than a limit on memory or processes allows are f
 }
 
 TEST_CASE("limits: where memory ends, one line says what was done") {
-  if (kSanitizer) return;
+  if (shell::kSanitizer) return;
   const Place place;
   // From where the program does not even start to where all is well.
   int lacking = 0, good = 0;
@@ -101,6 +94,7 @@ TEST_CASE("limits: where memory ends, one line says what was done") {
 }
 
 TEST_CASE("limits: a small stack is made larger, or refused before anything is done") {
+  if (shell::kSanitizer) return;
   const Place place;
   for (const char* kilobytes : {"64", "256", "1000"}) {
     const Outcome o = voussoir(place.run("-j 2"), std::string("ulimit -s ") + kilobytes + " && ");

@@ -42,10 +42,11 @@ std::pair<int, std::string> end_of(Throw thrown) {
 }  // namespace
 
 TEST_CASE("process: out of memory in a thread ends it with a message and the code of a file error") {
+  io::now_doing("building the model");
   const auto [status, said] = end_of([] { throw std::bad_alloc(); });
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 3);
-  CHECK(said.starts_with("voussoir: out of memory while starting; "));
+  CHECK(said.starts_with("voussoir: out of memory while building the model; "));
   CHECK(said.ends_with(" MB are in use\n"));
 }
 
