@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
+#include "cases/tables/time.h"
 #include "cases/tables/blocks.h"
 #include "cases/tables/loads.h"
 #include "cases/tables/motion.h"
