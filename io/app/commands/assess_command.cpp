@@ -22,6 +22,7 @@
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/results/case_of_run.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -71,7 +72,7 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
 int assess(const AssessOptions& o) {
   now_doing("reading the results");
   std::filesystem::is_directory(o.folder) ? note_run(o.folder) : note_input(o.folder);
-  const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
+  const Hdf5File run = open_run(o.folder);
   const cases::Case c = case_of_run(run);
   const Building building = building_of(run);
   if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");

@@ -15,6 +15,7 @@
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/compared_measures.h"
 #include "io/output/results/comparison.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -26,7 +27,7 @@ struct CompareWords {
 
 std::string results_of(const std::string& path) { return std::filesystem::is_directory(path) ? path + "/run.h5" : path; }
 
-std::string summary_of(const std::string& path) { return summary_json(Hdf5File::open(path)); }
+std::string summary_of(const std::string& path) { return summary_json(open_run(path)); }
 
 std::string as_json(const Comparison& c, const std::string& a, const std::string& b) {
   using Json = nlohmann::ordered_json;

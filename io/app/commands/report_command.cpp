@@ -19,6 +19,7 @@
 #include "io/input/stones/stones.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/results/case_of_run.h"
+#include "io/output/results/run_file.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 
@@ -45,7 +46,7 @@ std::vector<double> numbers(const char* key, const std::vector<std::string>& wor
 /// Modes of the undamaged structure of a run.
 std::vector<solver::Mode> modes_of(const std::string& run, int count) {
   if (count == 0) return {};
-  const Hdf5File file = Hdf5File::open(run);
+  const Hdf5File file = open_run(run);
   cases::Case c = case_of_run(file);
   load_stones(c);
   const cases::Model model = prepared_model(c);

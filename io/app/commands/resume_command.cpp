@@ -25,6 +25,7 @@
 #include "io/output/results/base_motion.h"
 #include "io/output/results/case_of_run.h"
 #include "io/output/results/checkpoints.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 
@@ -95,7 +96,7 @@ void take_end(const std::string& folder, const Found& found, cases::Case& saved)
 
 /// Checks that the results in run.h5 are of the same case as the checkpoint.
 void check_results(const std::string& run, const Found& found, const cases::Case& saved) {
-  const std::string what = difference(case_of_run(Hdf5File::open(run)), saved);
+  const std::string what = difference(case_of_run(open_run(run)), saved);
   if (!what.empty()) throw FileError(run, "is not of the case of " + found.path + ": " + what + "; results of two runs do not go together");
 }
 
@@ -105,7 +106,7 @@ struct Extent {
   double end = 0.0;  // s
 };
 Extent extent_of(const std::string& run) {
-  const Hdf5File file = Hdf5File::open(run);
+  const Hdf5File file = open_run(run);
   if (!file.exists("/summary") || file.attribute_int("/summary", "finished") == 0) return {};
   return {.finished = true, .merged = file.attribute_int("/", "parts") == 0, .end = file.attribute_double("/summary", "end_time")};
 }

@@ -22,6 +22,7 @@
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/results/case_of_run.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -191,7 +192,7 @@ struct SummaryOptions {
 /// one, or one of an earlier version of the program. \throw FileError
 int print_summary(const SummaryOptions& o) {
   now_doing("reading the results");
-  const Hdf5File run = Hdf5File::open(std::filesystem::is_directory(o.folder) ? o.folder + "/run.h5" : o.folder);
+  const Hdf5File run = open_run(o.folder);
   const Measures m = measure(run);
   const std::optional<Capacity> capacity = capacity_of(run);
   const Json summary = summary_of(run, m, capacity);

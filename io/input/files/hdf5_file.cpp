@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "io/input/files/errors.h"
+#include "io/input/files/hdf5_driver.h"
 #include "io/input/files/hdf5_handle.h"
+#include "io/input/files/hdf5_pieces.h"
 
 namespace voussoir::io {
 namespace {
@@ -33,6 +35,8 @@ Handle access_properties(const Doing& doing) {
   // This program's files are closed by then, or lost.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  // Links to other files are not followed.
+  [[maybe_unused]] static const herr_t never = H5Lunregister(H5L_TYPE_EXTERNAL);
   Handle access = doing.own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   doing.check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110));
 #if H5_VERSION_GE(1, 10, 7)
@@ -122,9 +126,12 @@ Hdf5File Hdf5File::create(const std::string& path, std::uint64_t head) {
 Hdf5File Hdf5File::open(const std::string& path) {
   const Doing doing{path, "open the file", ""};
   const Handle access = access_properties(doing);
+  doing.check(hdf5::use_paged_files(access));
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   doing.check(id < 0 ? -1 : 0);
-  return {path, id};
+  Hdf5File file(path, id);
+  file.sealed_ = hdf5::paged_file(id).sealed();
+  return file;
 }
 
 Hdf5File Hdf5File::open_in_memory(const std::string& name, std::span<const std::byte> image) {
@@ -139,11 +146,17 @@ Hdf5File Hdf5File::open_in_memory(const std::string& name, std::span<const std::
   return {name, id};
 }
 
-Hdf5File::Hdf5File(Hdf5File&& other) noexcept : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, -1)) {}
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept
+    : path_(std::move(other.path_)),
+      handle_(std::exchange(other.handle_, -1)),
+      sealed_(other.sealed_),
+      sources_(std::move(other.sources_)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(handle_, other.handle_);
+  std::swap(sealed_, other.sealed_);
+  std::swap(sources_, other.sources_);
   return *this;
 }
 
@@ -168,7 +181,9 @@ bool Hdf5File::exists(const std::string& name) const {
   // Every group of the path is tested, as HDF5 requires.
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
     const std::string head = name.substr(0, end);
-    if (head != "/" && H5Lexists(handle_, head.c_str(), H5P_DEFAULT) <= 0) return false;
+    const htri_t there = head == "/" ? 1 : H5Lexists(handle_, head.c_str(), H5P_DEFAULT);
+    Doing{path_, "read", name}.check_reads();
+    if (there <= 0) return false;
     if (end == std::string::npos) return true;
   }
 }
@@ -220,6 +235,18 @@ void Hdf5File::write_rows(const std::string& name, Hdf5Type type, std::uint64_t 
 void Hdf5File::read_rows(const std::string& name, Hdf5Type type, std::uint64_t first, std::uint64_t rows, void* data) const {
   const Doing doing{path_, "read", name};
   const Rows part(doing, handle_, first, rows);
+  const std::vector<hdf5::Piece> pieces = hdf5::pieces_of(doing, part.dataset);
+  if (!pieces.empty()) {
+    const Shape whole = extent_of(doing, part.dataset);
+    auto* to = static_cast<char*>(data);
+    std::uint64_t bytes = size_of(type);
+    for (std::size_t i = 1; i < whole.size(); ++i) bytes *= whole[i];
+    for (const hdf5::Piece& p : pieces) {
+      const std::uint64_t from = std::max(first, p.first), to_row = std::min(first + rows, p.first + p.rows);
+      if (from < to_row) source(p.file).read_rows(p.dataset, type, from - p.first, to_row - from, to + (from - first) * bytes);
+    }
+    return;
+  }
   if (!part.empty) doing.check(H5Dread(part.dataset, types_of(type).memory, part.memory, part.space, H5P_DEFAULT, data));
 }
 

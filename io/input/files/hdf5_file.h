@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -82,7 +83,8 @@ class Hdf5File {
   /// ...
   /// \throw FileError
   static Hdf5File create(const std::string& path, std::uint64_t head = 0);
-  /// Opens a file for reading. \throw FileError (also if it is not HDF5)
+  /// Opens a file for reading through PagedFile: of a sealed file nothing is read that is not what was written. \throw FileError (also if
+  /// it is not HDF5, or no regular file); every function that reads throws DamagedFile for damaged pages
   static Hdf5File open(const std::string& path);
   /// Opens a file image in memory for reading; `name` is for messages. \throw FileError
   static Hdf5File open_in_memory(const std::string& name, std::span<const std::byte> image);
@@ -99,9 +101,15 @@ class Hdf5File {
   /// Passes buffered data to the system. \throw FileError
   void flush();
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Whether the file was opened for reading and is sealed page by page (sealed_pages.h).
+  [[nodiscard]] bool sealed() const noexcept { return sealed_; }
+  /// Files that virtual datasets take rows from, relative to the folder of this one, in alphabetical order. \throw FileError
+  [[nodiscard]] std::vector<std::string> sources() const;
 
   void make_group(const std::string& name);
   [[nodiscard]] bool exists(const std::string& name) const;
+  /// Paths of all datasets, in alphabetical order; one with several names once. Links to other files are refused. \throw FileError
+  [[nodiscard]] std::vector<std::string> datasets() const;
   /// Names in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
@@ -121,18 +129,18 @@ class Hdf5File {
   template <class T>
   [[nodiscard]] std::vector<T> read(const std::string& name) const {
     const Shape extent = shape(name);
-    std::uint64_t count = 1;
-    for (const std::uint64_t n : extent) count *= n;
-    std::vector<T> values(count);
+    std::vector<T> values(count_of(name));
     read_rows(name, Hdf5TypeOf<T>::value, 0, extent.empty() ? 1 : extent[0], values.data());
     return values;
   }
+  /// Number of values of a dataset, after a check that the file holds them. \throw FileError
+  [[nodiscard]] std::uint64_t count_of(const std::string& name) const;
   /// Writes one string per row, of fixed length in the file (UTF-8, padded with zeros).
   void write_strings(const std::string& name, std::span<const std::string> values, const Hdf5Note& note = {});
   [[nodiscard]] std::vector<std::string> read_strings(const std::string& name) const;
 
-  /// Creates a virtual dataset whose rows are those of the sources, in order. Rows of a missing source read as NaN, or as −1 (all bits set)
-  /// in integers. Without rows the dataset is an ordinary empty one. \param row  shape of a row, empty for a scalar
+  /// Creates a virtual dataset whose rows are those of the sources, in order. Other programs read rows of a missing source as NaN, or as −1
+  /// (all bits set) in integers; this class refuses to. Without rows the dataset is an ordinary empty one. \param row  shape of a row, empty for a scalar
   void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
                       const Hdf5Note& note = {});
 
@@ -156,10 +164,14 @@ class Hdf5File {
   [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:
+  [[nodiscard]] const Hdf5File& source(const std::string& file) const;
+
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}
 
   std::string path_;
   std::int64_t handle_ = -1;
+  bool sealed_ = false;
+  mutable std::map<std::string, std::shared_ptr<const Hdf5File>> sources_;  // opened, by name
 };
 
 }  // namespace voussoir::io

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "io/input/files/errors.h"
+#include "io/input/files/hdf5_driver.h"
 
 namespace voussoir::io::hdf5 {
 namespace {
@@ -44,7 +45,20 @@ Room::Room() {
   ::munmap(room, kRoom);
 }
 
+void Doing::check_reads() const {
+  const std::exception_ptr fault = take_fault();
+  if (!fault) return;
+  try {
+    std::rethrow_exception(fault);
+  } catch (const FileError& e) {
+    if (object.empty()) throw;
+    const std::string said = std::string(e.what()).substr(e.path().size() + 2);
+    throw DamagedFile(e.path(), std::string("cannot ") + action + " " + object + ": " + said);
+  }
+}
+
 void Doing::fail() const {
+  check_reads();
   const std::string why = reason();
   throw FileError(path, std::string("cannot ") + action + (object.empty() ? "" : " " + object) + ": " + why);
 }

@@ -46,11 +46,16 @@ struct Doing {
   /// \throw FileError with HDF5's reason if the status is negative
   void check(int status) const {
     if (status < 0) fail();
+    check_reads();
   }
+  /// \throw DamagedFile if a read of the file has failed, which HDF5 does not always tell
+  void check_reads() const;
   /// Takes ownership of a handle. \throw FileError with HDF5's reason if the handle is negative
   [[nodiscard]] Handle own(std::int64_t id, Handle::Close close) const {
     if (id < 0) fail();
-    return {id, close};
+    Handle handle(id, close);
+    check_reads();
+    return handle;
   }
   [[noreturn]] void fail() const;
 };

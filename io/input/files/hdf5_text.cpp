@@ -69,6 +69,7 @@ std::vector<std::string> Hdf5File::read_strings(const std::string& name) const {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || shape.size() != 1)
     throw FileError(path_, name + " is no list of texts of fixed length");
   const std::size_t length = H5Tget_size(type);
+  static_cast<void>(count_of(name));
   std::vector<char> flat(length * shape[0]);
   if (!flat.empty()) doing.check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()));
   std::vector<std::string> values(shape[0]);
@@ -106,7 +107,9 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
 }
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
-  return H5Aexists_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  const htri_t there = H5Aexists_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT);
+  Doing{path_, "read an attribute of", object}.check_reads();
+  return there > 0;
 }
 
 std::vector<std::string> Hdf5File::attribute_texts(const std::string& object, const std::string& name) const {

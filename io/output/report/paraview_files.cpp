@@ -17,6 +17,7 @@
 #include "io/output/replay/cells.h"
 #include "io/output/replay/frame_reader.h"
 #include "io/output/results/results_parts.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -166,7 +167,7 @@ void write_paraview(const std::string& folder, bool overwrite) {
   const std::string xdmf = folder + "/run.xdmf", data = folder + "/" + kData;
   const Output description{xdmf, FileKind::xdmf, "--paraview", overwrite};
   for (const Output& output : {description, Output{data, FileKind::hdf5, "--paraview", overwrite}}) refuse_to_replace(output);
-  const Hdf5File run = Hdf5File::open(folder + "/run.h5");
+  const Hdf5File run = open_run(folder + "/run.h5");
   const FrameReader frames(run);
   if (frames.frames() == 0) throw FileError(run.path(), "holds no frames");
   const Still still = read_still(run, frames.elements());

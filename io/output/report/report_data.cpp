@@ -21,6 +21,7 @@
 #include "io/output/report/report_model.h"
 #include "io/output/report/report_modes.h"
 #include "io/output/report/report_page.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -72,7 +73,7 @@ void put_modes(Scripts& out, const Hdf5File& file, const FrameReader& reader, co
 }  // namespace
 
 std::string report_data(const std::string& run, const std::string& prefix, const std::vector<solver::Mode>& modes) {
-  const Hdf5File file = Hdf5File::open(run);
+  const Hdf5File file = open_run(run);
   const FrameReader reader(file, frames_apart(file.shape("/model/element/mass")[0], file.shape("/frames/time")[0]));
   const PackedFrames frames = pack_frames(file, reader);
   const ReportFacts facts = report_facts(file, reader, frames.quantum);
@@ -108,7 +109,7 @@ std::string report_data(const std::string& run, const std::string& prefix, const
 
 std::string model_html(const std::string& run, const std::string& fault, const std::vector<std::int32_t>& faults) {
   const ReportPage page = report_page();
-  const ReportModel model = report_model(Hdf5File::open(run), fault, faults);
+  const ReportModel model = report_model(open_run(run), fault, faults);
   Scripts out("");
   out.put("application/json", "model", safe_json(model.json));
   out.put("fixed", model.fixed);

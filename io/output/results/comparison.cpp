@@ -16,6 +16,7 @@
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 
@@ -24,17 +25,12 @@ namespace {
 constexpr std::uint64_t kComparedBytes = 4U << 20;  // of a dataset in memory at a time
 constexpr double kSameTime = 1e-9;  // s: below any step; times of runs with different steps differ by round-off
 
-/// Collects the paths of all datasets below a group, except provenance.
-void list_datasets(const Hdf5File& file, const std::string& group, std::set<std::string>& all) {
-  for (const std::string& name : file.children(group.empty() ? "/" : group)) {
-    const std::string path = group + "/" + name;
-    if (path == "/provenance") continue;
-    if (file.is_group(path)) {
-      list_datasets(file, path, all);
-    } else {
-      all.insert(path);
-    }
-  }
+/// The paths of all datasets, except provenance.
+std::set<std::string> datasets_of(const Hdf5File& file) {
+  std::set<std::string> all;
+  for (const std::string& path : file.datasets())
+    if (!path.starts_with("/provenance/")) all.insert(path);
+  return all;
 }
 
 std::uint64_t row_bytes(const Shape& shape, Hdf5Type type) {
@@ -123,9 +119,8 @@ class Comparer {
   Comparer(const Hdf5File& a, const Hdf5File& b) : a_(a), b_(b) {}
 
   Comparison all() {
-    std::set<std::string> in_a, in_b, names;
-    list_datasets(a_, "", in_a);
-    list_datasets(b_, "", in_b);
+    const std::set<std::string> in_a = datasets_of(a_), in_b = datasets_of(b_);
+    std::set<std::string> names;
     std::ranges::set_union(in_a, in_b, std::inserter(names, names.end()));
     for (const std::string& name : names) {
       ++result_.datasets;
@@ -224,7 +219,7 @@ class Comparer {
 }  // namespace
 
 Comparison compare_files(const std::string& a, const std::string& b) {
-  const Hdf5File p = Hdf5File::open(a), q = Hdf5File::open(b);
+  const Hdf5File p = open_run(a), q = open_run(b);
   return Comparer(p, q).all();
 }
 

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "io/input/files/output_path.h"
+#include "io/input/files/sealed_pages.h"
 #include "io/input/files/whole_file.h"
 
 namespace voussoir::io {
@@ -97,9 +98,10 @@ RowCounts rows_of(std::span<const Part> parts) noexcept {
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary) {
   if (temporary.empty()) temporary = cleared(path + ".tmp");
   try {
-    Hdf5File file = Hdf5File::create(temporary);
+    Hdf5File file = Hdf5File::create(temporary, kSealBytes);
     fill(file);
     file.close();
+    seal_pages(temporary);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;

@@ -29,7 +29,7 @@ struct Part {
 /// Total numbers of rows of the parts.
 [[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
 
-/// Creates a file under a temporary name by `fill`, and renames it once it is complete and on disk (see replace_file).
+/// Creates a file under a temporary name by `fill`, seals it (sealed_pages.h), and renames it once it is complete and on disk (see replace_file).
 /// \param temporary  none: PATH.tmp, unique since only one process uses the locked folder of a run
 /// \throw FileError, or the exception of `fill`; the existing file with this name is then unchanged
 void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});

@@ -12,6 +12,7 @@
 namespace voussoir::io {
 namespace {
 
+constexpr std::int64_t kUnsealed = kSealedSchema - 1;  // the same layout without seals
 constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column in memory at a time during a check
 
 std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
@@ -42,9 +43,10 @@ void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t 
 Part read_part(const std::string& folder, const std::string& name, const RowSchema& schema) {
   const Hdf5File file = Hdf5File::open(folder + "/" + name);
   if (!file.has_attribute("/", "schema_version")) throw FileError(file.path(), "holds no results of voussoir");
-  if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema)
+  if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema && version != kUnsealed)
     throw FileError(file.path(), "has version " + std::to_string(version) + " of the results' layout; this program goes on with version " +
-                                     std::to_string(kResultsSchema) + " only");
+                                     std::to_string(kUnsealed) + " and " + std::to_string(kResultsSchema) + " only");
+  if (file.attribute_int("/", "schema_version") >= kSealedSchema && !file.sealed()) throw FileError(file.path(), "is damaged: it has lost its seal");
   Part part;
   part.file = name;
   part.first_time = file.attribute_double("/", "time_first");

@@ -16,7 +16,9 @@
 namespace voussoir::io {
 
 /// Version of the layout of run.h5, its attribute `schema_version`.
-inline constexpr std::int64_t kResultsSchema = 5;
+inline constexpr std::int64_t kResultsSchema = 6;
+/// The first version whose files are sealed (io/input/files/sealed_pages.h).
+inline constexpr std::int64_t kSealedSchema = 6;
 
 /// The table NAME has the group /NAME: see table_name.
 enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts, assessment };

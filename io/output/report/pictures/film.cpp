@@ -19,6 +19,7 @@
 #include "io/output/report/pictures/browser.h"
 #include "io/output/report/pictures/child_input.h"
 #include "io/output/report/report_data.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -56,7 +57,7 @@ struct Stretch {
 Stretch stretch_of(const std::vector<std::string>& runs) {
   Stretch all{1e300, -1e300};
   for (const std::string& run : runs) {
-    const auto times = Hdf5File::open(run).read<double>("/frames/time");
+    const auto times = open_run(run).read<double>("/frames/time");
     if (times.empty()) throw FileError(run, "holds no frames");
     all = {std::min(all.from, times.front()), std::max(all.until, times.back())};
   }

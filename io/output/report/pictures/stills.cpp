@@ -17,6 +17,7 @@
 #include "io/input/files/whole_file.h"
 #include "io/output/report/pictures/browser.h"
 #include "io/output/report/report_data.h"
+#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;
@@ -31,7 +32,7 @@ struct ShownStill {
 };
 
 void check_times(const std::string& run, const std::vector<double>& times) {
-  const std::vector<double> frames = Hdf5File::open(run).read<double>("/frames/time");
+  const std::vector<double> frames = open_run(run).read<double>("/frames/time");
   if (frames.empty()) throw FileError(run, "holds no frames");
   // A picture shows the nearest frame. The run may end after the last frame, by less than the frame interval.
   const double interval = frames.size() > 1 ? frames[1] - frames[0] : 0.0;
